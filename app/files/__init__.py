@@ -1,0 +1,1 @@
+"""Every file format of the station: read, validated, written atomically."""

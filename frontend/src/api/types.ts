@@ -1,0 +1,321 @@
+/** What the server sends and takes. The Python side of each shape is in app/api/schema.py. */
+
+export type Quality = "good" | "attention" | "bad" | "neutral";
+
+/** A number that the operator watches: value and unit, never one without the other. */
+export interface LiveNumber {
+  label: string;
+  value: number | null;
+  unit: string;
+  decimals: number;
+  quality: Quality;
+  /** e.g. "limit 50 µm" */
+  note: string;
+}
+
+export interface Finding {
+  quality: Quality;
+  /** One sentence, with the number and the limit. */
+  text: string;
+  /** What to do; may be empty. */
+  remedy: string;
+}
+
+/** One thing the operator may do now. The client posts `name` and `args` as they are. */
+export interface Action {
+  name: string;
+  label: string;
+  args: Record<string, unknown>;
+  primary: boolean;
+  enabled: boolean;
+  /** Why it is not possible now; shown beside the disabled button. */
+  why_not: string;
+  /** A question to put before a destructive act; empty: no question. */
+  confirm: string;
+}
+
+export interface Step {
+  id: string;
+  title: string;
+  state: "done" | "current" | "todo" | "stale";
+}
+
+export type Vec3 = [number, number, number];
+
+/** The block's geometry for drawing, in mm, from its certificate. */
+export interface BlockGeometry {
+  edges_x_mm: number[];
+  front_y_mm: number;
+  back_y_mm: number;
+  crest_z_mm: number;
+  floor_z_mm: number;
+  base_z_mm: number;
+}
+
+/** A touched point on the object. */
+export interface TouchedPoint {
+  index: number;
+  face: string;
+  /** Where it lies on the object (object frame, mm), null until an alignment exists. */
+  at_mm: Vec3 | null;
+  residual_um: number | null;
+  outlier: boolean;
+}
+
+export interface FaceProgress {
+  face: string;
+  title: string;
+  taken: number;
+  wanted: number;
+  selected: boolean;
+  rms_um: number | null;
+  /** Suggested places to touch, object frame, mm. */
+  suggested_mm: Vec3[];
+}
+
+export interface ChoiceOption {
+  id: string;
+  label: string;
+  detail: string;
+}
+
+export interface Choice {
+  /** arm, object, sensor */
+  field: string;
+  title: string;
+  options: ChoiceOption[];
+  selected: string;
+}
+
+export interface DeviceLine {
+  title: string;
+  quality: Quality;
+  text: string;
+}
+
+export interface ImageCorner {
+  name: string;
+  u: number;
+  v: number;
+  residual_px: number | null;
+}
+
+export interface BudgetRow {
+  source: string;
+  /** Standard uncertainty of a reconstructed point in the flange frame, k = 1. */
+  value_um: number;
+}
+
+export interface FaceResult {
+  face: string;
+  points: number;
+  rms_um: number;
+  form_um: number;
+}
+
+export interface WorstPoint {
+  kind: "contact" | "corner" | "stripe";
+  name: string;
+  value: number;
+  unit: string;
+}
+
+export interface Comparison {
+  /** Name and time of the calibration compared with. */
+  with_name: string;
+  /** Largest and rms shift of points of the measuring volume in the flange frame. */
+  max_um: number;
+  rms_um: number;
+}
+
+export interface CalibrationResult {
+  verdict: Quality;
+  verdict_text: string;
+  reprojection_rms_px: number;
+  laser_plane_rms_um: number;
+  alignment_rms_um: number;
+  depth_range_mm: [number, number];
+  probe_matrix: number[][];
+  faces: FaceResult[];
+  budget: BudgetRow[];
+  total_um: number;
+  worst: WorstPoint[];
+  comparison: Comparison | null;
+  condition_number: number;
+  distortion: number[];
+}
+
+/** What the large picture shows. */
+export type Picture =
+  | { kind: "devices"; devices: DeviceLine[] }
+  | { kind: "choices"; choices: Choice[]; block: BlockGeometry | null }
+  | { kind: "object"; block: BlockGeometry; faces: FaceProgress[]; points: TouchedPoint[] }
+  | { kind: "camera" }
+  | {
+      kind: "still";
+      /** GET address of the captured picture. */
+      image_url: string;
+      width_px: number;
+      height_px: number;
+      corners: ImageCorner[];
+      outline: [number, number, number, number][];
+      stripe: [number, number][];
+    }
+  | { kind: "result"; result: CalibrationResult; block: BlockGeometry; points: TouchedPoint[];
+      image_url: string; width_px: number; height_px: number; corners: ImageCorner[];
+      outline: [number, number, number, number][]; stripe: [number, number][] };
+
+/** The whole state of the guided flow, owned by the server. */
+export interface FlowView {
+  session_id: string;
+  /** Grows with every change; commands carry it and a stale one gets 409. */
+  rev: number;
+  running: boolean;
+  steps: Step[];
+  step: string;
+  title: string;
+  instruction: string;
+  picture: Picture;
+  number: LiveNumber | null;
+  progress: { done: number; of: number; text: string } | null;
+  findings: Finding[];
+  actions: Action[];
+  /** A job or the hand at work: its words and its share done (0 to 1), else null. */
+  busy: { text: string; fraction: number | null } | null;
+}
+
+export interface FlowCommand {
+  name: string;
+  args: Record<string, unknown>;
+  rev: number;
+  /** Idempotency key: the same key twice acts once. */
+  key: string;
+}
+
+/** RFC 9457 */
+export interface Problem {
+  type: string;
+  title: string;
+  status: number;
+  detail: string;
+  /** machine-readable name */
+  code: string;
+  remedy: string;
+  /** with 409 of a stale flow command */
+  view?: FlowView;
+}
+
+export interface DeviceState {
+  title: string;
+  state: "connected" | "connecting" | "lost" | "off";
+  text: string;
+  /** Age of the newest data when this was sent. */
+  age_s: number | null;
+  rate_hz: number | null;
+  received: number;
+  lost: number;
+  corrupt: number;
+}
+
+export interface Devices {
+  arm: DeviceState;
+  sensor: DeviceState;
+  laser_on: boolean;
+  has_laser_switch: boolean;
+  arm_still: boolean;
+  exposure_us: number | null;
+  /** Tip centre in the arm frame, mm. */
+  tip_mm: Vec3 | null;
+  disk_free_gb: number;
+}
+
+export interface ScanState {
+  state: "idle" | "running" | "stopping" | "blocked";
+  /** Why a scan cannot start; empty when it can. */
+  why_not: string;
+  scan_id: string | null;
+  points: number;
+  points_shown: number;
+  rate_points_s: number;
+  frames: number;
+  lost_frames: number;
+  frames_without_joints: number;
+  seconds: number;
+  findings: Finding[];
+  /** True while the twin's hand moves the sensor over the part. */
+  hand_running: boolean;
+}
+
+export interface CalibrationSummary {
+  id: string;
+  name: string;
+  accepted_at: string;
+  age_days: number;
+  total_um: number;
+  verdict: Quality;
+  active: boolean;
+  arm_serial: string;
+  sensor_serial: string;
+  object_serial: string;
+}
+
+export interface ScanSummary {
+  id: string;
+  name: string;
+  started_at: string;
+  points: number;
+  frames: number;
+  seconds: number;
+  calibration_id: string;
+}
+
+export interface Station {
+  name: string;
+  version: string;
+  /** True on the twin: "let the hand do it" is offered. */
+  has_hand: boolean;
+  /** True where the devices are simulated. */
+  simulated: boolean;
+}
+
+/** Home: what is valid, what is due, what to do next. */
+export interface Home {
+  station: Station;
+  calibration: CalibrationSummary | null;
+  findings: Finding[];
+  next: { label: string; page: "calibrate" | "scan" | "records"; text: string };
+}
+
+/** Server to client over /api/live (JSON text frames). */
+export type LiveMessage =
+  | { type: "hello"; station: Station }
+  | { type: "topic"; name: "devices"; value: Devices }
+  | { type: "topic"; name: "flow"; value: FlowView }
+  | { type: "topic"; name: "scan"; value: ScanState }
+  | { type: "topic"; name: "home"; value: Home }
+  | { type: "event"; id: number; kind: string; quality: Quality; text: string }
+  | { type: "beat" };
+
+/** Client to server over /api/live. */
+export type LiveRequest =
+  | { type: "preview"; on: boolean }
+  | { type: "preview_ack"; seq: number };
+
+/**
+ * Server to client, binary: 4 bytes big-endian length of the header, the header as
+ * UTF-8 JSON, then a JPEG. Sent only after the last one was acknowledged.
+ */
+export interface PreviewHeader {
+  seq: number;
+  width_px: number;
+  height_px: number;
+  age_s: number;
+  /** Pixels of the full frame, whatever the JPEG's own size. */
+  stripe: [number, number][];
+  corners: ImageCorner[];
+  outline: [number, number, number, number][];
+  saturated_percent: number;
+  laser_on: boolean;
+  arm_still: boolean;
+  findings: Finding[];
+}

@@ -1,0 +1,1 @@
+"""Device drivers, their interfaces, and a simulated station. Never imports ``app``."""

@@ -1,0 +1,16 @@
+"""Fixtures that every room's tests share."""
+
+from pathlib import Path
+
+import pytest
+
+SHARED = Path(__file__).resolve().parents[2] / "shared"
+
+
+@pytest.fixture(scope="session")
+def samples() -> Path:
+    """The folder of sample sessions with their truth, kept beside the checkout."""
+    folder = SHARED / "samples"
+    if not folder.is_dir():
+        pytest.skip("the sample sessions are not beside this checkout")
+    return folder
