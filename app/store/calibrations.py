@@ -1,0 +1,93 @@
+"""Accepted calibrations; one of them is active."""
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from app.store.database import Database, utc_now
+from app.store.journal import JournalRow, append_row
+
+COLUMNS = "id, session_id, name, file, accepted_at, summary, active"
+
+
+@dataclass(frozen=True, slots=True)
+class CalibrationRecord:
+    """One accepted calibration and where its file is."""
+
+    id: str
+    session_id: str
+    name: str
+    file: Path
+    accepted_at: str
+    summary: Mapping[str, object]
+    active: bool
+
+
+class CalibrationStore:
+    """The calibrations that an operator accepted. Files are kept relative to ``folder``."""
+
+    def __init__(self, database: Database, folder: Path) -> None:
+        self._database = database
+        self._folder = folder
+
+    def accept(
+        self,
+        session_id: str,
+        name: str,
+        file: Path,
+        summary: Mapping[str, object],
+        key: str | None,
+    ) -> JournalRow:
+        """Makes a session's calibration the active one, and closes the session.
+
+        The journal row ``accepted``, the record and the change of the active
+        calibration are one transaction. The calibration's id is its session's.
+        """
+        with self._database.writing() as connection:
+            row = append_row(connection, session_id, "accepted", {"name": name}, key)
+            connection.execute("UPDATE calibration SET active = 0 WHERE active = 1")
+            connection.execute(
+                f"INSERT INTO calibration ({COLUMNS}) VALUES (?, ?, ?, ?, ?, ?, 1)",
+                (
+                    session_id,
+                    session_id,
+                    name,
+                    file.relative_to(self._folder).as_posix(),
+                    row.at,
+                    json.dumps(summary, allow_nan=False),
+                ),
+            )
+            connection.execute(
+                "UPDATE session SET ended_at = ? WHERE id = ?", (utc_now(), session_id)
+            )
+        return row
+
+    def active(self) -> CalibrationRecord | None:
+        """The calibration in use; None before the first was accepted."""
+        return self._one("WHERE active = 1")
+
+    def get(self, calibration_id: str) -> CalibrationRecord | None:
+        return self._one("WHERE id = ?", calibration_id)
+
+    def all(self) -> list[CalibrationRecord]:
+        """Every accepted calibration, newest first."""
+        return self._read("ORDER BY accepted_at DESC, rowid DESC")
+
+    def _one(self, clause: str, *values: str) -> CalibrationRecord | None:
+        found = self._read(clause, *values)
+        return found[0] if found else None
+
+    def _read(self, clause: str, *values: str) -> list[CalibrationRecord]:
+        return [
+            CalibrationRecord(
+                row["id"],
+                row["session_id"],
+                row["name"],
+                self._folder / row["file"],
+                row["accepted_at"],
+                json.loads(row["summary"]),
+                bool(row["active"]),
+            )
+            for row in self._database.read(f"SELECT {COLUMNS} FROM calibration {clause}", *values)
+        ]

@@ -1,0 +1,130 @@
+"""The station's database: one SQLite file in the data folder.
+
+Every commit is on the disk before the call returns (WAL with full synchronisation),
+so that a killed server, or a mains failure, loses nothing that was acknowledged.
+"""
+
+import sqlite3
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from datetime import UTC, datetime
+from pathlib import Path
+
+from app.metrology.refusal import Refusal
+
+SCHEMA_VERSION = 1
+SCHEMA = """
+CREATE TABLE session (
+    id TEXT PRIMARY KEY,
+    kind TEXT NOT NULL,
+    started_at TEXT NOT NULL,
+    ended_at TEXT
+) STRICT;
+
+CREATE TABLE journal (
+    number INTEGER PRIMARY KEY AUTOINCREMENT,
+    session_id TEXT NOT NULL REFERENCES session (id),
+    at TEXT NOT NULL,
+    kind TEXT NOT NULL,
+    payload TEXT NOT NULL,
+    command_key TEXT UNIQUE
+) STRICT;
+CREATE INDEX journal_of_a_session ON journal (session_id, number);
+CREATE TRIGGER journal_rows_stay BEFORE DELETE ON journal
+    BEGIN SELECT RAISE(ABORT, 'the journal is append-only'); END;
+CREATE TRIGGER journal_rows_keep BEFORE UPDATE ON journal
+    BEGIN SELECT RAISE(ABORT, 'the journal is append-only'); END;
+
+CREATE TABLE calibration (
+    id TEXT PRIMARY KEY,
+    session_id TEXT NOT NULL REFERENCES session (id),
+    name TEXT NOT NULL,
+    file TEXT NOT NULL,
+    accepted_at TEXT NOT NULL,
+    summary TEXT NOT NULL,
+    active INTEGER NOT NULL CHECK (active IN (0, 1))
+) STRICT;
+CREATE UNIQUE INDEX one_active_calibration ON calibration (active) WHERE active = 1;
+
+CREATE TABLE scan (
+    id TEXT PRIMARY KEY,
+    name TEXT NOT NULL,
+    folder TEXT NOT NULL,
+    started_at TEXT NOT NULL,
+    points INTEGER NOT NULL,
+    frames INTEGER NOT NULL,
+    seconds REAL NOT NULL,
+    calibration_id TEXT NOT NULL
+) STRICT;
+"""
+
+
+def utc_now() -> str:
+    """The wall time for a person to read, ISO 8601 in UTC to the millisecond."""
+    return datetime.now(UTC).isoformat(timespec="milliseconds").replace("+00:00", "Z")
+
+
+class Database:
+    """A connection that threads share, one at a time.
+
+    Raises:
+        Refusal: ``database-newer`` for a file that a later version of the program
+            wrote, ``database-unreadable`` for one that is not a database.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self._lock = threading.RLock()
+        self._connection = sqlite3.connect(path, check_same_thread=False, isolation_level=None)
+        try:
+            self._connection.row_factory = sqlite3.Row
+            self._connection.execute("PRAGMA journal_mode = WAL")
+            self._connection.execute("PRAGMA synchronous = FULL")
+            self._connection.execute("PRAGMA foreign_keys = ON")
+            self._prepare(path)
+        except sqlite3.DatabaseError as error:
+            self._connection.close()
+            raise Refusal(
+                "database-unreadable",
+                f"{path} cannot be read as a station's database",
+                str(error),
+                "Put the last backup in its place, or move it away to begin anew",
+            ) from error
+        except Refusal:
+            self._connection.close()
+            raise
+
+    def _prepare(self, path: Path) -> None:
+        version = int(self._connection.execute("PRAGMA user_version").fetchone()[0])
+        if version > SCHEMA_VERSION:
+            raise Refusal(
+                "database-newer",
+                f"{path} was written by a later version of Crenel (schema {version}, "
+                f"this one knows {SCHEMA_VERSION})",
+                remedy="Install that version or a later one",
+            )
+        if version == 0:
+            self._connection.executescript(
+                f"BEGIN; {SCHEMA} PRAGMA user_version = {SCHEMA_VERSION}; COMMIT;"
+            )
+
+    @contextmanager
+    def writing(self) -> Iterator[sqlite3.Connection]:
+        """One transaction: all of it is kept, or on an exception nothing."""
+        with self._lock:
+            self._connection.execute("BEGIN IMMEDIATE")
+            try:
+                yield self._connection
+            except BaseException:
+                self._connection.execute("ROLLBACK")
+                raise
+            self._connection.execute("COMMIT")
+
+    def read(self, query: str, *values: str | int | float | None) -> list[sqlite3.Row]:
+        """All rows of a query."""
+        with self._lock:
+            return self._connection.execute(query, values).fetchall()
+
+    def close(self) -> None:
+        with self._lock:
+            self._connection.close()

@@ -1,0 +1,114 @@
+"""Sessions and their append-only journal."""
+
+import json
+import sqlite3
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from app.store.database import Database, utc_now
+
+
+@dataclass(frozen=True, slots=True)
+class SessionRecord:
+    """One guided session."""
+
+    id: str
+    kind: str
+    started_at: str
+    ended_at: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class JournalRow:
+    """One thing that happened in a session; never changed, never deleted."""
+
+    number: int
+    """Grows over all sessions of the station."""
+    session_id: str
+    at: str
+    kind: str
+    payload: Mapping[str, object]
+
+
+class JournalStore:
+    """What happened in each guided session, in order."""
+
+    def __init__(self, database: Database) -> None:
+        self._database = database
+
+    def begin_session(self, session_id: str, kind: str) -> SessionRecord:
+        """Opens a session; its rows follow by ``append``."""
+        record = SessionRecord(session_id, kind, utc_now(), None)
+        with self._database.writing() as connection:
+            connection.execute(
+                "INSERT INTO session (id, kind, started_at) VALUES (?, ?, ?)",
+                (record.id, record.kind, record.started_at),
+            )
+        return record
+
+    def end_session(self, session_id: str) -> None:
+        """Marks a session as closed; idempotent."""
+        with self._database.writing() as connection:
+            connection.execute(
+                "UPDATE session SET ended_at = ? WHERE id = ? AND ended_at IS NULL",
+                (utc_now(), session_id),
+            )
+
+    def latest_session(self, kind: str) -> SessionRecord | None:
+        """The newest session of a kind, open or closed."""
+        rows = self._database.read(
+            "SELECT id, kind, started_at, ended_at FROM session WHERE kind = ?"
+            " ORDER BY rowid DESC LIMIT 1",
+            kind,
+        )
+        return SessionRecord(*rows[0]) if rows else None
+
+    def append(
+        self, session_id: str, kind: str, payload: Mapping[str, object], key: str | None = None
+    ) -> JournalRow:
+        """Writes one row; it is on the disk when this returns.
+
+        Raises:
+            sqlite3.IntegrityError: the idempotency ``key`` was used before.
+        """
+        with self._database.writing() as connection:
+            return append_row(connection, session_id, kind, payload, key)
+
+    def knows_key(self, key: str) -> bool:
+        """Whether a command with this idempotency key has acted already."""
+        return bool(self._database.read("SELECT 1 FROM journal WHERE command_key = ?", key))
+
+    def rows(self, session_id: str) -> Sequence[JournalRow]:
+        """All rows of a session, oldest first."""
+        return [
+            JournalRow(
+                row["number"], session_id, row["at"], row["kind"], json.loads(row["payload"])
+            )
+            for row in self._database.read(
+                "SELECT number, at, kind, payload FROM journal WHERE session_id = ?"
+                " ORDER BY number",
+                session_id,
+            )
+        ]
+
+    def last_number(self) -> int:
+        """Number of the newest row of all sessions; 0 before the first."""
+        return int(self._database.read("SELECT COALESCE(MAX(number), 0) FROM journal")[0][0])
+
+
+def append_row(
+    connection: sqlite3.Connection,
+    session_id: str,
+    kind: str,
+    payload: Mapping[str, object],
+    key: str | None,
+) -> JournalRow:
+    """Appends within a transaction that the caller has open."""
+    at = utc_now()
+    text = json.dumps(payload, allow_nan=False)
+    cursor = connection.execute(
+        "INSERT INTO journal (session_id, at, kind, payload, command_key) VALUES (?, ?, ?, ?, ?)",
+        (session_id, at, kind, text, key),
+    )
+    assert cursor.lastrowid is not None
+    return JournalRow(cursor.lastrowid, session_id, at, kind, json.loads(text))

@@ -1,0 +1,53 @@
+"""One server a data folder: the lock that a second one meets."""
+
+import fcntl
+import os
+from pathlib import Path
+from types import TracebackType
+from typing import Self
+
+from app.metrology.refusal import Refusal
+
+
+class FolderLock:
+    """Holds ``station.lock`` in the data folder from construction until ``release``.
+
+    The kernel drops the lock with the process, however it ends, so that a killed
+    server leaves nothing to clean up; the file itself stays and names the last holder.
+
+    Raises:
+        Refusal: ``data-folder-in-use``, naming the process that holds it.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        path = folder / "station.lock"
+        self._file = os.open(path, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o644)
+        try:
+            fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            holder = os.pread(self._file, 32, 0).decode("ascii", "replace").strip() or "unknown"
+            os.close(self._file)
+            raise Refusal(
+                "data-folder-in-use",
+                f"The data folder {folder} is in use by another Crenel server (process {holder})",
+                remedy="Stop that server, or give this one a data folder of its own with --data",
+            ) from None
+        os.ftruncate(self._file, 0)
+        os.pwrite(self._file, f"{os.getpid()}\n".encode(), 0)
+
+    def release(self) -> None:
+        """Lets another server have the folder; idempotent."""
+        if self._file >= 0:
+            os.close(self._file)
+            self._file = -1
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.release()

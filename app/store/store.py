@@ -1,0 +1,46 @@
+"""Everything that the station remembers, in one data folder."""
+
+from pathlib import Path
+
+from app.metrology.refusal import Refusal
+from app.store.calibrations import CalibrationStore
+from app.store.database import Database
+from app.store.journal import JournalStore
+from app.store.lock import FolderLock
+from app.store.scans import ScanStore
+
+
+class Store:
+    """The data folder, held by this process alone until ``close``.
+
+    Raises:
+        Refusal: the folder cannot be written, is in use by another server, or holds
+            a database that cannot be read.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder.absolute()
+        try:
+            for name in ("arms", "objects", "sensors", "sessions", "scans"):
+                (self.folder / name).mkdir(parents=True, exist_ok=True)
+            self._lock = FolderLock(self.folder)
+        except OSError as error:
+            raise Refusal(
+                "data-folder-unwritable",
+                f"The data folder {folder} cannot be used",
+                error.strerror or str(error),
+                "Give a folder that this user may write with --data",
+            ) from error
+        try:
+            self._database = Database(self.folder / "station.db")
+        except BaseException:
+            self._lock.release()
+            raise
+        self.journal = JournalStore(self._database)
+        self.calibrations = CalibrationStore(self._database, self.folder)
+        self.scans = ScanStore(self._database, self.folder)
+
+    def close(self) -> None:
+        """Closes the database and lets another server have the folder; idempotent."""
+        self._database.close()
+        self._lock.release()

@@ -1,0 +1,195 @@
+"""The station's memory: nothing acknowledged is lost, nothing written is changed."""
+
+import os
+import signal
+import sqlite3
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from app.metrology.refusal import Refusal
+from app.store.scans import ScanRecord
+from app.store.store import Store
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def test_a_journal_comes_back_in_order_after_reopening(tmp_path: Path) -> None:
+    store = Store(tmp_path)
+    store.journal.begin_session("s1", "calibration")
+    first = store.journal.append("s1", "point_taken", {"face": "crest", "joints_rad": [0.1, 0.2]})
+    second = store.journal.append("s1", "point_voided", {"index": 0})
+    store.close()
+
+    again = Store(tmp_path)
+    assert again.journal.rows("s1") == [first, second]
+    assert again.journal.last_number() == second.number > first.number
+    assert again.journal.latest_session("calibration") is not None
+    assert again.journal.latest_session("verification") is None
+    again.close()
+
+
+def test_an_idempotency_key_acts_once_over_all_sessions(tmp_path: Path) -> None:
+    store = Store(tmp_path)
+    store.journal.begin_session("s1", "calibration")
+    store.journal.begin_session("s2", "calibration")
+    store.journal.append("s1", "point_taken", {}, "k1")
+    assert store.journal.knows_key("k1")
+    assert not store.journal.knows_key("k2")
+    with pytest.raises(sqlite3.IntegrityError):
+        store.journal.append("s2", "point_taken", {}, "k1")
+    assert store.journal.rows("s2") == []
+    store.close()
+
+
+@pytest.mark.parametrize("statement", ["DELETE FROM journal", "UPDATE journal SET kind = 'x'"])
+def test_the_journal_refuses_to_be_rewritten(tmp_path: Path, statement: str) -> None:
+    store = Store(tmp_path)
+    store.journal.begin_session("s1", "calibration")
+    row = store.journal.append("s1", "point_taken", {})
+    store.close()
+    connection = sqlite3.connect(tmp_path / "station.db")
+    with pytest.raises(sqlite3.IntegrityError, match="append-only"):
+        connection.execute(statement)
+    connection.close()
+    again = Store(tmp_path)
+    assert again.journal.rows("s1") == [row]
+    again.close()
+
+
+def test_no_number_that_is_not_one_enters_the_journal(tmp_path: Path) -> None:
+    store = Store(tmp_path)
+    store.journal.begin_session("s1", "calibration")
+    with pytest.raises(ValueError, match="JSON compliant"):
+        store.journal.append("s1", "point_taken", {"residual": float("nan")})
+    assert store.journal.rows("s1") == []
+    store.close()
+
+
+def test_only_the_last_accepted_calibration_is_active(tmp_path: Path) -> None:
+    store = Store(tmp_path)
+    assert store.calibrations.active() is None
+    for session in ("s1", "s2"):
+        store.journal.begin_session(session, "calibration")
+        file = store.folder / "sessions" / session / "calibration.json"
+        store.calibrations.accept(session, f"Calibration {session}", file, {"total_um": 20.5}, None)
+    active = store.calibrations.active()
+    assert active is not None
+    assert active.id == "s2"
+    assert active.file == store.folder / "sessions/s2/calibration.json"
+    assert active.summary == {"total_um": 20.5}
+    assert [(c.id, c.active) for c in store.calibrations.all()] == [("s2", True), ("s1", False)]
+    assert [row.kind for row in store.journal.rows("s2")] == ["accepted"]
+    latest = store.journal.latest_session("calibration")
+    assert latest is not None
+    assert latest.ended_at is not None
+    store.close()
+
+
+def test_a_failed_acceptance_changes_nothing(tmp_path: Path) -> None:
+    store = Store(tmp_path)
+    store.journal.begin_session("s1", "calibration")
+    file = store.folder / "sessions/s1/calibration.json"
+    store.calibrations.accept("s1", "first", file, {}, None)
+    with pytest.raises(sqlite3.IntegrityError):
+        store.calibrations.accept("s1", "the same once more", file, {}, None)
+    active = store.calibrations.active()
+    assert active is not None
+    assert active.name == "first"
+    assert len(store.journal.rows("s1")) == 1
+    store.close()
+
+
+def test_scans_are_listed_newest_first(tmp_path: Path) -> None:
+    store = Store(tmp_path)
+    scans = [
+        ScanRecord(f"n{i}", f"Scan {i}", store.folder / "scans" / f"n{i}", at, 10, 2, 0.5, "s1")
+        for i, at in enumerate(("2026-01-01T10:00:00Z", "2026-01-01T11:00:00Z"))
+    ]
+    for scan in scans:
+        store.scans.add(scan)
+    assert store.scans.all() == scans[::-1]
+    assert store.scans.get("n0") == scans[0]
+    assert store.scans.get("n9") is None
+    store.close()
+
+
+def test_a_data_folder_can_be_moved(tmp_path: Path) -> None:
+    store = Store(tmp_path / "before")
+    store.journal.begin_session("s1", "calibration")
+    store.calibrations.accept("s1", "c", store.folder / "sessions/s1/calibration.json", {}, None)
+    store.close()
+    (tmp_path / "before").rename(tmp_path / "after")
+    moved = Store(tmp_path / "after")
+    active = moved.calibrations.active()
+    assert active is not None
+    assert active.file == tmp_path / "after/sessions/s1/calibration.json"
+    moved.close()
+
+
+def test_a_second_server_is_refused_naming_the_first(tmp_path: Path) -> None:
+    store = Store(tmp_path)
+    with pytest.raises(Refusal) as caught:
+        Store(tmp_path)
+    assert caught.value.code == "data-folder-in-use"
+    assert str(os.getpid()) in caught.value.line
+    store.close()
+    Store(tmp_path).close()
+
+
+def test_a_database_of_a_later_version_is_left_alone(tmp_path: Path) -> None:
+    Store(tmp_path).close()
+    connection = sqlite3.connect(tmp_path / "station.db")
+    connection.execute("PRAGMA user_version = 99")
+    connection.close()
+    for _ in range(2):  # the refusal must also let the lock go
+        with pytest.raises(Refusal) as caught:
+            Store(tmp_path)
+        assert caught.value.code == "database-newer"
+
+
+def test_what_is_not_a_database_is_named(tmp_path: Path) -> None:
+    (tmp_path / "station.db").write_text("no database at all, but long enough to be read as one")
+    with pytest.raises(Refusal) as caught:
+        Store(tmp_path)
+    assert caught.value.code == "database-unreadable"
+    assert "station.db" in caught.value.line
+
+
+def test_a_folder_that_cannot_be_made_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    with pytest.raises(Refusal) as caught:
+        Store(tmp_path / "file" / "data")
+    assert caught.value.code == "data-folder-unwritable"
+
+
+WRITER = """
+import sys
+from pathlib import Path
+from app.store.store import Store
+store = Store(Path(sys.argv[1]))
+store.journal.begin_session("s1", "calibration")
+for i in range(100000):
+    store.journal.append("s1", "point_taken", {"i": i})
+    print(i, flush=True)
+"""
+
+
+def test_a_killed_process_loses_no_row_that_it_acknowledged(tmp_path: Path) -> None:
+    with subprocess.Popen(
+        [sys.executable, "-c", WRITER, str(tmp_path)], stdout=subprocess.PIPE, cwd=ROOT, text=True
+    ) as writer:
+        assert writer.stdout is not None
+        acknowledged = -1
+        for line in writer.stdout:
+            acknowledged = int(line)
+            if acknowledged == 50:
+                writer.send_signal(signal.SIGKILL)
+                break
+        acknowledged = max([acknowledged, *(int(n) for n in writer.stdout.read().split())])
+    store = Store(tmp_path)
+    kept = [row.payload["i"] for row in store.journal.rows("s1")]
+    assert kept[: acknowledged + 1] == list(range(acknowledged + 1))
+    store.close()
