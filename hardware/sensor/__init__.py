@@ -1,0 +1,1 @@
+"""Drivers of the laser stripe sensor's camera."""
