@@ -1,0 +1,141 @@
+"""``arm.json``: the arm's Denavit-Hartenberg model, limits and tip."""
+
+from pathlib import Path
+from typing import ClassVar, Literal, Self
+
+import numpy as np
+from pydantic import Field, model_validator
+
+from app.files.documents import Document, NotNegative, Number, Part, Positive
+from app.metrology.arm import Arm, Joint, LinkError, Tip
+from app.metrology.refusal import Refusal
+
+
+class ErrorPart(Part):
+    x_mm: Number = 0.0
+    y_mm: Number = 0.0
+    z_mm: Number = 0.0
+    rx_deg: Number = 0.0
+    ry_deg: Number = 0.0
+    rz_deg: Number = 0.0
+
+
+class JointPart(Part):
+    name: str
+    a_mm: Number
+    alpha_deg: Number
+    d_mm: Number
+    theta_deg: Number
+    sign: Literal[1, -1] = 1
+    limits_deg: tuple[Number, Number]
+    encoder_sd_deg: NotNegative = 0.0
+    error: ErrorPart | None = None
+
+    @model_validator(mode="after")
+    def _limits_ascend(self) -> Self:
+        if self.limits_deg[0] >= self.limits_deg[1]:
+            raise ValueError(f"limits_deg of {self.name} must ascend")
+        return self
+
+
+class TipPart(Part):
+    x_mm: Number
+    y_mm: Number
+    z_mm: Number
+    diameter_mm: Positive
+
+
+class ArmFile(Document):
+    """The file as FORMATS.md has it."""
+
+    FORMAT: ClassVar[str] = "crenel/arm"
+
+    name: str
+    serial_number: str
+    convention: Literal["dh-standard", "pose"]
+    joints: tuple[JointPart, ...] = Field(default=())
+    tip: TipPart
+
+    @model_validator(mode="after")
+    def _joints_as_the_convention_wants(self) -> Self:
+        if self.convention == "dh-standard" and len(self.joints) not in (6, 7):
+            raise ValueError(f"six or seven joints are expected, not {len(self.joints)}")
+        return self
+
+
+def read_arm(path: Path) -> Arm:
+    """Reads ``arm.json``; raises ``Refusal`` naming the file and the field."""
+    sheet = ArmFile.read(path)
+    if sheet.convention == "pose":
+        raise Refusal(
+            "arm-without-joints",
+            f"{path}: convention is 'pose'",
+            "arms that report their flange's pose instead of joint angles are not supported",
+            "Give the arm's Denavit-Hartenberg model (convention 'dh-standard')",
+        )
+    tip = sheet.tip
+    return Arm(
+        name=sheet.name,
+        serial_number=sheet.serial_number,
+        joints=tuple(_joint(part) for part in sheet.joints),
+        tip=Tip(tip.x_mm, tip.y_mm, tip.z_mm, tip.diameter_mm),
+    )
+
+
+def write_arm(path: Path, arm: Arm) -> None:
+    """Writes ``arm.json`` atomically."""
+    tip = arm.tip
+    ArmFile(
+        name=arm.name,
+        serial_number=arm.serial_number,
+        convention="dh-standard",
+        joints=tuple(_joint_part(joint) for joint in arm.joints),
+        tip=TipPart(x_mm=tip.x_mm, y_mm=tip.y_mm, z_mm=tip.z_mm, diameter_mm=tip.diameter_mm),
+    ).write(path)
+
+
+def _joint(part: JointPart) -> Joint:
+    error = part.error or ErrorPart()
+    low, high = np.deg2rad(part.limits_deg)
+    return Joint(
+        name=part.name,
+        a_mm=part.a_mm,
+        alpha_rad=float(np.deg2rad(part.alpha_deg)),
+        d_mm=part.d_mm,
+        theta_rad=float(np.deg2rad(part.theta_deg)),
+        sign=part.sign,
+        limits_rad=(float(low), float(high)),
+        encoder_sd_rad=float(np.deg2rad(part.encoder_sd_deg)),
+        error=LinkError(
+            error.x_mm,
+            error.y_mm,
+            error.z_mm,
+            float(np.deg2rad(error.rx_deg)),
+            float(np.deg2rad(error.ry_deg)),
+            float(np.deg2rad(error.rz_deg)),
+        ),
+    )
+
+
+def _joint_part(joint: Joint) -> JointPart:
+    error = joint.error
+    return JointPart(
+        name=joint.name,
+        a_mm=joint.a_mm,
+        alpha_deg=float(np.rad2deg(joint.alpha_rad)),
+        d_mm=joint.d_mm,
+        theta_deg=float(np.rad2deg(joint.theta_rad)),
+        sign=1 if joint.sign > 0 else -1,
+        limits_deg=(float(np.rad2deg(joint.limits_rad[0])), float(np.rad2deg(joint.limits_rad[1]))),
+        encoder_sd_deg=float(np.rad2deg(joint.encoder_sd_rad)),
+        error=None
+        if error == LinkError()
+        else ErrorPart(
+            x_mm=error.x_mm,
+            y_mm=error.y_mm,
+            z_mm=error.z_mm,
+            rx_deg=float(np.rad2deg(error.rx_rad)),
+            ry_deg=float(np.rad2deg(error.ry_rad)),
+            rz_deg=float(np.rad2deg(error.rz_rad)),
+        ),
+    )

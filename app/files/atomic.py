@@ -1,0 +1,85 @@
+"""Writing so that a file is either whole or not there."""
+
+import os
+import secrets
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import BinaryIO
+
+from app.files.failures import files_refused
+from app.metrology.refusal import Refusal
+
+
+@contextmanager
+def atomic_file(path: Path) -> Iterator[BinaryIO]:
+    """A binary file to write and seek in, which takes its name only once complete.
+
+    The bytes go to a hidden file in the same folder; leaving the block without an
+    exception flushes them to disk and renames, anything else removes them and
+    leaves what stood under the name before.
+
+    Raises:
+        Refusal: the folder is missing or not writable, the disk is full, or the
+            name belongs to a folder or a device.
+    """
+    target = checked_target(path)
+    part = target.with_name(f".{target.name[:80]}.{secrets.token_hex(4)}.part")
+    with files_refused(path):
+        try:
+            with open(part, "xb") as file:
+                yield file
+                file.flush()
+                os.fsync(file.fileno())
+            os.replace(part, target)
+        except BaseException:
+            part.unlink(missing_ok=True)
+            raise
+        _sync_folder(target.parent)
+
+
+def write_atomically(path: Path, content: bytes) -> None:
+    """Writes a whole file at once; see ``atomic_file``."""
+    with atomic_file(path) as file:
+        file.write(content)
+
+
+def checked_target(path: Path) -> Path:
+    """Where a file of this name would be written, links followed.
+
+    Raises:
+        Refusal: its folder is missing or not writable, or the name is taken by
+            something that is not a file. So a job can be refused before its work.
+    """
+    with files_refused(path):
+        target = path.resolve()
+        if target.exists() and not target.is_file():
+            kind = "a folder" if target.is_dir() else "a device"
+            raise Refusal("output-not-a-file", str(path), f"it is {kind}", "Name a file")
+        folder = target.parent
+        if not folder.is_dir():
+            raise Refusal(
+                "folder-missing",
+                str(path),
+                f"there is no folder {folder}",
+                "Create it, or choose another place",
+            )
+        if not os.access(folder, os.W_OK | os.X_OK):
+            raise Refusal(
+                "folder-forbidden",
+                str(path),
+                f"the folder {folder} cannot be written to",
+                "Choose another place with -o",
+            )
+    return target
+
+
+def _sync_folder(folder: Path) -> None:
+    """Makes a rename in the folder durable, where the platform can."""
+    if os.name == "nt":
+        return
+    handle = os.open(folder, os.O_RDONLY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)

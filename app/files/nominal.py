@@ -1,0 +1,51 @@
+"""``*.nominal.json``: where a gauge truly is, in the arm frame."""
+
+import math
+from pathlib import Path
+from typing import ClassVar, Literal, Self
+
+from pydantic import model_validator
+
+from app.files.documents import Document, Positive, Vector3
+from app.metrology.refusal import Refusal
+
+UNIT_TOLERANCE = 1e-6
+
+
+class PlaneNominal(Document):
+    FORMAT: ClassVar[str] = "crenel/nominal"
+
+    shape: Literal["plane"] = "plane"
+    point_mm: Vector3
+    normal: Vector3
+
+    @model_validator(mode="after")
+    def _normal_is_unit(self) -> Self:
+        length = math.hypot(*self.normal)
+        if abs(length - 1) > UNIT_TOLERANCE:
+            raise ValueError(f"normal must be of unit length, not {length:.6g}")
+        return self
+
+
+class SphereNominal(Document):
+    FORMAT: ClassVar[str] = "crenel/nominal"
+
+    shape: Literal["sphere"] = "sphere"
+    centre_mm: Vector3
+    radius_mm: Positive
+
+
+class _AnyNominal(Document):
+    FORMAT: ClassVar[str] = "crenel/nominal"
+
+    shape: str
+
+
+def read_nominal(path: Path) -> PlaneNominal | SphereNominal:
+    """Reads a gauge's nominal; raises ``Refusal`` naming the file and the field."""
+    shape = _AnyNominal.read(path).shape
+    if shape == "plane":
+        return PlaneNominal.read(path)
+    if shape == "sphere":
+        return SphereNominal.read(path)
+    raise Refusal("shape-unknown", f"{path}: shape {shape!r}", "plane and sphere are known")
