@@ -161,3 +161,18 @@ def geometric_jacobian(arm: Arm, q_rad: Floats, point_flange_mm: Floats) -> Floa
         jacobian[:3, i] = np.cross(axis, point - before[i][:3, 3])
         jacobian[3:, i] = axis
     return jacobian
+
+
+def tip_covariances(arm: Arm, q_rad: Floats) -> Floats:
+    """What the encoders' noise does to the tip's centre, arm frame.
+
+    Args:
+        q_rad: (N, n) encoder angles.
+
+    Returns:
+        (N, 3, 3) covariance in mm^2 of each tip centre; zero where the arm's
+        model gives no encoder noise.
+    """
+    variances = np.diag(arm.encoder_sd_rad**2)
+    jacobians = [geometric_jacobian(arm, q, arm.tip.centre_mm)[:3] for q in np.asarray(q_rad)]
+    return np.array([J @ variances @ J.T for J in jacobians]).reshape(-1, 3, 3)

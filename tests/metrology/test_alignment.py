@@ -1,0 +1,130 @@
+"""The object's frame from contact points: found, judged, and refused."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from app.metrology.alignment import align, refuse_wrong_faces, what_is_missing
+from app.metrology.frames import inverse, vector_from_rotation
+from app.metrology.refusal import Refusal
+from tests.metrology.builders import BLOCK, TIP_RADIUS_MM, contacts_on, random_pose
+
+FACE_SETS = (
+    ("crest", "front", "left"),
+    ("crest", "front", "right"),
+    ("floor", "back", "left"),
+    ("crest", "floor", "front", "back", "left", "right"),
+)
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.integers(0, 10**6), st.sampled_from(FACE_SETS))
+def test_exact_contacts_give_the_exact_pose(seed: int, faces: tuple[str, ...]) -> None:
+    rng = np.random.default_rng(seed)
+    T_arm_obj = random_pose(rng)
+    features, tips = contacts_on(rng, T_arm_obj, faces=faces)
+    found = align(features, tips, TIP_RADIUS_MM, BLOCK)
+    np.testing.assert_allclose(found.T_arm_obj, T_arm_obj, atol=1e-6)
+    assert np.max(np.abs(found.residuals_mm)) < 1e-6
+
+
+def test_the_covariance_predicts_the_scatter() -> None:
+    rng = np.random.default_rng(2)
+    T_arm_obj = random_pose(rng)
+    errors, predicted = [], []
+    features, exact = contacts_on(rng, T_arm_obj, per_face=15)
+    normals = np.array([_normal_arm(T_arm_obj, face) for face in features])
+    for _ in range(300):
+        tips = exact + normals * rng.normal(0, 0.01, len(exact))[:, None]
+        found = align(features, tips, TIP_RADIUS_MM, BLOCK)
+        change = found.T_arm_obj @ inverse(T_arm_obj)
+        shift = change[:3, :3] @ found.centre_mm + change[:3, 3] - found.centre_mm
+        errors.append(np.concatenate([vector_from_rotation(change[:3, :3]), shift]))
+        predicted.append(np.diag(found.covariance))
+    ratio = np.sqrt(np.mean(predicted, axis=0)) / np.std(errors, axis=0)
+    assert np.all((ratio > 0.85) & (ratio < 1.15)), ratio
+
+
+def test_contacts_are_weighed_by_the_encoders_noise() -> None:
+    rng = np.random.default_rng(4)
+    T_arm_obj = random_pose(rng)
+    features, exact = contacts_on(rng, T_arm_obj, per_face=15)
+    sds = rng.choice([0.002, 0.05], len(features))
+    covariances = np.array([np.eye(3) * sd**2 for sd in sds])
+    plain, weighed = [], []
+    for _ in range(60):
+        tips = exact + rng.normal(size=exact.shape) * sds[:, None]
+        for out, noise in ((plain, None), (weighed, covariances)):
+            T = align(features, tips, TIP_RADIUS_MM, BLOCK, noise).T_arm_obj
+            out.append(np.linalg.norm((T @ inverse(T_arm_obj))[:3, :3] - np.eye(3)))
+    assert np.mean(weighed) < 0.6 * np.mean(plain)
+
+
+def test_a_slipped_contact_is_named_and_left_out() -> None:
+    rng = np.random.default_rng(6)
+    T_arm_obj = random_pose(rng)
+    features, tips = contacts_on(rng, T_arm_obj, noise_mm=0.005)
+    tips[17] += 0.3 * _normal_arm(T_arm_obj, features[17])
+    found = align(features, tips, TIP_RADIUS_MM, BLOCK)
+    assert list(np.flatnonzero(found.outliers)) == [17]
+    assert found.residuals_mm[17] == pytest.approx(0.3, abs=0.03)
+    np.testing.assert_allclose(found.T_arm_obj, T_arm_obj, atol=0.2)
+    refuse_wrong_faces(found, features, BLOCK)
+
+
+def test_a_contact_on_a_wrong_face_is_refused_by_name() -> None:
+    rng = np.random.default_rng(7)
+    features, tips = contacts_on(rng, random_pose(rng), noise_mm=0.005)
+    features[20] = "crest"  # it was taken on the front face
+    found = align(features, tips, TIP_RADIUS_MM, BLOCK)
+    with pytest.raises(Refusal, match=r"contact 21 is labelled crest.*front"):
+        refuse_wrong_faces(found, features, BLOCK)
+
+
+@pytest.mark.parametrize(
+    "swap",
+    [{"left": "right"}, {"front": "back"}, {"crest": "floor"}, {"crest": "front", "front": "left"}],
+)
+def test_a_whole_face_mislabelled_is_refused(swap: dict[str, str]) -> None:
+    rng = np.random.default_rng(8)
+    features, tips = contacts_on(rng, random_pose(rng), noise_mm=0.005)
+    with pytest.raises(Refusal, match=r"labelled|not fix"):
+        align([swap.get(face, face) for face in features], tips, TIP_RADIUS_MM, BLOCK)
+
+
+def test_missing_faces_are_said() -> None:
+    assert what_is_missing(["crest"] * 5 + ["front"] * 3) == (
+        "Touch 3 more on the left or the right face"
+    )
+    assert what_is_missing(["crest"] * 3 + ["back"] * 3 + ["left", "right", "left"]) == ""
+    rng = np.random.default_rng(9)
+    features, tips = contacts_on(rng, random_pose(rng), faces=("crest", "front"))
+    with pytest.raises(Refusal, match="Touch 3 more on the left or the right"):
+        align(features, tips, TIP_RADIUS_MM, BLOCK)
+
+
+def test_contacts_on_one_line_are_refused() -> None:
+    rng = np.random.default_rng(10)
+    T_arm_obj = np.eye(4)
+    features, tips = contacts_on(rng, T_arm_obj)
+    crest = np.array(features) == "crest"
+    tips[crest, 1] = 3.0
+    with pytest.raises(Refusal, match=r"crest face lie on one line.*beside that line"):
+        align(features, tips, TIP_RADIUS_MM, BLOCK)
+
+
+def test_an_unknown_face_and_bad_numbers_are_refused() -> None:
+    rng = np.random.default_rng(11)
+    features, tips = contacts_on(rng, np.eye(4))
+    with pytest.raises(Refusal, match="unknown face 'lid'"):
+        align(["lid", *features[1:]], tips, TIP_RADIUS_MM, BLOCK)
+    tips[3, 1] = np.nan
+    with pytest.raises(Refusal, match="positions"):
+        align(features, tips, TIP_RADIUS_MM, BLOCK)
+
+
+def _normal_arm(T_arm_obj: np.ndarray, face: str) -> np.ndarray:
+    from app.metrology.crenellated import probing_face
+
+    return T_arm_obj[:3, :3] @ probing_face(BLOCK, face)[0]

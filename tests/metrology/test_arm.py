@@ -1,0 +1,94 @@
+"""The arm's kinematics against the robotics toolbox and numerical derivatives."""
+
+import warnings
+
+import numpy as np
+import pytest
+
+from app.metrology.arm import (
+    Arm,
+    error_transform,
+    flange_pose,
+    flange_poses,
+    geometric_jacobian,
+    tip_centres,
+    tip_covariances,
+)
+from app.metrology.frames import Floats, vector_from_rotation
+from tests.metrology.builders import random_arm
+
+
+def toolbox_pose(arm: Arm, q: Floats) -> Floats:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        from roboticstoolbox import DHRobot, RevoluteDH
+
+        T = np.eye(4)
+        for joint, angle in zip(arm.joints, q, strict=True):
+            link = RevoluteDH(d=joint.d_mm, a=joint.a_mm, alpha=joint.alpha_rad)
+            A = DHRobot([link]).fkine([joint.sign * angle + joint.theta_rad]).A
+            T = T @ A @ error_transform(joint.error)
+        return T
+
+
+@pytest.mark.parametrize("joints", [6, 7])
+@pytest.mark.parametrize("with_errors", [False, True])
+def test_forward_kinematics_agree_with_the_robotics_toolbox(joints: int, with_errors: bool) -> None:
+    rng = np.random.default_rng(joints)
+    arm = random_arm(rng, joints, with_errors)
+    for q in rng.uniform(-3, 3, (5, joints)):
+        np.testing.assert_allclose(flange_pose(arm, q), toolbox_pose(arm, q), atol=1e-9)
+
+
+def test_many_poses_at_once_equal_one_at_a_time() -> None:
+    rng = np.random.default_rng(5)
+    arm = random_arm(rng, 7, with_errors=True)
+    q = rng.uniform(-3, 3, (50, 7))
+    T = flange_poses(arm, q)
+    assert T.shape == (50, 4, 4)
+    for one, angles in zip(T, q, strict=True):
+        np.testing.assert_allclose(one, flange_pose(arm, angles), atol=1e-12)
+    np.testing.assert_allclose(
+        tip_centres(arm, q)[7], (T[7] @ [*arm.tip.centre_mm, 1.0])[:3], atol=1e-9
+    )
+
+
+@pytest.mark.parametrize("joints", [6, 7])
+def test_the_jacobian_agrees_with_numerical_differences(joints: int) -> None:
+    rng = np.random.default_rng(10 + joints)
+    arm = random_arm(rng, joints, with_errors=True)
+    q = rng.uniform(-3, 3, joints)
+    point = np.array([10.0, -20.0, 150.0])
+    J = geometric_jacobian(arm, q, point)
+    h = 1e-6
+    for i in range(joints):
+        step = np.zeros(joints)
+        step[i] = h
+        before, after = flange_pose(arm, q - step), flange_pose(arm, q + step)
+        velocity = ((after - before) @ [*point, 1.0])[:3] / (2 * h)
+        turn = vector_from_rotation(after[:3, :3] @ before[:3, :3].T) / (2 * h)
+        np.testing.assert_allclose(J[:3, i], velocity, atol=1e-4)
+        np.testing.assert_allclose(J[3:, i], turn, atol=1e-6)
+
+
+def test_the_tip_scatters_as_its_covariance_says() -> None:
+    rng = np.random.default_rng(21)
+    arm = random_arm(rng)
+    q = rng.uniform(-2, 2, 6)
+    noisy = q + rng.normal(0, 1, (20000, 6)) * arm.encoder_sd_rad
+    observed = np.cov(tip_centres(arm, noisy).T)
+    predicted = tip_covariances(arm, q[None])[0]
+    np.testing.assert_allclose(observed, predicted, atol=0.05 * np.trace(predicted))
+
+
+def test_the_error_transform_follows_its_definition() -> None:
+    from scipy.spatial.transform import Rotation
+
+    from app.metrology.arm import LinkError
+
+    error = LinkError(0.1, -0.2, 0.3, 0.01, -0.02, 0.03)
+    T = error_transform(error)
+    # T(x, y, z) Rz Ry Rx is extrinsic x, then y, then z
+    expected = Rotation.from_euler("xyz", [0.01, -0.02, 0.03]).as_matrix()
+    np.testing.assert_allclose(T[:3, :3], expected, atol=1e-14)
+    np.testing.assert_allclose(T[:3, 3], [0.1, -0.2, 0.3])

@@ -1,0 +1,88 @@
+"""The paper's gauge figures on clouds whose errors are known."""
+
+import numpy as np
+import pytest
+
+from app.metrology.frames import rotation_from_vector
+from app.metrology.gauges import (
+    NominalPlane,
+    NominalSphere,
+    angle_between_rad,
+    check_plane,
+    check_sphere,
+    spread,
+)
+from app.metrology.refusal import Refusal
+
+ARCSEC = np.pi / 180 / 3600
+
+
+def flat(rng: np.random.Generator, normal: np.ndarray, point: np.ndarray) -> np.ndarray:
+    cloud = rng.uniform(-20, 20, (500, 3))
+    return cloud - np.outer(cloud @ normal, normal) + point
+
+
+def test_a_tilted_and_raised_plane_is_measured() -> None:
+    rng = np.random.default_rng(1)
+    normal = np.array([0.0, 0.0, 1.0])
+    tilted = rotation_from_vector(np.array([230 * ARCSEC, 0.0, 0.0])) @ normal
+    point = np.array([400.0, 100.0, 130.0])
+    cloud = flat(rng, tilted, point + [0, 0, 0.1])
+    check = check_plane(cloud, NominalPlane(point, normal))
+    assert check.angle_arcsec == pytest.approx(230, abs=0.01)
+    # the cloud's centre lies a little beside the pivot, so the tilt adds its share
+    lift_um = (check.fit.centre_mm - point) @ normal * 1e3
+    assert lift_um == pytest.approx(100, abs=2)
+    assert check.offset_um == pytest.approx(lift_um, abs=1e-3)
+    assert check.z_error_um == pytest.approx(-lift_um, abs=1e-3)
+
+
+def test_the_sign_of_a_normal_does_not_matter() -> None:
+    rng = np.random.default_rng(2)
+    normal = np.array([0.6, 0.0, 0.8])
+    cloud = flat(rng, normal, np.array([10.0, 20.0, 30.5]))
+    one = check_plane(cloud, NominalPlane(np.array([10.0, 20.0, 30.0]), normal))
+    other = check_plane(cloud, NominalPlane(np.array([10.0, 20.0, 30.0]), -normal))
+    assert one.angle_arcsec == pytest.approx(0, abs=1e-3)
+    assert one.offset_um == pytest.approx(400, abs=1e-3)
+    assert other.offset_um == pytest.approx(-400, abs=1e-3)
+    assert one.z_error_um == pytest.approx(other.z_error_um, abs=1e-6)
+
+
+def test_a_standing_plane_has_no_error_along_z() -> None:
+    rng = np.random.default_rng(3)
+    normal = np.array([1.0, 0.0, 0.0])
+    cloud = flat(rng, normal, np.array([5.0, 0.0, 0.0]))
+    check = check_plane(cloud, NominalPlane(np.array([4.9, 0.0, 0.0]), normal))
+    assert check.z_error_um is None
+    assert check.offset_um == pytest.approx(100, abs=1e-3)
+
+
+def test_small_angles_keep_their_digits() -> None:
+    normal = np.array([0.3, -0.5, 0.81])
+    normal /= np.linalg.norm(normal)
+    across = np.cross(normal, [1.0, 0.0, 0.0])
+    across /= np.linalg.norm(across)
+    turned = rotation_from_vector(1e-7 * across) @ normal
+    assert angle_between_rad(normal, turned) == pytest.approx(1e-7, rel=1e-6)
+    assert angle_between_rad(normal, -turned) == pytest.approx(1e-7, rel=1e-6)
+
+
+def test_a_sphere_is_compared_with_its_nominal() -> None:
+    rng = np.random.default_rng(4)
+    away = rng.normal(size=(1000, 3))
+    away /= np.linalg.norm(away, axis=1)[:, None]
+    centre = np.array([100.0, 200.0, 300.0])
+    nominal = NominalSphere(centre + [0.03, 0.04, 0.0], 12.75)
+    check = check_sphere(centre + 12.7 * away, nominal)
+    assert check.radius_error_um == pytest.approx(50, abs=0.01)
+    assert check.centre_error_um == pytest.approx(50, abs=0.01)
+    assert check_sphere(centre + 12.7 * away).radius_error_um is None
+
+
+def test_the_spread_over_clouds() -> None:
+    found = spread([1.0, 2.0, 6.0])
+    assert (found.mean, found.range) == (3.0, 5.0)
+    assert found.standard_deviation == pytest.approx(np.sqrt(7))
+    with pytest.raises(Refusal, match="at least two"):
+        spread([1.0])
