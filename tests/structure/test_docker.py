@@ -1,0 +1,44 @@
+"""The container's files: linted, and true to the tree they build from."""
+
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+import yaml
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def test_the_dockerfile_passes_the_linter() -> None:
+    beside_python = Path(sys.executable).parent / "hadolint"
+    hadolint = str(beside_python) if beside_python.is_file() else shutil.which("hadolint")
+    if hadolint is None:
+        pytest.skip("hadolint has no build for this platform")
+    done = subprocess.run(
+        [hadolint, "--strict-labels", "docker/Dockerfile"],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_every_copied_path_exists() -> None:
+    for line in (ROOT / "docker/Dockerfile").read_text().splitlines():
+        words = line.split()
+        if words[:1] == ["COPY"] and not words[1].startswith("--from"):
+            for source in words[1:-1]:
+                assert (ROOT / source).exists(), source
+
+
+def test_compose_builds_this_tree_and_keeps_to_loopback() -> None:
+    compose = yaml.safe_load((ROOT / "docker/compose.yaml").read_text())
+    station = compose["services"]["station"]
+    build = station["build"]
+    context = (ROOT / "docker" / build["context"]).resolve()
+    assert context == ROOT
+    assert (context / build["dockerfile"]).is_file()
+    assert all(port.startswith("127.0.0.1:") for port in station["ports"])
