@@ -1,0 +1,224 @@
+"""The laser stripe in an image: its centre below a pixel, and how far to trust it."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology import stripe_kernels as kernels
+from app.metrology.frames import Floats
+from app.metrology.refusal import Refusal
+
+Image = NDArray[np.uint8] | NDArray[np.uint16]
+
+# A peak stands out of the noise by this many standard deviations of its score; what
+# noise passes makes no run.
+STANDS_OUT = 4.0
+# A point belongs to a run of at least this many neighbouring points.
+SHORTEST_RUN = 6
+LARGEST_GAP = 3
+# Rows by which the stripe may climb from one column to the next.
+STEEPEST = 4.0
+# Widths, in shares of the image's typical one, and misfit beyond which a peak is no stripe.
+WIDTHS = (0.45, 2.2)
+# Columns between which laser speckle has become independent.
+SPECKLE_LAG = 6
+
+
+@dataclass(frozen=True)
+class Stripe:
+    """Points of the laser stripe, at most one a column (axis u) or a row (axis v).
+
+    ``intensity`` is the height of the stripe over its background in grey levels,
+    ``sigma_px`` the standard deviation of the point across the stripe's direction
+    of counting: of v for axis u, of u for axis v.
+    """
+
+    u: Floats  # (N,)
+    v: Floats  # (N,)
+    intensity: Floats  # (N,)
+    sigma_px: Floats  # (N,)
+
+
+@dataclass(frozen=True)
+class Noise:
+    """Variance of a pixel at signal s: ``read + gain s + contrast s^2``, in grey levels squared.
+
+    The three terms are read noise, shot noise and what scales with the signal
+    (speckle, fixed pattern).
+    """
+
+    read: float
+    gain: float
+    contrast: float
+
+    @property
+    def terms(self) -> Floats:
+        return np.array([self.read, self.gain, self.contrast])
+
+
+def extract_stripe(image: Image, axis: str = "u") -> Stripe:
+    """One point per column (axis ``u``) or row (axis ``v``) where the stripe crosses it.
+
+    A Gaussian on a constant background is fitted to each peak, weighted by the
+    pixels' noise, which is estimated from the image itself; clipped pixels are left
+    out, so that an overexposed stripe is placed by its two flanks.
+
+    Args:
+        image: (H, W) of uint8 or uint16 (9 to 16 significant bits).
+        axis: the image axis along which points are counted.
+
+    Returns:
+        The points in ascending order; none where the image holds no stripe.
+
+    Raises:
+        Refusal: not a grey image of whole numbers, or an unknown axis.
+    """
+    grey = _as_grey(image, axis)
+    if min(grey.shape) <= 2 * kernels.SURROUND:
+        return _empty()
+    saturated = saturation_level(grey)
+    read = _read_noise(grey)
+    level, peak = np.empty(grey.shape[1]), np.empty(grey.shape[1], dtype=np.int64)
+    kernels.peak_rows(grey, level, peak)
+    # the score's variance: 4 of 5 core pixels' mean and a mean of 3
+    threshold = STANDS_OUT * np.sqrt(read * (1 / 4 + 1 / 3))
+    columns = np.flatnonzero((level > threshold) & (peak >= 0))
+    fits = np.empty((len(columns), 7))
+    guess = Noise(read, 0.01 * saturated / 255, 0.0)
+    kernels.fit_columns(grey, columns, peak[columns], guess.terms, saturated, fits)
+    noise = _noise_of(grey, columns, fits, saturated, read)
+    kernels.fit_columns(grey, columns, peak[columns], noise.terms, saturated, fits)
+    return _gated(columns.astype(np.float64), fits, axis, saturated)
+
+
+def saturation_level(image: Image) -> float:
+    """The grey level at which this image's pixels are clipped.
+
+    255 for 8 bits; for 16-bit images the sensor's own depth where the brightest
+    pixel shows it (1023, 4095, ..., also shifted to the upper bits), else 65535.
+    """
+    if image.dtype == np.uint8:
+        return 255.0
+    top = int(image.max())
+    if top:
+        significant = top >> ((top & -top).bit_length() - 1)
+        if significant & (significant + 1) == 0 and 9 <= significant.bit_length() <= 16:
+            return float(top)
+    return 65535.0
+
+
+def _as_grey(image: Image, axis: str) -> Image:
+    """The image with the stripe across its columns, rows contiguous in memory."""
+    array = np.asarray(image)
+    if array.ndim != 2 or array.dtype not in (np.uint8, np.uint16):
+        raise Refusal(
+            "image-not-grey",
+            f"an image of shape {array.shape} and type {array.dtype}",
+            "a stripe is extracted from grey images of 8 to 16 bits, height by width",
+        )
+    if axis not in ("u", "v"):
+        raise Refusal("axis-unknown", f'stripe axis "{axis}"', 'it is "u" or "v"')
+    return np.ascontiguousarray(array if axis == "u" else array.T)
+
+
+def _read_noise(image: Image) -> float:
+    """Variance of a dark pixel in grey levels squared, from differences of neighbours.
+
+    Most of an image is unlit, so the bulk of the differences is noise; what exceeds
+    three times their median is scene and is cut off. Rounding adds 1/12 at least.
+    """
+    counts = np.zeros(4096, dtype=np.int64)
+    kernels.neighbour_differences(image, max(image.shape[0] // 128, 1), counts)
+    cumulative = np.cumsum(counts)
+    median = int(np.searchsorted(cumulative, cumulative[-1] / 2))
+    kept = counts[: 4 * median + 3]
+    variance = float(np.sum(kept * np.arange(len(kept)) ** 2.0) / max(kept.sum(), 1)) / 2
+    return max(variance, 1 / 12)
+
+
+def _noise_of(
+    image: Image, columns: NDArray[np.int64], fits: Floats, saturated: float, read: float
+) -> Noise:
+    """The noise model that the residuals of a first round of fits show."""
+    bins = 32
+    sums, squares = np.zeros(bins), np.zeros(bins)
+    counts = np.zeros(bins, dtype=np.int64)
+    kernels.residual_moments(image, columns, fits, saturated, sums, squares, counts)
+    filled = counts > 20
+    if filled.sum() < 3:
+        return Noise(read, 0.01 * saturated / 255, 0.0)
+    signal = sums[filled] / counts[filled]
+    excess = np.maximum(squares[filled] / counts[filled] - read, 0.0)
+    # each bin's variance is known to a share of itself, so weigh by 1 / variance
+    weight = np.sqrt(counts[filled]) / (excess + read)
+    terms = np.column_stack([signal, signal**2])
+    gain, contrast = _non_negative(terms * weight[:, None], excess * weight)
+    return Noise(read, gain, contrast)
+
+
+def _non_negative(terms: Floats, values: Floats) -> tuple[float, float]:
+    """Least squares of two terms, neither below zero."""
+    both = np.linalg.lstsq(terms, values)[0]
+    if both.min() >= 0:
+        return float(both[0]), float(both[1])
+    alone = np.maximum(np.sum(terms * values[:, None], axis=0) / np.sum(terms**2, axis=0), 0.0)
+    left = [float(np.sum((values - terms[:, i] * alone[i]) ** 2)) for i in range(2)]
+    return (float(alone[0]), 0.0) if left[0] < left[1] else (0.0, float(alone[1]))
+
+
+def _gated(along: Floats, fits: Floats, axis: str, saturated: float) -> Stripe:
+    """The fits that look like a stripe: of its width, in runs, with their deviations."""
+    fitted = np.isfinite(fits[:, kernels.CENTRE])
+    if not fitted.any():
+        return _empty()
+    along, fits = along[fitted], fits[fitted]
+    widths = fits[:, kernels.SIGMA]
+    typical = float(np.median(widths))
+    good = (widths > WIDTHS[0] * typical) & (widths < WIDTHS[1] * typical) & (widths > 0.5)
+    along, fits = along[good], fits[good]
+    good = in_runs(along, fits[:, kernels.CENTRE])
+    along, fits = along[good], fits[good]
+    across = fits[:, kernels.CENTRE]
+    misfit = fits[:, kernels.CHI2] / np.maximum(fits[:, kernels.PIXELS] - 4, 1)
+    variance = fits[:, kernels.VARIANCE] * np.where(misfit > 3, misfit, 1.0)
+    sigma = np.sqrt(variance + _speckle_variance(along, across, variance))
+    u, v = (along, across) if axis == "u" else (across, along)
+    return Stripe(u, v, np.minimum(fits[:, kernels.AMPLITUDE], saturated), sigma)
+
+
+def in_runs(along: Floats, across: Floats) -> NDArray[np.bool_]:
+    """Which points (N,) lie in a run of neighbours that is long enough."""
+    if len(along) == 0:
+        return np.zeros(0, dtype=np.bool_)
+    gap = np.diff(along)
+    breaks = (gap > LARGEST_GAP) | (np.abs(np.diff(across)) > STEEPEST * gap)
+    run = np.concatenate([[0], np.cumsum(breaks)])
+    return np.asarray(np.bincount(run)[run] >= SHORTEST_RUN)
+
+
+def _speckle_variance(along: Floats, across: Floats, variance: Floats) -> float:
+    """What the points scatter by beyond the pixels' noise, in px squared.
+
+    Speckle shifts the light itself and is alike in neighbouring columns, so it shows
+    only between points some columns apart: the third difference over ``SPECKLE_LAG``
+    columns of a smooth surface is noise alone. The median is robust to steps and
+    texture.
+    """
+    lag = SPECKLE_LAG
+    unbroken = along[3 * lag :] - along[: -3 * lag] == 3 * lag
+    if unbroken.sum() < 30:
+        return 0.0
+    a, b, c, d = (slice(i * lag, len(along) - (3 - i) * lag) for i in range(4))
+    squares = (across[d] - 3 * across[c] + 3 * across[b] - across[a])[unbroken] ** 2
+    known = (variance[d] + 9 * variance[c] + 9 * variance[b] + variance[a])[unbroken]
+    speckle = 0.0
+    for _ in range(30):
+        # the median of a squared standard normal deviate is 0.4549
+        surplus = float(np.median(squares / (known + 20 * speckle))) / 0.4549 - 1
+        speckle = max(speckle + surplus * (float(np.median(known)) / 20 + speckle), 0.0)
+    return speckle
+
+
+def _empty() -> Stripe:
+    return Stripe(np.zeros(0), np.zeros(0), np.zeros(0), np.zeros(0))
