@@ -50,6 +50,8 @@ def project(camera: Camera, points_mm: Floats) -> Floats:
 def normalised(camera: Camera, uv_px: Floats) -> Floats:
     """Undistorted directions (N, 2), x/z and y/z in the camera frame, of pixels (N, 2)."""
     uv = np.ascontiguousarray(uv_px, dtype=np.float64).reshape(-1, 1, 2)
+    if not len(uv):  # OpenCV has no answer for no points
+        return np.empty((0, 2))
     criteria = (cv2.TERM_CRITERIA_COUNT | cv2.TERM_CRITERIA_EPS, 50, 1e-12)
     found = cv2.undistortPointsIter(
         uv, camera.matrix, camera.distortion, np.eye(3), np.eye(3), criteria
