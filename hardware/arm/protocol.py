@@ -166,8 +166,7 @@ class PacketReader:
         self.received_bytes = 0
         self.other_version: int | None = None
         self._rest = b""
-        self._synchronised = False
-        self._passing_over = True
+        self._passing_over = True  # a start in the middle of a packet is no damage
 
     def feed(self, data: bytes) -> list[Sample | Hello]:
         """The packets completed by ``data``, in order."""
@@ -183,7 +182,7 @@ class PacketReader:
                 open_at = at if open_at < 0 else open_at
             elif (packet := self._decode(buffer, at, end)) is not None:
                 self._pass_over(at - taken)
-                self._synchronised, self._passing_over = True, False
+                self._passing_over = False
                 if not isinstance(packet, _Ignored):
                     found.append(packet)
                 taken, open_at = end, -1
@@ -200,7 +199,7 @@ class PacketReader:
     def _pass_over(self, count: int) -> None:
         if count and not self._passing_over:
             self._passing_over = True
-            self.corrupt += self._synchronised
+            self.corrupt += 1
 
     def _decode(self, buffer: bytes, at: int, end: int) -> "Sample | Hello | _Ignored | None":
         body = buffer[at + 2 : end - _CRC]

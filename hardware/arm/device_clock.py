@@ -1,0 +1,122 @@
+"""A device's own time brought to the host's clock.
+
+A packet says when its sample was taken, on the device's clock; the host knows only
+when it arrived: later by a transport delay that is small at best, and a fifth of a
+second when the machine is busy. What is steady is the least delay. So the difference
+``arrival - device time`` is bounded from below by a slowly sloping line (the clocks'
+offset, drifting by their difference in rate), and the packets that came through
+unhindered lie on it.
+
+That line is found as the edge of the lower convex hull of the differences over the last
+20 s, above their mean time; of each half second only the least difference is kept.
+Any straight line under all points has the edge's slope at best, so that no threshold on
+"normal" delays is needed. For the first five seconds, too short for a slope, the line
+is level and follows the least difference of the last second.
+
+The least delay itself cannot be seen from here. It is a constant (the option
+``latency_us`` of the driver), and shows in the data as the distance between a forward
+and a backward pass over one plane.
+"""
+
+from collections import deque
+
+import numpy as np
+from numpy.typing import NDArray
+
+_BUCKET_NS = 500_000_000
+_BUCKETS = 40
+_SLOPE_SPAN_NS = 5_000_000_000
+_LEVEL_BUCKETS = 2
+_MOST_DRIFT = 0.01
+"""Above any crystal (1e-4) and any ceramic resonator (5e-3)."""
+_LATE_NS = 50_000_000
+_LATE_BUCKETS = 4
+_LEAST_STEP_NS = 500_000
+
+
+class DeviceClock:
+    """Maps device time to host-monotonic time; stamps strictly increase.
+
+    ``observe`` is told of arrivals, ``stamp`` asks for the mapping. Where a better
+    observation moves the mapping back, stamps run at half speed until it is met. When
+    nothing has arrived on the line for two seconds, the device's clock has been set
+    back or stood still, and the mapping begins anew.
+    """
+
+    def __init__(self) -> None:
+        self._stamp_ns: int | None = None
+        self.restart()
+
+    def restart(self) -> None:
+        """Forgets the mapping: the device was restarted. Stamps still increase."""
+        self._origin_ns: int | None = None
+        self._zero_ns = 0
+        self._buckets: deque[tuple[float, float]] = deque(maxlen=_BUCKETS)
+        self._bucket = 0
+        self._best = (0.0, np.inf)
+        self._late = 0
+        self._slope = 0.0
+        self._level_ns = 0.0
+        self._device_ns: int | None = None
+
+    def observe(self, device_ns: int, arrival_ns: int) -> None:
+        """Of packets that arrived together, the last one says it all."""
+        if self._origin_ns is None:
+            self._origin_ns = arrival_ns - device_ns
+            self._zero_ns = device_ns
+            self._bucket = arrival_ns // _BUCKET_NS
+        at = float(device_ns - self._zero_ns)
+        difference = float(arrival_ns - device_ns - self._origin_ns)
+        if arrival_ns // _BUCKET_NS != self._bucket:
+            self._bucket = arrival_ns // _BUCKET_NS
+            self._close_bucket()
+        if difference < self._best[1]:
+            self._best = (at, difference)
+        self._level_ns = min(self._level_ns, difference - self._slope * at)
+
+    def stamp(self, device_ns: int) -> int:
+        """Host-monotonic nanoseconds of a device time; needs one observation before."""
+        assert self._origin_ns is not None, "observe comes first"
+        offset = self._level_ns + self._slope * (device_ns - self._zero_ns)
+        stamp = device_ns + self._origin_ns + round(offset)
+        if self._stamp_ns is not None:
+            step = 1
+            if self._device_ns is not None:
+                step = max(1, min((device_ns - self._device_ns) // 2, _LEAST_STEP_NS))
+            stamp = max(stamp, self._stamp_ns + step)
+        self._stamp_ns, self._device_ns = stamp, device_ns
+        return stamp
+
+    def _close_bucket(self) -> None:
+        at, difference = self._best
+        late = difference - self._slope * at - self._level_ns > _LATE_NS
+        self._late = self._late + 1 if late else 0
+        if self._late >= _LATE_BUCKETS:
+            self._buckets.clear()
+            self._late, self._slope = 0, 0.0
+        self._buckets.append(self._best)
+        self._best = (0.0, np.inf)
+        points = np.array(self._buckets)
+        if points[-1, 0] - points[0, 0] < _SLOPE_SPAN_NS:
+            self._slope = 0.0
+            self._level_ns = float(points[-_LEVEL_BUCKETS:, 1].min())
+        else:
+            self._slope = float(np.clip(_hull_slope(points), -_MOST_DRIFT, _MOST_DRIFT))
+            self._level_ns = float((points[:, 1] - self._slope * points[:, 0]).min())
+
+
+def _hull_slope(points: NDArray[np.float64]) -> float:
+    """Slope of the lower convex hull of (N, 2) points, ordered by x, at their mean x."""
+    hull: list[tuple[float, float]] = []
+    for x, y in points.tolist():
+        while len(hull) > 1 and _turns_down(hull[-2], hull[-1], (x, y)):
+            hull.pop()
+        hull.append((x, y))
+    middle = points[:, 0].mean()
+    right = next(i for i in range(1, len(hull)) if hull[i][0] >= middle)
+    (x0, y0), (x1, y1) = hull[right - 1], hull[right]
+    return (y1 - y0) / (x1 - x0)
+
+
+def _turns_down(a: tuple[float, float], b: tuple[float, float], c: tuple[float, float]) -> bool:
+    return (b[0] - a[0]) * (c[1] - a[1]) <= (b[1] - a[1]) * (c[0] - a[0])

@@ -1,0 +1,176 @@
+"""A byte stream to an arm, over whatever pyserial can open.
+
+pyserial's own blocking read returns late (it waits for a full buffer or the timeout)
+and cannot be interrupted on every kind of port. Where a port has a file descriptor we
+wait on it ourselves and read without blocking; elsewhere (Windows' COM ports,
+``rfc2217://``) we read in short slices.
+"""
+
+import contextlib
+import errno
+import selectors
+import socket
+import threading
+import time
+from typing import Protocol, cast
+
+import serial
+from serial.tools import list_ports
+
+from hardware.errors import DeviceError
+
+_SLICE_S = 0.05
+_CHUNK = 65536
+
+
+class _Port(Protocol):
+    timeout: float
+    in_waiting: int
+
+    def fileno(self) -> int: ...
+    def read(self, size: int) -> bytes: ...
+    def write(self, data: bytes) -> int: ...
+    def close(self) -> None: ...
+
+
+class Wire:
+    """An open port. One thread reads; ``close`` may come from any other.
+
+    Args:
+        url: a device path, a COM port or a pyserial URL.
+        baudrate: for ports that have one.
+
+    Raises:
+        DeviceError: when the port cannot be opened, with the reason.
+    """
+
+    def __init__(self, url: str, baudrate: int) -> None:
+        self._url = url
+        self._port = _open_port(url, baudrate)
+        self._closed = False
+        self._in_use = threading.Lock()
+        self._wake, self._woken = socket.socketpair()
+        self._selector = self._make_selector()
+
+    def receive(self, timeout_s: float) -> bytes:
+        """What has arrived, waiting for the first byte; empty after ``timeout_s``.
+
+        Raises ``DeviceError`` when the line is gone, or was closed meanwhile.
+        """
+        with self._in_use:
+            if self._closed:
+                raise self._closed_error()
+            try:
+                data = self._receive(timeout_s)
+            except (OSError, ValueError, TypeError) as error:
+                raise DeviceError(
+                    f"The line to the arm at {self._url} was lost ({_reason(error)})",
+                    "Check its cable and its power.",
+                ) from error
+        if not data and self._closed:
+            raise self._closed_error()
+        return data
+
+    def send(self, data: bytes) -> None:
+        """Writes to the port; raises ``DeviceError`` when it is gone."""
+        with self._in_use:
+            if self._closed:
+                raise self._closed_error()
+            try:
+                self._port.write(data)
+            except serial.SerialTimeoutException:
+                pass  # an arm that cannot listen still speaks
+            except OSError as error:
+                raise DeviceError(
+                    f"Nothing can be sent to the arm at {self._url} ({_reason(error)})",
+                    "Check its cable and its power.",
+                ) from error
+
+    def close(self) -> None:
+        """Releases the port and ends a waiting ``receive``; idempotent."""
+        self._closed = True
+        with contextlib.suppress(OSError):
+            self._wake.send(b"x")
+        with self._in_use:
+            if self._wake.fileno() < 0:
+                return
+            if self._selector is not None:
+                self._selector.close()
+            self._wake.close()
+            self._woken.close()
+            with contextlib.suppress(OSError):
+                self._port.close()
+
+    def _make_selector(self) -> selectors.BaseSelector | None:
+        try:
+            descriptor = self._port.fileno()
+        except (AttributeError, OSError):
+            self._port.timeout = _SLICE_S
+            return None
+        self._port.timeout = 0
+        selector = selectors.DefaultSelector()
+        selector.register(descriptor, selectors.EVENT_READ)
+        selector.register(self._woken, selectors.EVENT_READ)
+        return selector
+
+    def _receive(self, timeout_s: float) -> bytes:
+        if self._selector is not None:
+            ready = self._selector.select(max(0.0, timeout_s))
+            if not ready or self._closed:
+                return b""
+            return self._port.read(_CHUNK)
+        deadline = time.monotonic() + timeout_s
+        while True:
+            data = self._port.read(max(1, self._port.in_waiting))
+            if data or self._closed or time.monotonic() >= deadline:
+                return data
+
+    def _closed_error(self) -> DeviceError:
+        return DeviceError(f"The line to the arm at {self._url} is closed")
+
+
+def _open_port(url: str, baudrate: int) -> _Port:
+    try:
+        port = serial.serial_for_url(
+            url, baudrate=baudrate, timeout=0, write_timeout=1, exclusive=True
+        )
+    except (OSError, ValueError, OverflowError) as error:
+        raise _open_error(url, error) from error
+    # FTDI converters hold bytes back for 16 ms by default; other ports know no such mode.
+    with contextlib.suppress(AttributeError, NotImplementedError, ValueError, OSError):
+        port.set_low_latency_mode(True)
+    return cast(_Port, port)
+
+
+def _open_error(url: str, error: Exception) -> DeviceError:
+    cause = error.__context__ if isinstance(error.__context__, OSError) else error
+    number = getattr(error, "errno", None) or getattr(cause, "errno", None)
+    text = str(error)
+    if isinstance(cause, socket.gaierror):
+        return DeviceError(f"The host in {url} is not known", "Check the arm's url.")
+    if number == errno.ENOENT or "FileNotFoundError" in text:
+        return DeviceError(f"There is no serial port {url}", _ports_there_are())
+    if number in (errno.EAGAIN, errno.EBUSY):
+        return DeviceError(
+            f"The serial port {url} is in use by another program",
+            "Close that program, or a second station on the same port.",
+        )
+    if number in (errno.EACCES, errno.EPERM) or "PermissionError" in text:
+        return DeviceError(
+            f"This user may not open the serial port {url}, or another program has it open",
+            "On Linux, add the user to the group that owns the port (often dialout).",
+        )
+    if number == errno.ECONNREFUSED:
+        return DeviceError(f"Nothing listens at {url}", "Is the arm's adapter running?")
+    if isinstance(cause, TimeoutError) or number in (errno.EHOSTUNREACH, errno.ENETUNREACH):
+        return DeviceError(f"There is no answer from {url}", "Check its address and its network.")
+    return DeviceError(f"The arm's url {url} cannot be opened ({_reason(error)})", "")
+
+
+def _ports_there_are() -> str:
+    names = sorted(port.device for port in list_ports.comports())
+    return f"Ports there are: {', '.join(names)}." if names else "No serial port is plugged in."
+
+
+def _reason(error: Exception) -> str:
+    return str(error) or type(error).__name__

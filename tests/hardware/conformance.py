@@ -1,0 +1,408 @@
+"""What every arm driver and every sensor driver must do.
+
+A test class inherits ``ArmConformance`` or ``SensorConformance`` and gives a fixture
+``bench``: the driver under test and the device in front of it.
+"""
+
+import threading
+import time
+from abc import ABC, abstractmethod
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from hardware.clock import now_ns
+from hardware.errors import DeviceError
+from hardware.interfaces import (
+    ArmDriver,
+    ArmInfo,
+    ArmRecord,
+    Button,
+    ButtonEvent,
+    Frame,
+    JointSample,
+    SensorDriver,
+    SensorInfo,
+)
+
+LONG_S = 10.0
+"""Much longer than anything here should take on a busy machine."""
+
+
+class ArmBench(ABC):
+    """An arm driver with a device that does as told."""
+
+    @abstractmethod
+    def driver(self) -> ArmDriver:
+        """A new driver, unopened."""
+
+    @abstractmethod
+    def contacts(self) -> int:
+        """How often the device was spoken to."""
+
+    @abstractmethod
+    def unplug(self) -> None: ...
+
+    @abstractmethod
+    def plug_in(self) -> None: ...
+
+    @abstractmethod
+    def silence(self, silent: bool) -> None:
+        """The device stays, and sends nothing."""
+
+    @abstractmethod
+    def lose_samples(self, count: int) -> None: ...
+
+    @abstractmethod
+    def set_buttons(self, pressed: set[Button]) -> None: ...
+
+
+class SensorBench(ABC):
+    """A sensor driver with a device that does as told."""
+
+    @abstractmethod
+    def driver(self) -> SensorDriver:
+        """A new driver, unopened."""
+
+    @abstractmethod
+    def unplug(self) -> None: ...
+
+    @abstractmethod
+    def plug_in(self) -> None: ...
+
+
+def read_until(
+    driver: ArmDriver, enough: Callable[[list[ArmRecord]], bool], within_s: float = LONG_S
+) -> list[ArmRecord]:
+    """Reads on until the records satisfy ``enough``."""
+    records: list[ArmRecord] = []
+    deadline = time.monotonic() + within_s
+    while not enough(records):
+        assert time.monotonic() < deadline, f"not within {within_s} s: {records[-3:]}"
+        records += driver.read(0.1)
+    return records
+
+
+def samples_of(records: list[ArmRecord]) -> list[JointSample]:
+    return [record for record in records if isinstance(record, JointSample)]
+
+
+def edges_of(records: list[ArmRecord]) -> list[tuple[Button, bool]]:
+    return [(r.button, r.pressed) for r in records if isinstance(r, ButtonEvent)]
+
+
+def read_until_lost(read: Callable[[], object], within_s: float = LONG_S) -> DeviceError:
+    """Reads on until the driver says that the device is lost."""
+    deadline = time.monotonic() + within_s
+    while time.monotonic() < deadline:
+        try:
+            read()
+        except DeviceError as error:
+            return error
+    raise AssertionError("the loss was never reported")
+
+
+def assert_close_ends_reading(read: Callable[[], object], close: Callable[[], None]) -> None:
+    ended = threading.Event()
+
+    def wait_in_read() -> None:
+        try:
+            while True:
+                read()
+        except DeviceError:
+            ended.set()
+
+    reader = threading.Thread(target=wait_in_read, daemon=True)
+    reader.start()
+    time.sleep(0.2)
+    close()
+    assert ended.wait(LONG_S), "read went on after close"
+    reader.join()
+
+
+class ArmConformance:
+    """Inherit, and give a fixture ``bench``."""
+
+    def test_nothing_is_touched_before_open(self, bench: ArmBench) -> None:
+        driver = bench.driver()
+        assert bench.contacts() == 0
+        with pytest.raises(DeviceError):
+            driver.read(0.0)
+        driver.close()
+        assert bench.contacts() == 0
+        driver.open()
+        assert bench.contacts() > 0
+        driver.close()
+
+    def test_says_what_it_is(self, bench: ArmBench) -> None:
+        driver = bench.driver()
+        info = driver.open()
+        assert isinstance(info, ArmInfo)
+        assert info.name
+        assert info.joint_count in (6, 7)
+        assert info.rate_hz > 0
+        records = read_until(driver, lambda got: len(got) > 3)
+        assert all(len(s.joints_rad) == info.joint_count for s in samples_of(records))
+        driver.close()
+
+    def test_open_twice_is_open_once(self, bench: ArmBench) -> None:
+        driver = bench.driver()
+        info = driver.open()
+        contacts = bench.contacts()
+        assert driver.open() == info
+        assert bench.contacts() == contacts
+        read_until(driver, lambda got: len(got) > 3)
+        driver.close()
+
+    def test_close_twice_then_open_again(self, bench: ArmBench) -> None:
+        driver = bench.driver()
+        driver.close()
+        driver.open()
+        driver.close()
+        driver.close()
+        with pytest.raises(DeviceError):
+            driver.read(0.0)
+        driver.open()
+        read_until(driver, lambda got: len(got) > 3)
+        driver.close()
+
+    def test_close_from_another_thread_ends_reading(self, bench: ArmBench) -> None:
+        driver = bench.driver()
+        driver.open()
+        bench.silence(True)
+        assert_close_ends_reading(lambda: driver.read(LONG_S), driver.close)
+
+    def test_read_returns_empty_after_its_timeout(self, bench: ArmBench) -> None:
+        driver = bench.driver()
+        driver.open()
+        bench.silence(True)
+        read_until_quiet(driver)
+        start = time.monotonic()
+        assert list(driver.read(0.3)) == []
+        assert 0.25 <= time.monotonic() - start < LONG_S
+        bench.silence(False)
+        read_until(driver, lambda got: len(got) > 3)
+        driver.close()
+
+    def test_stamps_and_sequence_strictly_increase(self, bench: ArmBench) -> None:
+        driver = bench.driver()
+        driver.open()
+        before = now_ns()
+        samples = samples_of(read_until(driver, lambda got: len(got) > 200))
+        stamps = np.array([s.stamp_ns for s in samples])
+        assert np.all(np.diff(stamps) > 0)
+        assert np.all(np.diff([s.sequence for s in samples]) > 0)
+        assert before - 1e9 < stamps[0]
+        assert stamps[-1] <= now_ns()
+        driver.close()
+
+    def test_a_gap_is_counted(self, bench: ArmBench) -> None:
+        driver = bench.driver()
+        driver.open()
+        assert driver.health.lost == 0
+        samples = samples_of(read_until(driver, lambda got: len(got) > 3))
+        bench.lose_samples(7)
+        deadline = time.monotonic() + LONG_S
+        while driver.health.lost < 7 and time.monotonic() < deadline:
+            samples += samples_of(list(driver.read(0.1)))
+        assert driver.health.lost == 7
+        assert np.diff([s.sequence for s in samples]).max() == 8
+        driver.close()
+
+    def test_buttons_give_their_edges_once(self, bench: ArmBench) -> None:
+        driver = bench.driver()
+        driver.open()
+        seen: list[tuple[Button, bool]] = []
+        for button in Button:
+            for pressed in (True, False):
+                bench.set_buttons({button} if pressed else set())
+                seen += edges_of(read_until(driver, edges_of))
+        records = read_until(driver, lambda got: len(got) > 20)
+        assert edges_of(records) == []
+        assert seen == [(button, pressed) for button in Button for pressed in (True, False)]
+        driver.close()
+
+    def test_a_button_held_at_open_is_no_press(self, bench: ArmBench) -> None:
+        bench.set_buttons({Button.PRIMARY})
+        driver = bench.driver()
+        driver.open()
+        assert edges_of(read_until(driver, lambda got: len(got) > 20)) == []
+        driver.close()
+
+    def test_an_edge_has_the_stamp_of_a_sample(self, bench: ArmBench) -> None:
+        driver = bench.driver()
+        driver.open()
+        bench.set_buttons({Button.PRIMARY})
+        records = read_until(driver, edges_of)
+        at = next(i for i, r in enumerate(records) if isinstance(r, ButtonEvent))
+        assert isinstance(records[at - 1], JointSample)
+        assert records[at].stamp_ns == records[at - 1].stamp_ns
+        driver.close()
+
+    def test_loss_is_an_error_and_open_works_again(self, bench: ArmBench) -> None:
+        driver = bench.driver()
+        driver.open()
+        bench.unplug()
+        start = time.monotonic()
+        error = read_until_lost(lambda: driver.read(0.1))
+        assert time.monotonic() - start < 2.0
+        assert error.what
+        assert error.remedy
+        with pytest.raises(DeviceError):
+            driver.open()
+        bench.plug_in()
+        driver.open()
+        read_until(driver, lambda got: len(got) > 3)
+        driver.close()
+
+    def test_counts_start_afresh_at_open(self, bench: ArmBench) -> None:
+        driver = bench.driver()
+        driver.open()
+        bench.lose_samples(3)
+        deadline = time.monotonic() + LONG_S
+        while driver.health.lost == 0 and time.monotonic() < deadline:
+            driver.read(0.1)
+        driver.close()
+        driver.open()
+        assert driver.health.lost == 0
+        assert driver.health.corrupt == 0
+        driver.close()
+
+
+def read_until_quiet(driver: ArmDriver) -> None:
+    """Reads what is still on its way."""
+    deadline = time.monotonic() + LONG_S
+    while driver.read(0.1):
+        assert time.monotonic() < deadline, "the device never falls silent"
+
+
+def next_frame(driver: SensorDriver, within_s: float = LONG_S) -> Frame:
+    """The next frame, waited for."""
+    deadline = time.monotonic() + within_s
+    while time.monotonic() < deadline:
+        frame = driver.read(0.2)
+        if frame is not None:
+            return frame
+    raise AssertionError(f"no frame within {within_s} s")
+
+
+class SensorConformance:
+    """Inherit, and give a fixture ``bench``."""
+
+    def test_nothing_is_touched_before_open(self, bench: SensorBench) -> None:
+        bench.unplug()
+        driver = bench.driver()  # a device that is not there disturbs nobody yet
+        with pytest.raises(DeviceError):
+            driver.read(0.0)
+        driver.close()
+        with pytest.raises(DeviceError) as caught:
+            driver.open()
+        assert caught.value.what
+        assert caught.value.remedy
+
+    def test_frames_are_what_it_says(self, bench: SensorBench) -> None:
+        driver = bench.driver()
+        info = driver.open()
+        assert isinstance(info, SensorInfo)
+        shortest, longest = info.exposure_range_us
+        assert 0 <= shortest <= longest
+        for _ in range(3):
+            frame = next_frame(driver)
+            assert frame.image.shape == (info.height_px, info.width_px)
+            assert frame.image.dtype in (np.uint8, np.uint16)
+        driver.close()
+
+    def test_open_twice_is_open_once(self, bench: SensorBench) -> None:
+        driver = bench.driver()
+        info = driver.open()
+        first = next_frame(driver)
+        assert driver.open() == info
+        assert next_frame(driver).sequence > first.sequence
+        driver.close()
+
+    def test_close_twice_then_open_again(self, bench: SensorBench) -> None:
+        driver = bench.driver()
+        driver.close()
+        driver.open()
+        driver.close()
+        driver.close()
+        with pytest.raises(DeviceError):
+            driver.read(0.0)
+        driver.open()
+        next_frame(driver)
+        driver.close()
+
+    def test_close_from_another_thread_ends_reading(self, bench: SensorBench) -> None:
+        driver = bench.driver()
+        driver.open()
+        assert_close_ends_reading(lambda: driver.read(LONG_S), driver.close)
+
+    def test_read_returns_none_after_its_timeout(self, bench: SensorBench) -> None:
+        driver = bench.driver()
+        driver.open()
+        start = time.monotonic()
+        while driver.read(0.0) is not None:
+            assert time.monotonic() - start < LONG_S
+        driver.close()
+
+    def test_stamps_and_sequence_strictly_increase(self, bench: SensorBench) -> None:
+        driver = bench.driver()
+        driver.open()
+        before = now_ns()
+        frames = [next_frame(driver) for _ in range(12)]
+        assert np.all(np.diff([f.mid_exposure_ns for f in frames]) > 0)
+        sequence = np.array([f.sequence for f in frames])
+        assert np.all(np.diff(sequence) > 0)
+        assert np.diff(sequence).sum() - (len(frames) - 1) <= driver.health.lost
+        assert before - 1e9 < frames[0].mid_exposure_ns
+        assert frames[-1].mid_exposure_ns <= now_ns()
+        driver.close()
+
+    def test_a_frame_is_not_overwritten_later(self, bench: SensorBench) -> None:
+        driver = bench.driver()
+        driver.open()
+        first = next_frame(driver)
+        copy = first.image.copy()
+        for _ in range(10):
+            next_frame(driver)
+        np.testing.assert_array_equal(first.image, copy)
+        driver.close()
+
+    def test_exposure_stays_within_its_range(self, bench: SensorBench) -> None:
+        driver = bench.driver()
+        shortest, longest = driver.open().exposure_range_us
+        for wanted in (shortest, shortest, 2 * longest + 1.0, 0.0):
+            driver.set_exposure_us(wanted)
+            for _ in range(8):
+                frame = next_frame(driver)
+            assert shortest <= frame.exposure_us <= longest
+        driver.close()
+
+    def test_the_laser_switch_is_idempotent_and_always_answers(self, bench: SensorBench) -> None:
+        driver = bench.driver()
+        driver.set_laser(False)
+        has_switch = driver.open().has_laser_switch
+        for on in (True, True, False, False, True):
+            driver.set_laser(on)
+            for _ in range(8):
+                frame = next_frame(driver)
+            assert not has_switch or frame.laser_on == on
+        driver.close()
+        driver.set_laser(False)
+
+    def test_loss_is_an_error_and_open_works_again(self, bench: SensorBench) -> None:
+        driver = bench.driver()
+        driver.open()
+        next_frame(driver)
+        bench.unplug()
+        error = read_until_lost(lambda: driver.read(0.1))
+        assert error.what
+        assert error.remedy
+        with pytest.raises(DeviceError):
+            driver.open()
+        bench.plug_in()
+        driver.open()
+        next_frame(driver)
+        assert driver.health.received > 0
+        driver.close()

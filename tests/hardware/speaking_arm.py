@@ -1,0 +1,209 @@
+"""A device that speaks the encoder protocol, written from its description alone.
+
+It sits at the far end of a pseudo-terminal or of a TCP connection and shares no code
+with the driver.
+"""
+
+import contextlib
+import os
+import socket
+import struct
+import threading
+import time
+import tty
+import zlib
+from typing import Protocol
+
+REQUEST = bytes.fromhex("A75C0181002F1A1BDC")
+COUNTS = 1 << 20
+
+
+def packet(kind: int, payload: bytes, version: int = 1) -> bytes:
+    body = bytes([version, kind, len(payload)]) + payload
+    return b"\xa7\x5c" + body + struct.pack("<I", zlib.crc32(body))
+
+
+def sample_packet(sequence: int, device_us: int, buttons: int, counts: list[int]) -> bytes:
+    head = struct.pack("<IQBB", sequence & 0xFFFFFFFF, device_us, buttons, len(counts))
+    return packet(1, head + struct.pack(f"<{len(counts)}i", *counts))
+
+
+def hello_packet(
+    counts: list[int], rate_hz: float = 1000.0, name: str = "Bench arm", serial: str = "B-1"
+) -> bytes:
+    head = struct.pack("<BI", len(counts), round(rate_hz * 1000))
+    texts = struct.pack("<32s16s16s", name.encode(), serial.encode(), b"1.0")
+    return packet(2, head + struct.pack(f"<{len(counts)}I", *counts) + texts)
+
+
+class Line(Protocol):
+    """The device's end of a line."""
+
+    url: str
+
+    def write(self, data: bytes) -> None: ...
+    def read(self) -> bytes: ...
+    def unplug(self) -> None: ...
+    def plug_in(self) -> None: ...
+
+
+class PtyLine:
+    """A pseudo-terminal behind a symbolic link, as udev gives an arm a stable name."""
+
+    def __init__(self, folder: os.PathLike[str]) -> None:
+        self.url = os.path.join(folder, "ttyARM")
+        self._ends: tuple[int, int] | None = None
+        self.plug_in()
+
+    def plug_in(self) -> None:
+        if self._ends is None:
+            self._ends = os.openpty()
+            tty.setraw(self._ends[1])
+            os.set_blocking(self._ends[0], False)
+            os.symlink(os.ttyname(self._ends[1]), self.url)
+
+    def unplug(self) -> None:
+        ends, self._ends = self._ends, None
+        if ends is not None:
+            os.unlink(self.url)
+            for end in ends:
+                os.close(end)
+
+    def write(self, data: bytes) -> None:
+        with contextlib.suppress(OSError):  # nobody reads and the terminal is full
+            if self._ends is not None:
+                os.write(self._ends[0], data)
+
+    def read(self) -> bytes:
+        with contextlib.suppress(OSError):
+            if self._ends is not None:
+                return os.read(self._ends[0], 4096)
+        return b""
+
+
+class TcpLine:
+    """A TCP server for one client at a time."""
+
+    def __init__(self) -> None:
+        self._server: socket.socket | None = None
+        self._client: socket.socket | None = None
+        self._port = 0
+        self.plug_in()
+        self.url = f"socket://127.0.0.1:{self._port}"
+
+    def plug_in(self) -> None:
+        if self._server is None:
+            self._server = socket.create_server(("127.0.0.1", self._port))
+            self._server.setblocking(False)
+            self._port = self._server.getsockname()[1]
+
+    def unplug(self) -> None:
+        for end in (self._client, self._server):
+            if end is not None:
+                end.close()
+        self._client = self._server = None
+
+    def write(self, data: bytes) -> None:
+        with contextlib.suppress(OSError):
+            if self._client is not None:
+                self._client.sendall(data)
+
+    def read(self) -> bytes:
+        with contextlib.suppress(OSError):
+            if self._server is not None:
+                fresh, _ = self._server.accept()
+                if self._client is not None:
+                    self._client.close()
+                fresh.setblocking(False)
+                self._client = fresh
+        with contextlib.suppress(OSError):
+            if self._client is not None:
+                data = self._client.recv(4096)
+                if not data:
+                    self._client.close()
+                    self._client = None
+                return data
+        return b""
+
+
+class SpeakingArm:
+    """An arm whose every joint turns by one count a sample.
+
+    Attributes may be changed while it runs: ``buttons``, ``silent`` (no sample is
+    sent), ``skip`` (so many samples are taken and not sent), ``damage`` (so many
+    samples are sent with a wrong byte), ``greets`` (answers the request).
+    """
+
+    def __init__(
+        self, line: Line, joints: int = 6, rate_hz: float = 500.0, first_sequence: int = 0
+    ) -> None:
+        self.line = line
+        self.joints = joints
+        self.rate_hz = rate_hz
+        self.sequence = first_sequence
+        self.buttons = 0
+        self.silent = False
+        self.skip = 0
+        self.damage = 0
+        self.greets = True
+        self.serial = "B-1"
+        self.requests = 0
+        self._said: list[bytes] = []
+        self._born_ns = time.monotonic_ns() - 5_000_000_000
+        self._running = True
+        self._lock = threading.Lock()
+        self._thread = threading.Thread(target=self._run, daemon=True)
+        self._thread.start()
+
+    def say(self, data: bytes) -> None:
+        """Puts bytes between two samples."""
+        with self._lock:
+            self._said.append(data)
+
+    def reboot(self) -> None:
+        """The sequence and the device's clock start at zero again."""
+        with self._lock:
+            self.sequence = 0
+            self._born_ns = time.monotonic_ns()
+
+    def unplug(self) -> None:
+        with self._lock:
+            self.line.unplug()
+
+    def plug_in(self) -> None:
+        with self._lock:
+            self.line.plug_in()
+
+    def stop(self) -> None:
+        self._running = False
+        self._thread.join()
+        self.line.unplug()
+
+    def _run(self) -> None:
+        pause = threading.Event()
+        while self._running:
+            pause.wait(1 / self.rate_hz)
+            with self._lock:
+                asked = self.line.read().count(REQUEST)
+                self.requests += asked
+                if asked and self.greets:
+                    self.line.write(
+                        hello_packet([COUNTS] * self.joints, self.rate_hz, serial=self.serial)
+                    )
+                self._send_sample()
+
+    def _send_sample(self) -> None:
+        device_us = (time.monotonic_ns() - self._born_ns) // 1000
+        data = sample_packet(
+            self.sequence, device_us, self.buttons, [self.sequence & 0xFFFFF] * self.joints
+        )
+        self.sequence += 1
+        if self.damage:
+            self.damage -= 1
+            data = data[:20] + bytes([data[20] ^ 0x10]) + data[21:]
+        if self.skip:
+            self.skip -= 1
+        elif not self.silent:
+            self.line.write(data)
+        while self._said:
+            self.line.write(self._said.pop(0))
