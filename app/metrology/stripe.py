@@ -38,6 +38,17 @@ class Stripe:
     v: Floats  # (N,)
     intensity: Floats  # (N,)
     sigma_px: Floats  # (N,)
+    axis: str = "u"
+
+    @property
+    def uv_px(self) -> Floats:
+        """(N, 2)"""
+        return np.column_stack([self.u, self.v])
+
+    @property
+    def across(self) -> Floats:
+        """(2,) the unit pixel direction in which ``sigma_px`` counts."""
+        return np.array([0.0, 1.0]) if self.axis == "u" else np.array([1.0, 0.0])
 
 
 @dataclass(frozen=True)
@@ -76,7 +87,7 @@ def extract_stripe(image: Image, axis: str = "u") -> Stripe:
     """
     grey = _as_grey(image, axis)
     if min(grey.shape) <= 2 * kernels.SURROUND:
-        return _empty()
+        return _empty(axis)
     saturated = saturation_level(grey)
     read = _read_noise(grey)
     level, peak = np.empty(grey.shape[1]), np.empty(grey.shape[1], dtype=np.int64)
@@ -171,7 +182,7 @@ def _gated(along: Floats, fits: Floats, axis: str, saturated: float) -> Stripe:
     """The fits that look like a stripe: of its width, in runs, with their deviations."""
     fitted = np.isfinite(fits[:, kernels.CENTRE])
     if not fitted.any():
-        return _empty()
+        return _empty(axis)
     along, fits = along[fitted], fits[fitted]
     widths = fits[:, kernels.SIGMA]
     typical = float(np.median(widths))
@@ -184,7 +195,7 @@ def _gated(along: Floats, fits: Floats, axis: str, saturated: float) -> Stripe:
     variance = fits[:, kernels.VARIANCE] * np.where(misfit > 3, misfit, 1.0)
     sigma = np.sqrt(variance + _speckle_variance(along, across, variance))
     u, v = (along, across) if axis == "u" else (across, along)
-    return Stripe(u, v, np.minimum(fits[:, kernels.AMPLITUDE], saturated), sigma)
+    return Stripe(u, v, np.minimum(fits[:, kernels.AMPLITUDE], saturated), sigma, axis)
 
 
 def in_runs(along: Floats, across: Floats) -> NDArray[np.bool_]:
@@ -220,5 +231,5 @@ def _speckle_variance(along: Floats, across: Floats, variance: Floats) -> float:
     return speckle
 
 
-def _empty() -> Stripe:
-    return Stripe(np.zeros(0), np.zeros(0), np.zeros(0), np.zeros(0))
+def _empty(axis: str) -> Stripe:
+    return Stripe(np.zeros(0), np.zeros(0), np.zeros(0), np.zeros(0), axis)
