@@ -1,0 +1,26 @@
+import styles from "./App.module.css";
+import { Banners } from "./frame/Banners";
+import { Rail } from "./frame/Rail";
+import { StatusLine } from "./frame/StatusLine";
+import { TopBar } from "./frame/TopBar";
+import { CalibratePage } from "./pages/CalibratePage";
+import { HomePage } from "./pages/HomePage";
+import { RecordsPage } from "./pages/RecordsPage";
+import { ScanPage } from "./pages/ScanPage";
+import { usePage } from "./state/router";
+
+const PAGE = { home: HomePage, calibrate: CalibratePage, scan: ScanPage, records: RecordsPage };
+
+export function App() {
+  const page = usePage();
+  const Page = PAGE[page];
+  return (
+    <div className={styles.frame}>
+      <TopBar page={page} />
+      <Banners />
+      <Rail page={page} />
+      <Page />
+      <StatusLine />
+    </div>
+  );
+}

@@ -1,0 +1,105 @@
+import { notify } from "../state/notices";
+import { getState, putFlow, setState } from "../state/store";
+import { NoAnswer, post, Refused } from "./http";
+import type { FlowCommand, FlowView, Problem, ScanState } from "./types";
+
+/** 128 random bits; works on plain http too, where randomUUID does not exist. */
+function newKey(): string {
+  const bytes = crypto.getRandomValues(new Uint8Array(16));
+  return Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");
+}
+
+function tellProblem(problem: Problem): void {
+  notify({
+    quality: problem.status >= 500 ? "bad" : "attention",
+    title: problem.title,
+    detail: problem.detail,
+    remedy: problem.remedy,
+  });
+}
+
+function tell(error: unknown, whatWas: string): void {
+  if (error instanceof Refused) return tellProblem(error.problem);
+  if (error instanceof NoAnswer) {
+    return notify({
+      quality: "bad",
+      title: `No answer from the station: ${whatWas}`,
+      detail: "What the station has already taken is kept there.",
+      remedy: "Check the network; this page reconnects by itself. Then press again.",
+    });
+  }
+  throw error;
+}
+
+/** Sends once more with the same key when no answer came: the station acts only once. */
+async function postFlow(command: FlowCommand): Promise<FlowView | null> {
+  try {
+    return await post<FlowView>("/api/flow/command", command);
+  } catch (error) {
+    if (!(error instanceof NoAnswer)) throw error;
+    return await post<FlowView>("/api/flow/command", command);
+  }
+}
+
+export async function sendFlow(name: string, args: Record<string, unknown>): Promise<void> {
+  const rev = getState().flow?.rev ?? 0;
+  try {
+    const view = await postFlow({ name, args, rev, key: newKey() });
+    if (view) putFlow(view);
+  } catch (error) {
+    if (error instanceof Refused && error.problem.status === 409 && error.problem.view) {
+      setState({ flow: error.problem.view });
+      notify({ quality: "neutral", title: "The step has moved on; nothing was taken twice." }, 6000);
+      return;
+    }
+    tell(error, "the action was not confirmed");
+  }
+}
+
+export async function startFlow(): Promise<void> {
+  try {
+    const view = await post<FlowView>("/api/flow/start");
+    if (view) putFlow(view);
+  } catch (error) {
+    tell(error, "the calibration was not started");
+  }
+}
+
+async function scanCommand(path: string, body: unknown, whatWas: string): Promise<void> {
+  try {
+    const scan = await post<ScanState>(path, body);
+    if (scan && "state" in scan) setState({ scan });
+  } catch (error) {
+    tell(error, whatWas);
+  }
+}
+
+export const startScan = () => scanCommand("/api/scan/start", {}, "the scan was not started");
+export const stopScan = () => scanCommand("/api/scan/stop", {}, "the scan may still run");
+export const setScanHand = (on: boolean) =>
+  scanCommand("/api/scan/hand", { on }, on ? "the hand was not started" : "the hand may still move");
+
+export async function setLaser(on: boolean): Promise<void> {
+  try {
+    await post("/api/laser", { on });
+  } catch (error) {
+    tell(error, on ? "the laser was not switched on" : "the laser may still be on");
+  }
+}
+
+export async function stopAll(): Promise<void> {
+  try {
+    await post("/api/stop");
+    notify({ quality: "neutral", title: "Stopped: laser off, scan and hand at rest." }, 5000);
+  } catch (error) {
+    tell(error, "Stop was not confirmed. Use the switch on the device");
+  }
+}
+
+export async function setExposure(exposure_us: number): Promise<void> {
+  try {
+    await post("/api/exposure", { exposure_us });
+  } catch (error) {
+    tell(error, "the exposure was not changed");
+  }
+}

@@ -1,0 +1,113 @@
+import { notify } from "../state/notices";
+import { playFor } from "../state/sounds";
+import { getState, type LiveState, putFlow, setState } from "../state/store";
+import { isWanted, showPreview, tellWanted } from "./preview";
+import type { LiveMessage, LiveRequest } from "./types";
+
+const SILENCE_MS = 2500;
+const RETRY_MS = [250, 500, 1000, 2000];
+
+let socket: WebSocket | null = null;
+let openedAt = 0;
+let attempt = 0;
+/** After a new connection its first view counts, whatever was held before. */
+let resync = true;
+let pending: Partial<LiveState> = {};
+let flushing = false;
+
+function send(request: LiveRequest): void {
+  if (socket?.readyState === WebSocket.OPEN) socket.send(JSON.stringify(request));
+}
+
+/** Many topics within one picture of the screen cost one rendering: the latest wins. */
+function put(change: Partial<LiveState>): void {
+  pending = { ...pending, ...change };
+  if (flushing) return;
+  flushing = true;
+  setTimeout(() => {
+    const { flow, ...rest } = pending;
+    pending = {};
+    flushing = false;
+    setState(rest);
+    if (!flow) return;
+    if (resync) setState({ flow });
+    else putFlow(flow);
+    resync = false;
+  }, 16);
+}
+
+/** Renders nothing while live: the age of the last word is read by those who show it. */
+function heard(): void {
+  getState().heardAt = performance.now();
+  if (getState().connection !== "live") setState({ connection: "live" });
+}
+
+function onEvent(message: Extract<LiveMessage, { type: "event" }>): void {
+  const { id, kind, quality, text } = message;
+  put({ event: { id, kind, quality, text, at: performance.now() } });
+  playFor(kind);
+  if (quality === "bad" || quality === "attention") notify({ quality, title: text }, 8000);
+}
+
+function onText(text: string): void {
+  const message = JSON.parse(text) as LiveMessage;
+  switch (message.type) {
+    case "hello":
+      resync = true;
+      return put({ station: message.station });
+    case "topic":
+      return put({ [message.name]: message.value });
+    case "event":
+      return onEvent(message);
+    case "beat":
+      return;
+  }
+}
+
+async function onBinary(from: WebSocket, data: ArrayBuffer): Promise<void> {
+  const seq = await showPreview(data);
+  if (from === socket) send({ type: "preview_ack", seq });
+}
+
+function connect(): void {
+  const scheme = window.location.protocol === "https:" ? "wss" : "ws";
+  const opened = new WebSocket(`${scheme}://${window.location.host}/api/live`);
+  opened.binaryType = "arraybuffer";
+  socket = opened;
+  openedAt = performance.now();
+  opened.onopen = () => {
+    attempt = 0;
+    heard();
+    if (isWanted()) send({ type: "preview", on: true });
+  };
+  opened.onmessage = (message: MessageEvent<string | ArrayBuffer>) => {
+    if (opened !== socket) return;
+    heard();
+    if (typeof message.data === "string") onText(message.data);
+    else void onBinary(opened, message.data);
+  };
+  opened.onclose = () => {
+    if (opened === socket) lose();
+  };
+}
+
+function lose(): void {
+  const old = socket;
+  socket = null;
+  old?.close();
+  if (getState().connection === "live") setState({ connection: "lost" });
+  setTimeout(connect, RETRY_MS[Math.min(attempt++, RETRY_MS.length - 1)]);
+}
+
+/** Opens the one live connection of this tab and keeps it for ever. */
+export function startLive(): void {
+  setState({ heardAt: performance.now() });
+  tellWanted((on) => send({ type: "preview", on }));
+  connect();
+  setInterval(() => {
+    const now = performance.now();
+    if (now - getState().heardAt < SILENCE_MS) return;
+    if (getState().connection !== "lost") setState({ connection: "lost" });
+    if (socket && now - Math.max(openedAt, getState().heardAt) > 3 * SILENCE_MS) lose();
+  }, 500);
+}

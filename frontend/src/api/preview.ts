@@ -1,0 +1,58 @@
+import type { PreviewHeader } from "./types";
+
+export interface Preview {
+  header: PreviewHeader;
+  image: ImageBitmap;
+  /** performance.now() of its arrival. */
+  at: number;
+}
+
+type Draw = (preview: Preview) => void;
+
+const painters = new Set<Draw>();
+let onWanted: (on: boolean) => void = () => undefined;
+
+/** The socket's side: told whenever pictures begin or cease to be wanted. */
+export function tellWanted(listener: (on: boolean) => void): void {
+  onWanted = listener;
+}
+
+export function isWanted(): boolean {
+  return painters.size > 0;
+}
+
+/** Asks for live pictures while mounted. */
+export function watchPreview(draw: Draw): () => void {
+  painters.add(draw);
+  if (painters.size === 1) onWanted(true);
+  return () => {
+    painters.delete(draw);
+    if (painters.size === 0) onWanted(false);
+  };
+}
+
+/** 4 bytes big-endian length of the header, the header, a JPEG. */
+export function parsePreview(message: ArrayBuffer): { header: PreviewHeader; jpeg: Blob } {
+  const length = new DataView(message).getUint32(0);
+  const text = new TextDecoder().decode(new Uint8Array(message, 4, length));
+  return {
+    header: JSON.parse(text) as PreviewHeader,
+    jpeg: new Blob([new Uint8Array(message, 4 + length)], { type: "image/jpeg" }),
+  };
+}
+
+/** Draws in the next animation frame; resolves with the sequence number to acknowledge. */
+export async function showPreview(message: ArrayBuffer): Promise<number> {
+  const { header, jpeg } = parsePreview(message);
+  const at = performance.now();
+  let image: ImageBitmap;
+  try {
+    image = await createImageBitmap(jpeg);
+  } catch {
+    return header.seq;
+  }
+  await new Promise((resolve) => requestAnimationFrame(resolve));
+  for (const draw of painters) draw({ header, image, at });
+  image.close();
+  return header.seq;
+}

@@ -1,0 +1,26 @@
+import { setExposure } from "../api/commands";
+import { LiveCamera } from "../image/LiveCamera";
+import { figures } from "../parts/format";
+import { PressButton } from "../parts/PressButton";
+import { useLive } from "../state/store";
+import styles from "./CameraPicture.module.css";
+
+/** One press changes the brightness by a fifth: small enough to aim, large enough to see. */
+const FACTOR = 1.25;
+
+/** The live camera, and its exposure under the hand. */
+export function CameraPicture() {
+  const exposure_us = useLive((s) => s.devices?.exposure_us ?? null);
+  return (
+    <div className={styles.picture}>
+      <LiveCamera />
+      {exposure_us !== null && (
+        <div className={styles.exposure} role="group" aria-label="Exposure">
+          <span className={styles.label}>Exposure {figures(exposure_us)} µs</span>
+          <PressButton onPress={() => setExposure(exposure_us / FACTOR)}>Darker</PressButton>
+          <PressButton onPress={() => setExposure(exposure_us * FACTOR)}>Brighter</PressButton>
+        </div>
+      )}
+    </div>
+  );
+}

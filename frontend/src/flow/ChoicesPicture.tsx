@@ -1,0 +1,73 @@
+import { type KeyboardEvent, useRef } from "react";
+
+import { sendFlow } from "../api/commands";
+import type { BlockGeometry, Choice, ChoiceOption } from "../api/types";
+import { BlockDrawing } from "../object/BlockDrawing";
+import { CheckIcon } from "../parts/icons";
+import styles from "./ChoicesPicture.module.css";
+
+/** What is used: one of each kind, and the object as its certificate draws it. */
+export function ChoicesPicture({ choices, block }: { choices: Choice[]; block: BlockGeometry | null }) {
+  return (
+    <div className={styles.picture}>
+      <div className={styles.choices}>
+        {choices.map((choice) => (
+          <ChoiceGroup key={choice.field} choice={choice} />
+        ))}
+      </div>
+      {block && (
+        <div className={styles.block}>
+          <BlockDrawing block={block} face={null} label="The chosen object" />
+          <p className={styles.caption}>{size(block)}</p>
+        </div>
+      )}
+    </div>
+  );
+}
+
+function size(block: BlockGeometry): string {
+  const first = block.edges_x_mm[0] ?? 0;
+  const last = block.edges_x_mm[block.edges_x_mm.length - 1] ?? 0;
+  const parts = [last - first, block.back_y_mm - block.front_y_mm, block.crest_z_mm - block.base_z_mm];
+  return `${parts.map((part) => part.toFixed(3)).join(" × ")} mm, ${block.edges_x_mm.length / 2} merlons`;
+}
+
+function ChoiceGroup({ choice }: { choice: Choice }) {
+  const group = useRef<HTMLDivElement>(null);
+  const choose = (option: ChoiceOption | undefined) => {
+    if (option && option.id !== choice.selected) {
+      void sendFlow("choose", { field: choice.field, id: option.id });
+    }
+  };
+  const onKey = (event: KeyboardEvent) => {
+    const step = { ArrowDown: 1, ArrowRight: 1, ArrowUp: -1, ArrowLeft: -1 }[event.key];
+    if (!step) return;
+    event.preventDefault();
+    const buttons = Array.from(group.current?.querySelectorAll("button") ?? []);
+    const at = buttons.indexOf(document.activeElement as HTMLButtonElement);
+    buttons[(at + step + buttons.length) % buttons.length]?.focus();
+  };
+  return (
+    <section className={styles.group}>
+      <h3 className={styles.heading}>{choice.title}</h3>
+      <div ref={group} role="radiogroup" aria-label={choice.title} onKeyDown={onKey} className={styles.options}>
+        {choice.options.map((option) => (
+          <button
+            key={option.id}
+            type="button"
+            role="radio"
+            aria-checked={option.id === choice.selected}
+            className={styles.option}
+            onClick={() => choose(option)}
+          >
+            <span className={styles.tick}>{option.id === choice.selected && <CheckIcon size="1.125rem" />}</span>
+            <span>
+              <span className={styles.label}>{option.label}</span>
+              <span className={styles.detail}>{option.detail}</span>
+            </span>
+          </button>
+        ))}
+      </div>
+    </section>
+  );
+}

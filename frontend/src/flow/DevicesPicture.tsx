@@ -1,0 +1,20 @@
+import type { DeviceLine } from "../api/types";
+import { QualityMark } from "../parts/QualityMark";
+import styles from "./DevicesPicture.module.css";
+
+/** Each device and whether it is fit for the work. */
+export function DevicesPicture({ devices }: { devices: DeviceLine[] }) {
+  return (
+    <ul className={styles.devices} aria-label="Devices">
+      {devices.map((device) => (
+        <li key={device.title} className={styles.device}>
+          <QualityMark quality={device.quality} size="2rem" />
+          <div>
+            <p className={styles.title}>{device.title}</p>
+            <p className={styles.text}>{device.text}</p>
+          </div>
+        </li>
+      ))}
+    </ul>
+  );
+}

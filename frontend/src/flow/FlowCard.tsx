@@ -1,0 +1,42 @@
+import { useEffect, useRef } from "react";
+
+import { sendFlow } from "../api/commands";
+import type { FlowView } from "../api/types";
+import { Actions } from "../parts/Actions";
+import { BigNumber } from "../parts/BigNumber";
+import { CardHead } from "../parts/CardHead";
+import { Findings } from "../parts/Findings";
+import { Busy, Progress } from "../parts/Progress";
+import styles from "./FlowCard.module.css";
+import { LastEvent } from "./LastEvent";
+import { StepDots } from "./StepDots";
+import { Verdict } from "./Verdict";
+
+/** What to do in this step: the server's words, number, progress and allowed acts. */
+export function FlowCard({ view }: { view: FlowView }) {
+  const heading = useRef<HTMLHeadingElement>(null);
+  const shown = useRef(view.step);
+
+  /* A new step takes the focus, so that Enter presses nothing and Tab leads to its first act. */
+  useEffect(() => {
+    if (shown.current === view.step) return;
+    shown.current = view.step;
+    heading.current?.focus({ preventScroll: true });
+  }, [view.step]);
+
+  return (
+    <>
+      <StepDots view={view} />
+      <CardHead title={view.title} text={view.instruction} ref={heading} />
+      {view.picture.kind === "result" && <Verdict result={view.picture.result} />}
+      {view.number && <BigNumber number={view.number} />}
+      {view.progress && <Progress {...view.progress} />}
+      {view.busy && <Busy key={view.busy.text} {...view.busy} />}
+      <LastEvent />
+      <div className={styles.actions}>
+        <Actions actions={view.actions} onAct={(action) => sendFlow(action.name, action.args)} />
+      </div>
+      <Findings findings={view.findings} />
+    </>
+  );
+}

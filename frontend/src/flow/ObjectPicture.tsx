@@ -1,0 +1,55 @@
+import { useState } from "react";
+
+import { sendFlow } from "../api/commands";
+import type { Picture, TouchedPoint } from "../api/types";
+import { BlockDrawing } from "../object/BlockDrawing";
+import { scaleEnd } from "../object/residuals";
+import { Suggestions, Touches } from "../object/Touches";
+import { FaceChips } from "./FaceChips";
+import styles from "./ObjectPicture.module.css";
+import { PointPanel } from "./PointPanel";
+import { ResidualLegend } from "./ResidualLegend";
+
+type ObjectView = Extract<Picture, { kind: "object" }>;
+
+/** Where to touch, and how well each touch fits. */
+export function ObjectPicture({ picture }: { picture: ObjectView }) {
+  const { block, faces, points } = picture;
+  const [chosen, setChosen] = useState<number | null>(null);
+  const selected = faces.find((face) => face.selected) ?? null;
+  const scale_um = scaleEnd(points);
+  const point = points.find((p) => p.index === chosen) ?? null;
+  const select = (face: string) => void sendFlow("select_face", { face });
+  return (
+    <div className={styles.picture}>
+      <BlockDrawing block={block} face={selected?.face ?? null} onFace={select} label="The object">
+        {(view) => (
+          <>
+            {selected && <Suggestions view={view} face={selected.face} places={selected.suggested_mm} />}
+            <Touches
+              view={view}
+              block={block}
+              points={points}
+              scale_um={scale_um}
+              chosen={chosen}
+              onPoint={(index) => setChosen(index === chosen ? null : index)}
+            />
+          </>
+        )}
+      </BlockDrawing>
+      {point && <PointPanel key={point.index} point={point} onClose={() => setChosen(null)} removable />}
+      <Note points={points} scale_um={scale_um} />
+      <FaceChips faces={faces} onSelect={select} />
+    </div>
+  );
+}
+
+function Note({ points, scale_um }: { points: TouchedPoint[]; scale_um: number }) {
+  const placed = points.some((point) => point.at_mm);
+  if (placed) return <ResidualLegend scale_um={scale_um} />;
+  const text =
+    points.length === 0
+      ? "Touch at the rings. Each point appears here with its residual."
+      : "Points appear on the drawing once three faces that meet have been touched.";
+  return <p className={styles.note}>{text}</p>;
+}

@@ -1,0 +1,25 @@
+import type { Picture } from "../api/types";
+import { StillImage } from "../image/StillImage";
+import { ResultPicture } from "../result/ResultPicture";
+import { CameraPicture } from "./CameraPicture";
+import { ChoicesPicture } from "./ChoicesPicture";
+import { DevicesPicture } from "./DevicesPicture";
+import { ObjectPicture } from "./ObjectPicture";
+
+/** The large picture that the step asks for. */
+export function PictureView({ picture }: { picture: Picture }) {
+  switch (picture.kind) {
+    case "devices":
+      return <DevicesPicture devices={picture.devices} />;
+    case "choices":
+      return <ChoicesPicture choices={picture.choices} block={picture.block} />;
+    case "object":
+      return <ObjectPicture picture={picture} />;
+    case "camera":
+      return <CameraPicture />;
+    case "still":
+      return <StillImage {...picture} />;
+    case "result":
+      return <ResultPicture picture={picture} />;
+  }
+}

@@ -1,0 +1,18 @@
+import { RAMP_CSS } from "../object/residuals";
+import styles from "./ResidualLegend.module.css";
+
+/** What the dots' colours mean. */
+export function ResidualLegend({ scale_um, sticks = false }: { scale_um: number; sticks?: boolean }) {
+  return (
+    <div className={styles.legend}>
+      <span>0</span>
+      <span className={styles.ramp} style={{ background: RAMP_CSS }} />
+      <span>{scale_um} µm residual</span>
+      <svg width="18" height="18" viewBox="-9 -9 18 18" aria-hidden="true">
+        <path d="M0-8 8 0 0 8-8 0Z" className={styles.diamond} />
+      </svg>
+      <span>outlier</span>
+      {sticks && <span>· sticks point outward</span>}
+    </div>
+  );
+}

@@ -1,0 +1,17 @@
+import type { FlowView } from "../api/types";
+import styles from "./StepDots.module.css";
+
+/** On a phone, where the list of steps has no room: where we are, in one line. */
+export function StepDots({ view }: { view: FlowView }) {
+  const index = view.steps.findIndex((step) => step.id === view.step);
+  return (
+    <div className={styles.steps} aria-hidden="true">
+      <span className={styles.words}>
+        Step {index + 1} of {view.steps.length}
+      </span>
+      {view.steps.map((step) => (
+        <span key={step.id} className={styles.dot} data-state={step.state} data-here={step.id === view.step || undefined} />
+      ))}
+    </div>
+  );
+}

@@ -1,0 +1,13 @@
+import type { CalibrationResult } from "../api/types";
+import { QualityMark } from "../parts/QualityMark";
+import styles from "./Verdict.module.css";
+
+/** One verdict, with its reason. */
+export function Verdict({ result }: { result: CalibrationResult }) {
+  return (
+    <div className={styles.verdict} data-quality={result.verdict}>
+      <QualityMark quality={result.verdict} size="2.25rem" />
+      <p className={styles.text}>{result.verdict_text}</p>
+    </div>
+  );
+}

@@ -1,0 +1,51 @@
+import { CloseIcon } from "../parts/icons";
+import { QualityMark } from "../parts/QualityMark";
+import { age } from "../parts/format";
+import { useSilence } from "../state/freshness";
+import { dismiss } from "../state/notices";
+import { type Notice, useLive } from "../state/store";
+import styles from "./Banners.module.css";
+
+/** What must be read now: a lost connection, a refusal, a stop. */
+export function Banners() {
+  const notice = useLive((s) => s.notice);
+  const connection = useLive((s) => s.connection);
+  return (
+    <div className={styles.banners}>
+      {connection !== "live" && <LostBanner first={connection === "connecting"} />}
+      {notice && <NoticeBanner key={notice.id} notice={notice} />}
+    </div>
+  );
+}
+
+function LostBanner({ first }: { first: boolean }) {
+  const { silent_s } = useSilence();
+  if (first && silent_s < 1) return null;
+  return (
+    <div className={styles.banner} data-quality="attention" role="status">
+      <QualityMark quality="attention" />
+      <div className={styles.words}>
+        <strong>
+          {first ? "Connecting to the station" : "Connection lost, reconnecting"}, {age(Math.floor(silent_s))}
+        </strong>
+        {!first && <span>The numbers here are old. The station keeps everything it has taken.</span>}
+      </div>
+    </div>
+  );
+}
+
+function NoticeBanner({ notice }: { notice: Notice }) {
+  return (
+    <div className={styles.banner} data-quality={notice.quality} role={notice.quality === "bad" ? "alert" : "status"}>
+      <QualityMark quality={notice.quality} />
+      <div className={styles.words}>
+        <strong>{notice.title}</strong>
+        {notice.detail && <span>{notice.detail}</span>}
+        {notice.remedy && <span className={styles.remedy}>{notice.remedy}</span>}
+      </div>
+      <button type="button" className={styles.close} aria-label="Dismiss" onClick={() => dismiss(notice.id)}>
+        <CloseIcon />
+      </button>
+    </div>
+  );
+}

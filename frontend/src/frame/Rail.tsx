@@ -1,0 +1,42 @@
+import type { MouseEvent } from "react";
+
+import { CalibrateIcon, HomeIcon, RecordsIcon, ScanIcon } from "../parts/icons";
+import { go, type Page, PAGES, pathOf } from "../state/router";
+import styles from "./Rail.module.css";
+import { StepList } from "./StepList";
+
+const LINKS = {
+  home: { label: "Home", Icon: HomeIcon },
+  calibrate: { label: "Calibrate", Icon: CalibrateIcon },
+  scan: { label: "Scan", Icon: ScanIcon },
+  records: { label: "Records", Icon: RecordsIcon },
+};
+
+/** Pages, and under them the steps of the flow while it is on. */
+export function Rail({ page }: { page: Page }) {
+  return (
+    <div className={styles.rail}>
+      <nav className={styles.pages} aria-label="Pages">
+        {PAGES.map((to) => (
+          <PageLink key={to} to={to} current={to === page} />
+        ))}
+      </nav>
+      {page === "calibrate" && <StepList />}
+    </div>
+  );
+}
+
+function PageLink({ to, current }: { to: Page; current: boolean }) {
+  const { label, Icon } = LINKS[to];
+  const follow = (event: MouseEvent) => {
+    if (event.metaKey || event.ctrlKey || event.shiftKey) return;
+    event.preventDefault();
+    go(to);
+  };
+  return (
+    <a href={pathOf(to)} className={styles.page} aria-current={current ? "page" : undefined} onClick={follow}>
+      <Icon />
+      <span>{label}</span>
+    </a>
+  );
+}

@@ -1,0 +1,42 @@
+import { useComputedColorScheme, useMantineColorScheme } from "@mantine/core";
+
+import { MoonIcon, MutedIcon, SoundIcon, SunIcon } from "../parts/icons";
+import { toggleMuted, useMuted } from "../state/sounds";
+import styles from "./Toggles.module.css";
+
+export function Toggles() {
+  return (
+    <div className={styles.toggles}>
+      <SoundToggle />
+      <SchemeToggle />
+    </div>
+  );
+}
+
+function SoundToggle() {
+  const muted = useMuted();
+  const label = muted ? "Sounds on" : "Sounds off";
+  return (
+    <button type="button" className={styles.toggle} onClick={toggleMuted} aria-label={label} title={label}>
+      {muted ? <MutedIcon /> : <SoundIcon />}
+    </button>
+  );
+}
+
+function SchemeToggle() {
+  const { setColorScheme } = useMantineColorScheme();
+  const scheme = useComputedColorScheme("light");
+  const other = scheme === "dark" ? "light" : "dark";
+  const label = other === "dark" ? "Dark display" : "Light display";
+  return (
+    <button
+      type="button"
+      className={styles.toggle}
+      onClick={() => setColorScheme(other)}
+      aria-label={label}
+      title={label}
+    >
+      {scheme === "dark" ? <SunIcon /> : <MoonIcon />}
+    </button>
+  );
+}

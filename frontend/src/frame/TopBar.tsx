@@ -1,0 +1,51 @@
+import { Mark } from "../parts/icons";
+import type { Page } from "../state/router";
+import { useLive } from "../state/store";
+import { SafetyControls } from "./SafetyControls";
+import { Toggles } from "./Toggles";
+import styles from "./TopBar.module.css";
+
+const TITLES: Record<Page, string> = {
+  home: "Home",
+  calibrate: "Calibrate",
+  scan: "Scan",
+  records: "Records",
+};
+
+export function TopBar({ page }: { page: Page }) {
+  const station = useLive((s) => s.station);
+  return (
+    <header className={styles.bar}>
+      <div className={styles.brand}>
+        <Mark />
+        <div className={styles.names}>
+          <span className={styles.name}>Crenel</span>
+          <span className={styles.station}>
+            {station?.name ?? ""}
+            {station?.simulated && <span className={styles.simulated}>simulated</span>}
+          </span>
+        </div>
+      </div>
+      <WhereWeAre page={page} />
+      <Toggles />
+      <SafetyControls />
+    </header>
+  );
+}
+
+/** "Step 3 of 7: Touch the front face", or the page's name. */
+function WhereWeAre({ page }: { page: Page }) {
+  const flow = useLive((s) => s.flow);
+  if (page !== "calibrate" || !flow?.running) {
+    return <div className={styles.where}>{TITLES[page]}</div>;
+  }
+  const index = flow.steps.findIndex((step) => step.id === flow.step);
+  return (
+    <div className={styles.where}>
+      <span className={styles.count}>
+        Step {index + 1} of {flow.steps.length}
+      </span>
+      {flow.title}
+    </div>
+  );
+}

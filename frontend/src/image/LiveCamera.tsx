@@ -1,0 +1,87 @@
+import { useElementSize } from "@mantine/hooks";
+import { useEffect, useRef, useState } from "react";
+
+import { type Preview, watchPreview } from "../api/preview";
+import type { PreviewHeader } from "../api/types";
+import { age, figures } from "../parts/format";
+import styles from "./LiveCamera.module.css";
+import { drawOverlay } from "./overlay";
+
+const OLD_S = 1;
+
+/** The camera as it sees now, with corners, outline and stripe drawn on it. */
+export function LiveCamera() {
+  const { ref, width, height } = useElementSize<HTMLDivElement>();
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const room = useRef({ width, height });
+  room.current = { width, height };
+  const newest = useRef(0);
+  const [header, setHeader] = useState<PreviewHeader | null>(null);
+
+  useEffect(
+    () =>
+      watchPreview((preview) => {
+        if (canvas.current) paint(canvas.current, preview, room.current);
+        newest.current = preview.at - preview.header.age_s * 1000;
+        setHeader(preview.header);
+      }),
+    [],
+  );
+  const old_s = useAge(newest);
+  const old = header !== null && old_s > OLD_S;
+  return (
+    <div className={styles.camera}>
+      <div ref={ref} className={styles.room}>
+        <canvas
+          ref={canvas}
+          className={styles.canvas}
+          data-old={old || undefined}
+          role="img"
+          aria-label="Live picture of the camera"
+        />
+        {!header && <p className={styles.waiting}>No picture yet. It appears when the camera sends one.</p>}
+      </div>
+      {header && <Caption header={header} old_s={old ? old_s : null} />}
+    </div>
+  );
+}
+
+function paint(canvas: HTMLCanvasElement, preview: Preview, room: { width: number; height: number }): void {
+  const { width_px, height_px } = preview.header;
+  const fit = Math.min(room.width / width_px, room.height / height_px);
+  const density = window.devicePixelRatio;
+  const width = Math.max(1, Math.round(width_px * fit * density));
+  const height = Math.max(1, Math.round(height_px * fit * density));
+  if (canvas.width !== width || canvas.height !== height) {
+    canvas.width = width;
+    canvas.height = height;
+    canvas.style.width = `${width / density}px`;
+    canvas.style.height = `${height / density}px`;
+  }
+  const context = canvas.getContext("2d");
+  if (!context) return;
+  context.setTransform(1, 0, 0, 1, 0, 0);
+  context.drawImage(preview.image, 0, 0, width, height);
+  context.scale(density, density);
+  drawOverlay(context, preview.header, fit);
+}
+
+function useAge(newest: { current: number }): number {
+  const [age_s, setAge] = useState(0);
+  useEffect(() => {
+    const timer = setInterval(() => setAge((performance.now() - newest.current) / 1000), 250);
+    return () => clearInterval(timer);
+  }, [newest]);
+  return age_s;
+}
+
+function Caption({ header, old_s }: { header: PreviewHeader; old_s: number | null }) {
+  const parts = [
+    old_s === null ? `${age(header.age_s)} old` : `No new picture for ${age(old_s)}`,
+    `laser ${header.laser_on ? "on" : "off"}`,
+    header.arm_still ? "arm still" : "arm moving",
+    `${figures(header.corners.length)} corners`,
+    `${figures(header.saturated_percent, 1)} % saturated`,
+  ];
+  return <p className={styles.caption}>{parts.join(" · ")}</p>;
+}

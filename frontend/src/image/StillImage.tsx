@@ -1,0 +1,66 @@
+import { useState } from "react";
+
+import { figures } from "../parts/format";
+import { COLOURS, type Overlay } from "./overlay";
+import styles from "./StillImage.module.css";
+
+interface StillImageProps extends Overlay {
+  image_url: string;
+  width_px: number;
+  height_px: number;
+  /** Draws each corner's residual as a disc, so many times enlarged. */
+  residuals?: boolean;
+}
+
+/** Residuals are drawn as discs whose radius is the residual, so many times enlarged. */
+const ENLARGED = 100;
+
+/** The captured picture with what was found in it. */
+export function StillImage(props: StillImageProps) {
+  const { image_url, width_px, height_px, corners, outline, stripe, residuals = false } = props;
+  const [name, setName] = useState<string | null>(null);
+  const corner = corners.find((c) => c.name === name);
+  return (
+    <figure className={styles.figure}>
+      <svg
+        className={styles.picture}
+        viewBox={`-0.5 -0.5 ${width_px} ${height_px}`}
+        role="img"
+        aria-label="The captured picture with corners, outline and stripe"
+      >
+        <image href={image_url} x="-0.5" y="-0.5" width={width_px} height={height_px} />
+        <path
+          className={styles.line}
+          stroke={COLOURS.outline}
+          d={outline.map(([u0, v0, u1, v1]) => `M${u0} ${v0}L${u1} ${v1}`).join("")}
+        />
+        <path
+          className={styles.stripe}
+          stroke={COLOURS.stripe}
+          d={stripe.map(([u, v]) => `M${u} ${v}h0`).join("")}
+        />
+        {corners.map((c) => (
+          <g key={c.name} transform={`translate(${c.u} ${c.v})`} onPointerEnter={() => setName(c.name)}>
+            <circle r={width_px / 50} className={styles.reach} />
+            {residuals && c.residual_px !== null && (
+              <circle r={c.residual_px * ENLARGED} className={styles.disc} stroke={COLOURS.corner} />
+            )}
+            <circle r={residuals ? 2 : width_px / 160} className={styles.corner} stroke={COLOURS.corner} />
+          </g>
+        ))}
+      </svg>
+      <figcaption className={styles.caption}>
+        {corner ? told(corner.name, corner.residual_px) : summary(props, residuals)}
+      </figcaption>
+    </figure>
+  );
+}
+
+function told(name: string, residual_px: number | null): string {
+  return residual_px === null ? name : `${name}: residual ${figures(residual_px, 3)} px`;
+}
+
+function summary({ corners, stripe }: Overlay, residuals: boolean): string {
+  const found = `${figures(corners.length)} corners, ${figures(stripe.length)} stripe points`;
+  return residuals ? `${found}. Discs are the corners' residuals, ${ENLARGED} times enlarged.` : found;
+}

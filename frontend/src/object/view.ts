@@ -1,0 +1,96 @@
+import type { BlockGeometry, Vec3 } from "../api/types";
+import { halfSize, middle } from "./block";
+import { dot } from "./vector";
+
+/** Where the viewer stands: azimuth from the front (0) to the right (90), and elevation. */
+export interface Heading {
+  azimuth_deg: number;
+  elevation_deg: number;
+}
+
+const HEADINGS: Record<string, Heading> = {
+  crest: { azimuth_deg: 18, elevation_deg: 46 },
+  floor: { azimuth_deg: 10, elevation_deg: 58 },
+  front: { azimuth_deg: 20, elevation_deg: 26 },
+  back: { azimuth_deg: 160, elevation_deg: 26 },
+  left: { azimuth_deg: -58, elevation_deg: 26 },
+  right: { azimuth_deg: 58, elevation_deg: 26 },
+};
+
+export const RESTING: Heading = { azimuth_deg: 24, elevation_deg: 34 };
+
+/** From where a face is seen best, turned the short way round from where we stand. */
+export function headingFor(face: string | null): Heading {
+  return (face && HEADINGS[face]) || RESTING;
+}
+
+export interface View {
+  /** Unit vectors in the object frame: to the viewer, right and up on the screen. */
+  to: Vec3;
+  right: Vec3;
+  up: Vec3;
+  scale: number;
+  centre: Vec3;
+  width: number;
+  height: number;
+}
+
+const MARGIN_PX = 36;
+
+/** Parallel projection that holds the block, whatever the heading, in the same size. */
+export function makeView(block: BlockGeometry, heading: Heading, width: number, height: number): View {
+  const azimuth = (heading.azimuth_deg * Math.PI) / 180;
+  const elevation = (heading.elevation_deg * Math.PI) / 180;
+  const flat = Math.cos(elevation);
+  const to: Vec3 = [Math.sin(azimuth) * flat, -Math.cos(azimuth) * flat, Math.sin(elevation)];
+  const right: Vec3 = [Math.cos(azimuth), Math.sin(azimuth), 0];
+  const up: Vec3 = [
+    -Math.sin(azimuth) * Math.sin(elevation),
+    Math.cos(azimuth) * Math.sin(elevation),
+    flat,
+  ];
+  const [half_x, half_y, half_z] = halfSize(block);
+  const reach_across = Math.hypot(half_x, half_y);
+  const reach_up = half_z * 0.85 + reach_across * 0.6;
+  const scale = Math.max(
+    0.5,
+    Math.min((width / 2 - MARGIN_PX) / reach_across, (height / 2 - MARGIN_PX) / reach_up),
+  );
+  return { to, right, up, scale, centre: middle(block), width, height };
+}
+
+/** A point of the object frame on the screen, in px. */
+export function project(view: View, at: Vec3): [number, number] {
+  const from: Vec3 = [at[0] - view.centre[0], at[1] - view.centre[1], at[2] - view.centre[2]];
+  return [
+    view.width / 2 + dot(view.right, from) * view.scale,
+    view.height / 2 - dot(view.up, from) * view.scale,
+  ];
+}
+
+export function pathOf(view: View, outline: Vec3[]): string {
+  const points = outline.map((at) => project(view, at).map((px) => px.toFixed(2)).join(" "));
+  return `M${points.join("L")}Z`;
+}
+
+/** An SVG matrix that lays a flat drawing in mm onto the face with this normal. */
+export function layOn(view: View, at: Vec3, normal: Vec3): string {
+  const [a, b]: [Vec3, Vec3] =
+    normal[2] !== 0
+      ? [
+          [1, 0, 0],
+          [0, 1, 0],
+        ]
+      : normal[1] !== 0
+        ? [
+            [1, 0, 0],
+            [0, 0, 1],
+          ]
+        : [
+            [0, 1, 0],
+            [0, 0, 1],
+          ];
+  const [x, y] = project(view, at);
+  const column = (axis: Vec3) => `${dot(view.right, axis) * view.scale} ${-dot(view.up, axis) * view.scale}`;
+  return `matrix(${column(a)} ${column(b)} ${x} ${y})`;
+}

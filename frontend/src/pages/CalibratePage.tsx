@@ -1,0 +1,35 @@
+import { startFlow } from "../api/commands";
+import { FlowCard } from "../flow/FlowCard";
+import { PictureView } from "../flow/PictureView";
+import { Layout } from "../frame/Layout";
+import { CardHead } from "../parts/CardHead";
+import { EmptyState } from "../parts/EmptyState";
+import { PressButton } from "../parts/PressButton";
+import { useLive } from "../state/store";
+
+export function CalibratePage() {
+  const view = useLive((s) => s.flow);
+  if (!view?.running) return <NotStarted />;
+  return <Layout picture={<PictureView key={view.step} picture={view.picture} />} card={<FlowCard view={view} />} />;
+}
+
+function NotStarted() {
+  return (
+    <Layout
+      picture={
+        <EmptyState
+          title="One step from touches and one picture to a calibrated sensor"
+          text="You touch the faces of the crenellated object with the arm's tip, hold the sensor over it and take one picture. The station then shows how good the result is, in µm, before anything is replaced."
+        />
+      }
+      card={
+        <>
+          <CardHead title="Calibrate the sensor" text="Have the object clamped and the tip clean. It takes a few minutes." />
+          <PressButton kind="primary" onPress={startFlow}>
+            Start calibration
+          </PressButton>
+        </>
+      }
+    />
+  );
+}

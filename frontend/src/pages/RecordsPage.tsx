@@ -1,0 +1,48 @@
+import type { ReactNode } from "react";
+
+import type { CalibrationSummary, ScanSummary } from "../api/types";
+import { CalibrationRow, ScanRow } from "../records/Rows";
+import { useList } from "../state/useList";
+import styles from "./RecordsPage.module.css";
+
+export function RecordsPage() {
+  const calibrations = useList<CalibrationSummary>("/api/calibrations");
+  const scans = useList<ScanSummary>("/api/scans");
+  return (
+    <main className={styles.records}>
+      <Section
+        title="Calibrations"
+        empty="Accepted calibrations will be here, the newest first. Accept one on the Calibrate page."
+        {...calibrations}
+        row={(summary) => <CalibrationRow key={summary.id} summary={summary} />}
+      />
+      <Section
+        title="Scans"
+        empty="Saved clouds will be here, the newest first. Start a scan on the Scan page."
+        {...scans}
+        row={(summary) => <ScanRow key={summary.id} summary={summary} />}
+      />
+    </main>
+  );
+}
+
+interface SectionProps<T> {
+  title: string;
+  empty: string;
+  list: T[] | null;
+  failed: boolean;
+  row: (item: T) => ReactNode;
+}
+
+function Section<T>({ title, empty, list, failed, row }: SectionProps<T>) {
+  return (
+    <section className={styles.section} aria-label={title}>
+      <h1 className={styles.title}>{title}</h1>
+      {list && list.length > 0 ? (
+        <ul className={styles.list}>{list.map(row)}</ul>
+      ) : (
+        <p className={styles.empty}>{list ? empty : failed ? "The list could not be read. It is read again when the station is back." : "Reading the list."}</p>
+      )}
+    </section>
+  );
+}

@@ -1,0 +1,70 @@
+import { setScanHand, startScan, stopScan } from "../api/commands";
+import type { Action, ScanState } from "../api/types";
+import { Layout } from "../frame/Layout";
+import { Actions } from "../parts/Actions";
+import { BigNumber } from "../parts/BigNumber";
+import { CardHead } from "../parts/CardHead";
+import { Download } from "../parts/Download";
+import { Findings } from "../parts/Findings";
+import { useLive } from "../state/store";
+import { CloudView } from "../scan/CloudView";
+import { ScanFigures } from "../scan/ScanFigures";
+
+const WORDS: Record<ScanState["state"], { title: string; text: string }> = {
+  idle: { title: "Ready to scan", text: "Start, then pass the stripe slowly over the part." },
+  running: { title: "Scanning", text: "Pass the stripe slowly over the part." },
+  stopping: { title: "Stopping", text: "The cloud is being written." },
+  blocked: { title: "Scanning is not possible now", text: "The reason stands below the button." },
+};
+
+export function ScanPage() {
+  const scan = useLive((s) => s.scan);
+  const hasHand = useLive((s) => s.station?.has_hand ?? false);
+  if (!scan) return <Layout picture={<CloudView />} card={<CardHead title="Scan" text="Waiting for the station." />} />;
+  const words = WORDS[scan.state];
+  return (
+    <Layout
+      picture={<CloudView />}
+      card={
+        <>
+          <CardHead title={words.title} text={words.text} />
+          <BigNumber
+            number={{ label: "Points", value: scan.points, unit: "", decimals: 0, quality: "neutral", note: shown(scan) }}
+          />
+          <ScanFigures scan={scan} />
+          <Actions actions={actionsOf(scan, hasHand)} onAct={act} />
+          {scan.state === "idle" && scan.scan_id && scan.points > 0 && (
+            <Download href={`/api/scans/${scan.scan_id}/cloud.ply`}>Save as PLY</Download>
+          )}
+          <Findings findings={scan.findings} />
+        </>
+      }
+    />
+  );
+}
+
+function shown(scan: ScanState): string {
+  return scan.points_shown < scan.points ? "the view shows a part of them" : "";
+}
+
+function action(name: string, label: string, primary: boolean, why_not = ""): Action {
+  return { name, label, args: {}, primary, enabled: why_not === "", why_not, confirm: "" };
+}
+
+function actionsOf(scan: ScanState, hasHand: boolean): Action[] {
+  const running = scan.state === "running";
+  const main = running
+    ? action("stop", "Stop the scan", true)
+    : action("start", "Start scan", true, scan.state === "stopping" ? "The last scan is being written." : scan.why_not);
+  if (!hasHand) return [main];
+  const hand = scan.hand_running
+    ? action("hand_off", "Stop the hand", false)
+    : action("hand_on", "Let the hand do it", false, running || scan.state === "idle" ? "" : scan.why_not);
+  return [main, hand];
+}
+
+async function act({ name }: Action): Promise<void> {
+  if (name === "start") return startScan();
+  if (name === "stop") return stopScan();
+  return setScanHand(name === "hand_on");
+}

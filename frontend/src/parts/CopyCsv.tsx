@@ -1,0 +1,22 @@
+import { useState } from "react";
+
+import { copyText, toCsv } from "./csv";
+import type { TableData } from "./DataTable";
+import { CheckIcon, CopyIcon } from "./icons";
+import { PressButton } from "./PressButton";
+
+const TOLD_MS = 3000;
+
+export function CopyCsv({ tables }: { tables: TableData[] }) {
+  const [told, setTold] = useState<"" | "copied" | "failed">("");
+  const copy = async () => {
+    setTold((await copyText(toCsv(tables))) ? "copied" : "failed");
+    setTimeout(() => setTold(""), TOLD_MS);
+  };
+  return (
+    <PressButton onPress={copy}>
+      {told === "copied" ? <CheckIcon size="1.25rem" /> : <CopyIcon size="1.25rem" />}
+      {{ "": "Copy as CSV", copied: "Copied", failed: "This browser does not let us copy" }[told]}
+    </PressButton>
+  );
+}

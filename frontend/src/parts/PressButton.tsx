@@ -1,0 +1,65 @@
+import { type ReactNode, useEffect, useRef, useState } from "react";
+
+import { useElapsed } from "../state/freshness";
+import { figures } from "./format";
+import styles from "./PressButton.module.css";
+
+interface PressButtonProps {
+  children: ReactNode;
+  onPress: () => Promise<void> | void;
+  kind?: "primary" | "secondary";
+  disabled?: boolean;
+  describedBy?: string | undefined;
+}
+
+/** Two presses of a gloved hand closer than this are one. */
+const BOUNCE_MS = 350;
+
+const pause = (ms: number) => new Promise<void>((resolve) => setTimeout(resolve, ms));
+
+/**
+ * A button for gloves: large, acting once however it bounces, deaf for a moment when it has
+ * just come under the finger, silent under a held Enter, and counting the seconds while its
+ * answer is awaited.
+ */
+export function PressButton({ children, onPress, kind = "secondary", disabled = false, describedBy }: PressButtonProps) {
+  const [waiting, setWaiting] = useState(true);
+  const [asked, setAsked] = useState(false);
+  const busy = useRef(true);
+  const elapsed_s = useElapsed(asked);
+
+  useEffect(() => {
+    const timer = setTimeout(() => {
+      busy.current = false;
+      setWaiting(false);
+    }, BOUNCE_MS);
+    return () => clearTimeout(timer);
+  }, []);
+
+  const press = async () => {
+    if (busy.current || disabled) return;
+    busy.current = true;
+    setWaiting(true);
+    setAsked(true);
+    await Promise.all([onPress(), pause(BOUNCE_MS)]);
+    busy.current = false;
+    setWaiting(false);
+    setAsked(false);
+  };
+
+  return (
+    <button
+      type="button"
+      className={styles.button}
+      data-kind={kind}
+      data-off={disabled || undefined}
+      aria-disabled={disabled || waiting || undefined}
+      aria-describedby={describedBy}
+      onClick={() => void press()}
+      onKeyDown={(event) => event.repeat && event.preventDefault()}
+    >
+      {children}
+      {elapsed_s > 0.6 && <span className={styles.wait}>{figures(elapsed_s, 0)} s</span>}
+    </button>
+  );
+}

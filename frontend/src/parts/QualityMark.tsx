@@ -1,0 +1,17 @@
+import type { Quality } from "../api/types";
+import { AttentionIcon, BadIcon, CheckIcon, NeutralIcon } from "./icons";
+import styles from "./QualityMark.module.css";
+
+const MARKS = { good: CheckIcon, attention: AttentionIcon, bad: BadIcon, neutral: NeutralIcon };
+const WORDS = { good: "Passed", attention: "Attention", bad: "Failed", neutral: "" };
+
+/** A quality by shape, word and colour: never by colour alone. */
+export function QualityMark({ quality, size = "1.5rem" }: { quality: Quality; size?: string }) {
+  const Icon = MARKS[quality];
+  return (
+    <span className={styles.mark} data-quality={quality}>
+      <Icon size={size} />
+      <span className="visually-hidden">{WORDS[quality]}</span>
+    </span>
+  );
+}

@@ -1,0 +1,50 @@
+const MINUS = "\u2212";
+
+/** A number with a true minus sign and a thin space between thousands. */
+export function figures(value: number, decimals = 0): string {
+  const text = Math.abs(value).toFixed(decimals);
+  const [whole = "", fraction] = text.split(".");
+  const grouped = whole.length > 4 ? whole.replace(/\B(?=(\d{3})+$)/g, "\u2009") : whole;
+  const sign = value < 0 && Number(text) !== 0 ? MINUS : "";
+  return sign + grouped + (fraction ? `.${fraction}` : "");
+}
+
+/** With its sign always. */
+export function signed(value: number, decimals = 0): string {
+  const text = figures(value, decimals);
+  return value > 0 && Number(value.toFixed(decimals)) !== 0 ? `+${text}` : text;
+}
+
+export function age(seconds: number): string {
+  if (seconds < 1) return `${figures(seconds, 2)} s`;
+  if (seconds < 10) return `${figures(seconds, 1)} s`;
+  if (seconds < 120) return `${figures(seconds)} s`;
+  if (seconds < 7200) return `${figures(seconds / 60)} min`;
+  return `${figures(seconds / 3600)} h`;
+}
+
+export function days(value: number): string {
+  if (value < 1 / 24) return "less than an hour";
+  if (value < 1) return plural(Math.round(value * 24), "hour");
+  return plural(Math.round(value), "day");
+}
+
+export function plural(count: number, word: string): string {
+  return `${figures(count)} ${word}${count === 1 ? "" : "s"}`;
+}
+
+/** Date and time of day, in the operator's own zone. */
+export function moment(iso: string): string {
+  const date = new Date(iso);
+  if (Number.isNaN(date.getTime())) return iso;
+  const two = (part: number) => String(part).padStart(2, "0");
+  return (
+    `${date.getFullYear()}-${two(date.getMonth() + 1)}-${two(date.getDate())} ` +
+    `${two(date.getHours())}:${two(date.getMinutes())}`
+  );
+}
+
+export function duration(seconds: number): string {
+  const whole = Math.floor(seconds);
+  return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")} min`;
+}

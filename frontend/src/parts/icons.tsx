@@ -1,0 +1,76 @@
+import type { ReactNode } from "react";
+
+interface IconProps {
+  size?: number | string;
+}
+
+function icon(drawing: ReactNode) {
+  return function Icon({ size = "1.5rem" }: IconProps) {
+    return (
+      <svg
+        width={size}
+        height={size}
+        viewBox="0 0 24 24"
+        fill="none"
+        stroke="currentColor"
+        strokeWidth={1.75}
+        strokeLinecap="round"
+        strokeLinejoin="round"
+        aria-hidden="true"
+        focusable="false"
+        style={{ flex: "none" }}
+      >
+        {drawing}
+      </svg>
+    );
+  };
+}
+
+export const HomeIcon = icon(<path d="M4 11 12 4l8 7v8.5a.5.5 0 0 1-.5.5H14v-6h-4v6H4.5a.5.5 0 0 1-.5-.5z" />);
+export const CalibrateIcon = icon(<path d="M3 19V8h4v6h3V8h4v6h3V8h4v11zM2 11.5h20" />);
+export const ScanIcon = icon(
+  <path d="M4 8V5a1 1 0 0 1 1-1h3M16 4h3a1 1 0 0 1 1 1v3M20 16v3a1 1 0 0 1-1 1h-3M8 20H5a1 1 0 0 1-1-1v-3M3 12h4l2.5-3 3 6 2.5-3h6" />,
+);
+export const RecordsIcon = icon(<path d="M5 4h10l4 4v12H5zM15 4v4h4M8.5 12h7M8.5 15.5h7" />);
+export const CheckIcon = icon(<path d="m5 12.5 4.5 4.5L19 7.5" />);
+export const AttentionIcon = icon(<path d="M12 4 2.5 20h19zM12 10v4.5M12 17.4v.1" />);
+export const BadIcon = icon(<path d="M8.200 3h7.600L21 8.200v7.600L15.800 21H8.200L3 15.800V8.200zM9 9l6 6M15 9l-6 6" />);
+export const NeutralIcon = icon(
+  <>
+    <circle cx="12" cy="12" r="9" />
+    <path d="M12 11v5M12 7.9v.1" />
+  </>,
+);
+export const StopIcon = icon(
+  <>
+    <path d="M8.200 3h7.600L21 8.200v7.600L15.800 21H8.200L3 15.800V8.200z" />
+    <rect x="9" y="9" width="6" height="6" fill="currentColor" stroke="none" />
+  </>,
+);
+export const LaserIcon = icon(
+  <path d="M3 12h8M15 12h.01M15 5v2.5M15 16.5V19M20 12h1M18.5 8.5l1.300-1.300M18.5 15.5l1.300 1.300" />,
+);
+export const SunIcon = icon(
+  <>
+    <circle cx="12" cy="12" r="4" />
+    <path d="M12 3v1.5M12 19.5V21M3 12h1.5M19.5 12H21M5.600 5.600l1.100 1.100M17.300 17.300l1.100 1.100M5.600 18.4l1.100-1.100M17.300 6.700l1.100-1.100" />
+  </>,
+);
+export const MoonIcon = icon(<path d="M20 14.5A8.5 8.5 0 0 1 9.5 4a8.5 8.5 0 1 0 10.5 10.5z" />);
+export const SoundIcon = icon(<path d="M4 9.5v5h3.5L12 18V6L7.5 9.5zM15.5 9a4 4 0 0 1 0 6M18 6.5a8 8 0 0 1 0 11" />);
+export const MutedIcon = icon(<path d="M4 9.5v5h3.5L12 18V6L7.5 9.5zM16 9.5l5 5M21 9.5l-5 5" />);
+export const DownloadIcon = icon(<path d="M12 4v11M7 10.5l5 5 5-5M5 20h14" />);
+export const CloseIcon = icon(<path d="m6 6 12 12M18 6 6 18" />);
+export const CopyIcon = icon(<path d="M9 9h11v11H9zM15 9V4H4v11h5" />);
+export const ArrowIcon = icon(<path d="M5 12h14M13 6l6 6-6 6" />);
+export const StaleIcon = icon(<path d="M19 8A8 8 0 1 0 20 13M19.5 3.5V8.5h-5" />);
+
+/** The house's mark: a crenellated block crossed by the stripe. */
+export function Mark({ size = "2.25rem" }: IconProps) {
+  return (
+    <svg width={size} height={size} viewBox="0 0 32 32" aria-hidden="true" focusable="false" style={{ flex: "none" }}>
+      <path d="M4 26V8h7v8h4V8h5v8h4V8h4v18z" fill="currentColor" />
+      <path d="M1 20.5h30" stroke="#e5484d" strokeWidth="2" />
+    </svg>
+  );
+}

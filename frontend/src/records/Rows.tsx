@@ -1,0 +1,42 @@
+import type { CalibrationSummary, ScanSummary } from "../api/types";
+import { Download } from "../parts/Download";
+import { days, duration, figures, moment, plural } from "../parts/format";
+import { QualityMark } from "../parts/QualityMark";
+import styles from "./Rows.module.css";
+
+export function CalibrationRow({ summary }: { summary: CalibrationSummary }) {
+  return (
+    <li className={styles.row} data-active={summary.active || undefined}>
+      <QualityMark quality={summary.verdict} />
+      <div className={styles.what}>
+        <p className={styles.name}>
+          {summary.name}
+          {summary.active && <span className={styles.active}>active</span>}
+        </p>
+        <p className={styles.detail}>
+          {moment(summary.accepted_at)}, {days(summary.age_days)} ago · arm {summary.arm_serial} · sensor{" "}
+          {summary.sensor_serial} · object {summary.object_serial}
+        </p>
+      </div>
+      <p className={styles.value}>
+        {figures(summary.total_um, 1)} µm <span>k = 1</span>
+      </p>
+      <Download href={`/api/calibrations/${summary.id}/calibration.json`}>JSON</Download>
+    </li>
+  );
+}
+
+export function ScanRow({ summary }: { summary: ScanSummary }) {
+  return (
+    <li className={styles.row}>
+      <div className={styles.what}>
+        <p className={styles.name}>{summary.name}</p>
+        <p className={styles.detail}>
+          {moment(summary.started_at)} · {duration(summary.seconds)} · {plural(summary.frames, "picture")}
+        </p>
+      </div>
+      <p className={styles.value}>{figures(summary.points)} points</p>
+      <Download href={`/api/scans/${summary.id}/cloud.ply`}>PLY</Download>
+    </li>
+  );
+}

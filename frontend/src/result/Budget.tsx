@@ -1,0 +1,50 @@
+import type { BudgetRow, CalibrationResult } from "../api/types";
+import { figures } from "../parts/format";
+import styles from "./Budget.module.css";
+
+/** Where the uncertainty comes from, the largest first, and what changed since the last time. */
+export function Budget({ result }: { result: CalibrationResult }) {
+  const rows = [...result.budget].sort((a, b) => b.value_um - a.value_um);
+  const largest = Math.max(result.total_um, 1e-9);
+  return (
+    <div className={styles.budget}>
+      <h3 className={styles.title}>Standard uncertainty of a scanned point, k = 1</h3>
+      <div className={styles.rows}>
+        {rows.map((row) => (
+          <Row key={row.source} row={row} largest={largest} />
+        ))}
+        <Row row={{ source: "Together", value_um: result.total_um }} largest={largest} total />
+      </div>
+      <Compared result={result} />
+    </div>
+  );
+}
+
+function Row({ row, largest, total = false }: { row: BudgetRow; largest: number; total?: boolean }) {
+  return (
+    <div className={styles.row} data-total={total || undefined}>
+      <span className={styles.source}>{row.source}</span>
+      <span className={styles.track}>
+        <span className={styles.bar} style={{ width: `${Math.min(100, (row.value_um / largest) * 100)}%` }} />
+      </span>
+      <span className={styles.value}>{figures(row.value_um, 1)} µm</span>
+    </div>
+  );
+}
+
+function Compared({ result }: { result: CalibrationResult }) {
+  const { comparison } = result;
+  return (
+    <div className={styles.compared}>
+      <h3 className={styles.title}>Against the last calibration</h3>
+      {comparison ? (
+        <p>
+          Points of the measuring volume moved by {figures(comparison.rms_um)} µm rms, {figures(comparison.max_um)} µm at
+          most, since {comparison.with_name}.
+        </p>
+      ) : (
+        <p>This is the first one. The next is compared with it here.</p>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,36 @@
+import { useState } from "react";
+
+import type { BlockGeometry, TouchedPoint } from "../api/types";
+import { PointPanel } from "../flow/PointPanel";
+import { ResidualLegend } from "../flow/ResidualLegend";
+import { BlockDrawing } from "../object/BlockDrawing";
+import { scaleEnd } from "../object/residuals";
+import { ResidualSticks, Touches } from "../object/Touches";
+import styles from "../flow/ObjectPicture.module.css";
+
+/** How far each touch lies off its face; the block turns to the face that is tapped. */
+export function ResidualObject({ block, points }: { block: BlockGeometry; points: TouchedPoint[] }) {
+  const [face, setFace] = useState<string | null>(null);
+  const [chosen, setChosen] = useState<number | null>(null);
+  const scale_um = scaleEnd(points);
+  const point = points.find((p) => p.index === chosen);
+  return (
+    <div className={styles.picture}>
+      <BlockDrawing
+        block={block}
+        face={face}
+        onFace={(tapped) => setFace(tapped === face ? null : tapped)}
+        label="Residuals on the object"
+      >
+        {(view) => (
+          <>
+            <ResidualSticks view={view} points={points} scale_um={scale_um} />
+            <Touches view={view} block={block} points={points} scale_um={scale_um} chosen={chosen} onPoint={setChosen} />
+          </>
+        )}
+      </BlockDrawing>
+      {point && <PointPanel point={point} onClose={() => setChosen(null)} removable={false} />}
+      <ResidualLegend scale_um={scale_um} sticks />
+    </div>
+  );
+}

@@ -1,0 +1,11 @@
+import styles from "./CloudView.module.css";
+
+/** The live cloud in the arm frame, drawn by the station's own 3D view. */
+export function CloudView() {
+  return (
+    <div className={styles.view}>
+      <p className={styles.waiting}>The 3D view opens here.</p>
+      <iframe className={styles.frame} src="/viewer/" title="Live cloud of points" />
+    </div>
+  );
+}

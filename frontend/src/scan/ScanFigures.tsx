@@ -1,0 +1,32 @@
+import type { ScanState } from "../api/types";
+import { QualityMark } from "../parts/QualityMark";
+import { duration, figures } from "../parts/format";
+import styles from "./ScanFigures.module.css";
+
+/** How fast, how long, and what was lost. */
+export function ScanFigures({ scan }: { scan: ScanState }) {
+  return (
+    <dl className={styles.figures}>
+      <Figure label="Rate" value={`${figures(scan.rate_points_s)} points/s`} />
+      <Figure label="Time" value={duration(scan.seconds)} />
+      <Figure label="Pictures" value={figures(scan.frames)} />
+      <Figure label="Lost pictures" value={figures(scan.lost_frames)} lost={scan.lost_frames > 0} />
+      <Figure
+        label="Without arm position"
+        value={figures(scan.frames_without_joints)}
+        lost={scan.frames_without_joints > 0}
+      />
+    </dl>
+  );
+}
+
+function Figure({ label, value, lost = false }: { label: string; value: string; lost?: boolean }) {
+  return (
+    <div className={styles.figure}>
+      <dt>{label}</dt>
+      <dd>
+        {lost && <QualityMark quality="attention" size="1.125rem" />} {value}
+      </dd>
+    </div>
+  );
+}

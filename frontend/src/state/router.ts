@@ -1,0 +1,34 @@
+import { useSyncExternalStore } from "react";
+
+export const PAGES = ["home", "calibrate", "scan", "records"] as const;
+export type Page = (typeof PAGES)[number];
+
+const listeners = new Set<() => void>();
+
+function current(): Page {
+  const name = window.location.pathname.replace(/^\/+|\/+$/g, "");
+  return PAGES.find((page) => page === name) ?? "home";
+}
+
+export function pathOf(page: Page): string {
+  return page === "home" ? "/" : `/${page}`;
+}
+
+export function go(page: Page): void {
+  if (current() === page) return;
+  window.history.pushState(null, "", pathOf(page));
+  for (const listener of listeners) listener();
+}
+
+function subscribe(listener: () => void): () => void {
+  listeners.add(listener);
+  window.addEventListener("popstate", listener);
+  return () => {
+    listeners.delete(listener);
+    window.removeEventListener("popstate", listener);
+  };
+}
+
+export function usePage(): Page {
+  return useSyncExternalStore(subscribe, current);
+}

@@ -1,0 +1,75 @@
+import { useSyncExternalStore } from "react";
+
+import type { Devices, FlowView, Home, Quality, ScanState, Station } from "../api/types";
+
+export type Connection = "connecting" | "live" | "lost";
+
+export interface StationEvent {
+  id: number;
+  kind: string;
+  quality: Quality;
+  text: string;
+  at: number;
+}
+
+/** A sentence to the operator that stays until read, or until it has had its time. */
+export interface Notice {
+  id: number;
+  quality: Quality;
+  title: string;
+  detail: string;
+  remedy: string;
+}
+
+export interface LiveState {
+  connection: Connection;
+  /** performance.now() of the newest sign of life, 0 before the first. */
+  heardAt: number;
+  station: Station | null;
+  devices: Devices | null;
+  flow: FlowView | null;
+  scan: ScanState | null;
+  home: Home | null;
+  event: StationEvent | null;
+  notice: Notice | null;
+}
+
+let state: LiveState = {
+  connection: "connecting",
+  heardAt: 0,
+  station: null,
+  devices: null,
+  flow: null,
+  scan: null,
+  home: null,
+  event: null,
+  notice: null,
+};
+
+const listeners = new Set<() => void>();
+
+export function getState(): LiveState {
+  return state;
+}
+
+export function setState(change: Partial<LiveState>): void {
+  state = { ...state, ...change };
+  for (const listener of listeners) listener();
+}
+
+function subscribe(listener: () => void): () => void {
+  listeners.add(listener);
+  return () => listeners.delete(listener);
+}
+
+/** One value of the live state; the component renders again only when it changes. */
+export function useLive<T>(select: (state: LiveState) => T): T {
+  return useSyncExternalStore(subscribe, () => select(state));
+}
+
+/** Takes a newer view of the flow; an older one, come late by another road, is dropped. */
+export function putFlow(view: FlowView): void {
+  const held = state.flow;
+  if (held && held.session_id === view.session_id && held.rev > view.rev) return;
+  setState({ flow: view });
+}
