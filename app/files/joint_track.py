@@ -1,0 +1,70 @@
+"""The arm's angles over time, read between the samples."""
+
+from array import array
+from bisect import bisect_left
+from math import pi
+
+import numpy as np
+
+from app.metrology.frames import Floats
+
+LARGEST_GAP_NS = 25_000_000
+"""Between samples farther apart than this the hand may have gone anywhere: a hand that
+accelerates at 1 m/s² leaves the straight line by 80 µm within 25 ms."""
+
+
+class JointTrack:
+    """Joint samples by their stamps; 8 bytes a number, so that an hour fits in memory."""
+
+    def __init__(self, joint_count: int) -> None:
+        self._count = joint_count
+        self._stamps_ns = array("q")
+        self._angles_rad = array("d")
+
+    def __len__(self) -> int:
+        return len(self._stamps_ns)
+
+    @property
+    def first_ns(self) -> int | None:
+        return self._stamps_ns[0] if self._stamps_ns else None
+
+    @property
+    def last_ns(self) -> int | None:
+        return self._stamps_ns[-1] if self._stamps_ns else None
+
+    def add(self, stamp_ns: int, q_rad: Floats | tuple[float, ...]) -> None:
+        """Takes a sample (n,); late ones find their place, a repeated stamp is ignored."""
+        at = len(self._stamps_ns)
+        if at and stamp_ns <= self._stamps_ns[-1]:
+            at = bisect_left(self._stamps_ns, stamp_ns)
+            if self._stamps_ns[at] == stamp_ns:
+                return
+        self._stamps_ns.insert(at, stamp_ns)
+        start = at * self._count
+        self._angles_rad[start:start] = array("d", q_rad)
+
+    def at(self, stamp_ns: int) -> Floats | None:
+        """The angles (n,) at a stamp, each on the straight line between its neighbours.
+
+        A joint that passes the half turn is followed the short way round.
+
+        Returns:
+            None outside the samples, or where they are more than ``LARGEST_GAP_NS`` apart.
+        """
+        after = bisect_left(self._stamps_ns, stamp_ns)
+        if after == len(self._stamps_ns):
+            return None
+        if self._stamps_ns[after] == stamp_ns:
+            return self._sample(after)
+        if after == 0:
+            return None
+        before_ns, after_ns = self._stamps_ns[after - 1], self._stamps_ns[after]
+        if after_ns - before_ns > LARGEST_GAP_NS:
+            return None
+        start, end = self._sample(after - 1), self._sample(after)
+        turn = (end - start + pi) % (2 * pi) - pi
+        return np.asarray(start + turn * ((stamp_ns - before_ns) / (after_ns - before_ns)))
+
+    def _sample(self, index: int) -> Floats:
+        start = index * self._count
+        return np.array(self._angles_rad[start : start + self._count])

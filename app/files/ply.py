@@ -1,0 +1,129 @@
+"""The PLY format, as far as clouds need it: any order of scalar vertex properties."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import BinaryIO
+
+import numpy as np
+
+from app.metrology.frames import Floats
+from app.metrology.refusal import Refusal
+
+TYPES = {
+    **dict.fromkeys(("char", "int8"), "i1"),
+    **dict.fromkeys(("uchar", "uint8"), "u1"),
+    **dict.fromkeys(("short", "int16"), "i2"),
+    **dict.fromkeys(("ushort", "uint16"), "u2"),
+    **dict.fromkeys(("int", "int32"), "i4"),
+    **dict.fromkeys(("uint", "uint32"), "u4"),
+    **dict.fromkeys(("float", "float32"), "f4"),
+    **dict.fromkeys(("double", "float64"), "f8"),
+}
+ORDERS = {"binary_little_endian": "<", "binary_big_endian": ">", "ascii": "="}
+LONGEST_HEADER = 1000
+
+
+@dataclass(frozen=True)
+class Vertices:
+    """Where the vertices stand in a file."""
+
+    ascii: bool
+    count: int
+    layout: np.dtype[np.void]
+    bytes_before: int
+    """Of other elements' data between header and vertices."""
+    lines_before: int
+    """The same in lines, for ascii."""
+
+
+def find_vertices(path: Path, file: BinaryIO) -> Vertices:
+    """Reads the header and leaves the file at its end; raises ``Refusal`` if malformed."""
+    file.seek(0)
+    words = [line.split() for line in _header_lines(path, file)]
+    formats = [line[1] for line in words if line[:1] == ["format"] and len(line) > 1]
+    if not formats or formats[0] not in ORDERS:
+        raise _malformed(path, "its header names no format that PLY knows")
+    order = ORDERS[formats[0]]
+    bytes_before = lines_before = 0
+    for name, count, properties in _elements(path, words):
+        if any(kind == "list" for kind, _ in properties):
+            raise _malformed(path, f"element {name} before the vertices holds lists")
+        layout = np.dtype([(field, order + TYPES[kind]) for kind, field in properties])
+        if name == "vertex":
+            missing = [axis for axis in "xyz" if axis not in (layout.names or ())]
+            if missing:
+                raise _malformed(path, f"its vertices have no {', '.join(missing)}")
+            return Vertices(formats[0] == "ascii", count, layout, bytes_before, lines_before)
+        bytes_before += count * layout.itemsize
+        lines_before += count
+    raise _malformed(path, "its header names no element vertex")
+
+
+def read_vertices(path: Path, file: BinaryIO, vertices: Vertices) -> dict[str, Floats]:
+    """The vertices' properties (N,) by name; the file stands at its header's end."""
+    if vertices.ascii:
+        return _read_ascii(path, file, vertices)
+    start = file.tell() + vertices.bytes_before
+    whole = max(file.seek(0, 2) - start, 0) // vertices.layout.itemsize
+    if whole < vertices.count:
+        raise _cut_off(path, whole, vertices.count)
+    file.seek(start)
+    table = np.fromfile(file, vertices.layout, vertices.count)
+    return {name: table[name].astype(np.float64) for name in vertices.layout.names or ()}
+
+
+def _header_lines(path: Path, file: BinaryIO) -> list[str]:
+    lines: list[str] = []
+    for _ in range(LONGEST_HEADER):
+        line = file.readline(4096)
+        if not line:
+            break
+        lines.append(line.decode("latin-1").strip())
+        if lines[-1] == "end_header":
+            return lines
+    raise _malformed(path, "its header does not end")
+
+
+def _elements(path: Path, words: list[list[str]]) -> list[tuple[str, int, list[tuple[str, str]]]]:
+    """Elements up to the vertices: name, count, and (type, name) of each property."""
+    elements: list[tuple[str, int, list[tuple[str, str]]]] = []
+    for line in words:
+        if line[:1] == ["element"]:
+            if len(line) != 3 or not line[2].isdecimal():
+                raise _malformed(path, f"its header holds {' '.join(line)!r}")
+            elements.append((line[1], int(line[2]), []))
+        elif line[:1] == ["property"]:
+            known = len(line) >= 3 and (line[1] in TYPES or line[1] == "list")
+            if not elements or not known:
+                raise _malformed(path, f"its header holds {' '.join(line)!r}")
+            elements[-1][2].append((line[1], line[-1]))
+    return elements
+
+
+def _read_ascii(path: Path, file: BinaryIO, vertices: Vertices) -> dict[str, Floats]:
+    names = vertices.layout.names or ()
+    for _ in range(vertices.lines_before):
+        file.readline()
+    lines = [line for line, _ in zip(file, range(vertices.count), strict=False)]
+    if len(lines) < vertices.count:
+        raise _cut_off(path, len(lines), vertices.count)
+    if not lines:
+        return {name: np.zeros(0) for name in names}
+    try:
+        table = np.loadtxt(lines, ndmin=2, usecols=range(len(names)))
+    except (ValueError, IndexError) as error:
+        raise _malformed(path, str(error).split(";")[0]) from error
+    return {name: table[:, i] for i, name in enumerate(names)}
+
+
+def _malformed(path: Path, why: str) -> Refusal:
+    return Refusal("cloud-malformed", str(path), why, "Export the cloud again")
+
+
+def _cut_off(path: Path, found: int, announced: int) -> Refusal:
+    return Refusal(
+        "cloud-cut-off",
+        f"{path} holds {found} of {announced} points",
+        "the file was cut off",
+        "Export the cloud again",
+    )
