@@ -8,9 +8,11 @@ import numpy as np
 
 from app.metrology.frames import Floats
 
-LARGEST_GAP_NS = 25_000_000
-"""Between samples farther apart than this the hand may have gone anywhere: a hand that
-accelerates at 1 m/s² leaves the straight line by 80 µm within 25 ms."""
+SHORTEST_GAP_LIMIT_NS = 25_000_000
+"""A hand that accelerates at 1 m/s² leaves the straight line by 80 µm within 25 ms."""
+GAP_LIMIT_PERIODS = 3.5
+"""For slower arms: their own sample periods."""
+LONGEST_GAP_LIMIT_NS = 150_000_000
 
 
 class JointTrack:
@@ -32,6 +34,15 @@ class JointTrack:
     def last_ns(self) -> int | None:
         return self._stamps_ns[-1] if self._stamps_ns else None
 
+    @property
+    def gap_limit_ns(self) -> int:
+        """Between samples farther apart than this the hand may have gone anywhere."""
+        if len(self._stamps_ns) < 2:
+            return SHORTEST_GAP_LIMIT_NS
+        period_ns = (self._stamps_ns[-1] - self._stamps_ns[0]) / (len(self._stamps_ns) - 1)
+        limit_ns = max(SHORTEST_GAP_LIMIT_NS, int(GAP_LIMIT_PERIODS * period_ns))
+        return min(limit_ns, LONGEST_GAP_LIMIT_NS)
+
     def add(self, stamp_ns: int, q_rad: Floats | tuple[float, ...]) -> None:
         """Takes a sample (n,); late ones find their place, a repeated stamp is ignored."""
         at = len(self._stamps_ns)
@@ -49,7 +60,7 @@ class JointTrack:
         A joint that passes the half turn is followed the short way round.
 
         Returns:
-            None outside the samples, or where they are more than ``LARGEST_GAP_NS`` apart.
+            None outside the samples, or where they are more than ``gap_limit_ns`` apart.
         """
         after = bisect_left(self._stamps_ns, stamp_ns)
         if after == len(self._stamps_ns):
@@ -59,7 +70,7 @@ class JointTrack:
         if after == 0:
             return None
         before_ns, after_ns = self._stamps_ns[after - 1], self._stamps_ns[after]
-        if after_ns - before_ns > LARGEST_GAP_NS:
+        if after_ns - before_ns > self.gap_limit_ns:
             return None
         start, end = self._sample(after - 1), self._sample(after)
         turn = (end - start + pi) % (2 * pi) - pi

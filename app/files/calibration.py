@@ -1,0 +1,200 @@
+"""``calibration.json``: what a calibration found, from what, and how good it is."""
+
+import math
+from dataclasses import dataclass
+from pathlib import Path
+from typing import ClassVar, Literal, Self
+
+import numpy as np
+from pydantic import Field, model_validator
+
+from app.files.documents import (
+    Document,
+    Matrix3,
+    Matrix4,
+    Matrix34,
+    NotNegative,
+    Number,
+    Part,
+    Vector3,
+)
+from app.metrology.camera import Camera
+from app.metrology.frames import Floats
+from app.metrology.laser_plane import LaserPlane
+
+RIGID_TOLERANCE = 1e-6
+AGREEMENT = 1e-6
+"""Relative: how well ``projection_matrix`` equals ``matrix [rotation | translation_mm]``."""
+
+
+class CameraPart(Part):
+    projection_matrix: Matrix34
+    matrix: Matrix3
+    rotation: Matrix3
+    translation_mm: Vector3
+    distortion: tuple[Number, Number, Number, Number, Number]
+    width_px: int = Field(gt=0)
+    height_px: int = Field(gt=0)
+
+    @model_validator(mode="after")
+    def _agrees_with_itself(self) -> Self:
+        _require_rotation(np.array(self.rotation), "rotation")
+        product = np.array(self.matrix) @ np.column_stack([self.rotation, self.translation_mm])
+        # a projection matrix means the same at any scale
+        given = np.array(self.projection_matrix)
+        length = float(np.linalg.norm(given[2, :3]))
+        if length == 0 or not np.allclose(
+            given / length, product, rtol=AGREEMENT, atol=AGREEMENT * float(np.abs(product).max())
+        ):
+            raise ValueError("projection_matrix is not matrix · [rotation | translation_mm]")
+        return self
+
+
+class LaserPlanePart(Part):
+    normal: Vector3
+    offset_mm: Number
+
+    @model_validator(mode="after")
+    def _normal_is_unit(self) -> Self:
+        if abs(math.hypot(*self.normal) - 1) > RIGID_TOLERANCE:
+            raise ValueError("normal must be of unit length")
+        return self
+
+
+class SerialNumbers(Part):
+    """Empty where unknown."""
+
+    arm: str = ""
+    object: str = ""
+    sensor: str = ""
+
+
+class FacePart(Part):
+    face: str
+    points: int
+    rms_um: NotNegative
+    form_um: NotNegative
+
+
+class Residuals(Part):
+    """What the measurements left over."""
+
+    reprojection_rms_px: NotNegative
+    corners_px: dict[str, tuple[Number, Number]]
+    """Found minus computed (u, v) of each corner."""
+    laser_plane_rms_um: NotNegative
+    stripe_points: int
+    contacts_rms_um: NotNegative
+    contacts_um: tuple[Number, ...]
+    """Distance of each contact from its face, in the order of ``probing.csv``."""
+    contacts_left_out: tuple[int, ...]
+    """Index of each contact that was named an outlier."""
+    faces: tuple[FacePart, ...]
+
+
+class BudgetPart(Part):
+    source: str
+    value_um: NotNegative
+
+
+class Uncertainty(Part):
+    """Of a reconstructed point in the flange frame, k = 1."""
+
+    total_um: NotNegative
+    budget: tuple[BudgetPart, ...]
+    depth_range_mm: tuple[Number, Number]
+    """From the camera's centre along its axis: where the object was seen."""
+
+
+class Verdict(Part):
+    quality: Literal["good", "attention", "bad"]
+    text: str
+    findings: tuple[str, ...] = ()
+
+
+class Input(Part):
+    file: str
+    sha256: str
+
+
+class Software(Part):
+    name: str
+    version: str
+
+
+class CalibrationFile(Document):
+    """The file; all beyond the first three fields may be missing in files of other origin."""
+
+    FORMAT: ClassVar[str] = "crenel/calibration"
+
+    camera: CameraPart
+    laser_plane: LaserPlanePart
+    probe_matrix: Matrix4
+    stripe_axis: Literal["u", "v"] = "u"
+    method: str | None = None
+    created_at: str | None = None
+    operator: str | None = None
+    serial_numbers: SerialNumbers = SerialNumbers()
+    T_arm_obj: Matrix4 | None = None
+    verdict: Verdict | None = None
+    uncertainty: Uncertainty | None = None
+    residuals: Residuals | None = None
+    condition_number: NotNegative | None = None
+    orthogonality_defect: NotNegative | None = None
+    covariance: dict[str, tuple[tuple[Number, ...], ...]] | None = None
+    inputs: tuple[Input, ...] = ()
+    software: Software | None = None
+
+    @model_validator(mode="after")
+    def _transforms_are_rigid(self) -> Self:
+        for name in ("probe_matrix", "T_arm_obj"):
+            rows = getattr(self, name)
+            if rows is None:
+                continue
+            T = np.array(rows)
+            if not np.array_equal(T[3], [0, 0, 0, 1]):
+                raise ValueError(f"the last row of {name} must be 0 0 0 1")
+            _require_rotation(T[:3, :3], name)
+        return self
+
+
+@dataclass(frozen=True)
+class Calibration:
+    """What it takes to reconstruct points."""
+
+    camera: Camera
+    plane: LaserPlane
+    T_flange_sensor: Floats
+    """(4, 4), the probe matrix."""
+    stripe_axis: Literal["u", "v"]
+    serial_numbers: SerialNumbers
+
+
+def read_calibration(path: Path) -> Calibration:
+    """Reads what reconstruction needs; raises ``Refusal`` naming the file and the field."""
+    return calibration_in(CalibrationFile.read(path))
+
+
+def calibration_in(sheet: CalibrationFile) -> Calibration:
+    """What reconstruction needs of a calibration."""
+    camera = sheet.camera
+    return Calibration(
+        camera=Camera(
+            matrix=np.array(camera.matrix),
+            rotation=np.array(camera.rotation),
+            translation_mm=np.array(camera.translation_mm),
+            width_px=camera.width_px,
+            height_px=camera.height_px,
+            distortion=np.array(camera.distortion),
+        ),
+        plane=LaserPlane(np.array(sheet.laser_plane.normal), sheet.laser_plane.offset_mm),
+        T_flange_sensor=np.array(sheet.probe_matrix),
+        stripe_axis=sheet.stripe_axis,
+        serial_numbers=sheet.serial_numbers,
+    )
+
+
+def _require_rotation(R: Floats, name: str) -> None:
+    unlike = float(np.abs(R @ R.T - np.eye(3)).max())
+    if unlike > RIGID_TOLERANCE or np.linalg.det(R) < 0:
+        raise ValueError(f"{name} holds no rotation: R·Rᵀ differs from 1 by {unlike:.2g}")
