@@ -1,1 +1,1 @@
-"""The live machine room: devices, clocks, scanning, recording, the 3D scene."""
+"""The live machine room: devices, scanning, recording, the 3D view, live state."""

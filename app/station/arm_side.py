@@ -1,0 +1,153 @@
+"""The arm of the rig: its joints now, at a stamp, and averaged while it is still."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from app.metrology.arm import Arm, tip_centres
+from app.metrology.frames import Floats
+from app.metrology.refusal import Refusal
+from app.station.bus import Bus
+from app.station.device_state import DeviceState, device_state
+from app.station.joints import JointMean, JointRing, JointWindow, mean_of
+from app.station.reader import READ_TIMEOUT_S, DeviceReader
+from app.station.stillness import UNKNOWN, WINDOW_S, Stillness, stillness
+from hardware.clock import now_ns
+from hardware.interfaces import ArmDriver, ArmInfo, ButtonEvent, JointSample
+
+# Packets may come late on a busy machine; their stamps are right nevertheless.
+LATE_S = 0.5
+FEWEST_SAMPLES = 3
+
+
+class ArmSide:
+    """Reads the arm on its own thread; everything else may be called from any thread."""
+
+    def __init__(self, bus: Bus, make: Callable[[], ArmDriver]) -> None:
+        self._bus = bus
+        self._chosen: Arm | None = None
+        self._ring: JointRing | None = None
+        self._newest: JointSample | None = None
+        self.on_button: Callable[[ButtonEvent], None] | None = None
+        self.reader: DeviceReader[ArmDriver, ArmInfo] = DeviceReader(
+            "arm", make, lambda driver: driver.open(), self._read, self._connected
+        )
+
+    @property
+    def info(self) -> ArmInfo | None:
+        """What the arm says of itself, None while it is not connected."""
+        return self.reader.info
+
+    @property
+    def fresh(self) -> bool:
+        """True while joint samples come."""
+        return self.reader.fresh
+
+    def link(self) -> DeviceState:
+        return device_state("Arm", self.reader.link(), self.info)
+
+    def set_model(self, arm: Arm | None) -> None:
+        """The kinematics by which stillness and the tip's place are judged."""
+        self._chosen = arm
+
+    def latest(self) -> JointSample | None:
+        """The newest sample, None while the arm is not fresh."""
+        return self._newest if self.fresh else None
+
+    def tip_mm(self) -> tuple[float, float, float] | None:
+        """Centre of the probe's tip in the arm frame; None while it is not known."""
+        arm, newest = self._model(), self.latest()
+        if arm is None or newest is None:
+            return None
+        x, y, z = tip_centres(arm, np.array([newest.joints_rad]))[0]
+        return float(x), float(y), float(z)
+
+    def at(self, stamp_ns: int, wait_s: float = LATE_S) -> Floats | None:
+        """Encoder angles (n,) at a stamp; None where the arm sent none around it."""
+        ring = self._ring
+        return None if ring is None else ring.at(stamp_ns, wait_s)
+
+    def window(self, first_ns: int, last_ns: int) -> JointWindow | None:
+        """The kept samples between two stamps; None before the arm first connected."""
+        ring = self._ring
+        return None if ring is None else ring.between(first_ns, last_ns)
+
+    def stillness(self) -> Stillness:
+        """How far the arm moved over the last 0.3 s."""
+        ring, arm = self._ring, self._model()
+        last_ns = ring.last_stamp_ns() if ring else None
+        if ring is None or arm is None or last_ns is None or not self.fresh:
+            return UNKNOWN
+        return stillness(arm, ring.between(last_ns - int(WINDOW_S * 1e9), last_ns))
+
+    def average(self, window_s: float = 0.2, until_ns: int | None = None) -> JointMean:
+        """The joints' mean over a window in which the arm was still.
+
+        The window ends at ``until_ns`` (the newest sample, without one). For a
+        button press give its stamp: pressing moves the arm, so what counts came
+        before.
+
+        Raises:
+            Refusal: ``arm-lost``, ``no-arm-model``, ``no-joints``, or ``arm-moving``.
+        """
+        last_ns = until_ns
+        if last_ns is None:
+            newest = self.latest()
+            last_ns = newest.stamp_ns if newest is not None else now_ns()
+        return self.mean_over(last_ns - int(window_s * 1e9), last_ns, "arm-moving")
+
+    def mean_over(self, first_ns: int, last_ns: int, moved_code: str) -> JointMean:
+        """The mean between two stamps, judged still there and over at least 0.3 s before.
+
+        Raises:
+            Refusal: as ``average``, with ``moved_code`` where the arm moved.
+        """
+        ring, arm = self._ring, self._model()
+        if ring is None or not ring.wait_past(last_ns, LATE_S):
+            raise Refusal(
+                "arm-lost",
+                "the arm sends no joint angles",
+                remedy="wait until the arm is connected again; nothing was lost",
+            )
+        if arm is None:
+            raise Refusal(
+                "no-arm-model",
+                f"no arm model with {ring.joint_count} joints is chosen",
+                remedy="choose the arm first",
+            )
+        window = ring.between(first_ns, last_ns)
+        moved = stillness(arm, ring.between(min(first_ns, last_ns - int(WINDOW_S * 1e9)), last_ns))
+        if len(window) < FEWEST_SAMPLES or moved is UNKNOWN:
+            raise Refusal(
+                "no-joints",
+                f"only {len(window)} joint samples came in {(last_ns - first_ns) / 1e9:.2f} s",
+                "the arm's data has a gap there",
+                "take it again",
+            )
+        if not moved.still:
+            raise Refusal(moved_code, "the arm was not still", moved.text, "hold it still, again")
+        return mean_of(window)
+
+    def _model(self) -> Arm | None:
+        """The arm's model, unless the connected arm has another number of joints."""
+        arm, ring = self._chosen, self._ring
+        return arm if arm is not None and ring and arm.joint_count == ring.joint_count else None
+
+    def _connected(self, driver: ArmDriver, info: ArmInfo) -> None:
+        self._newest = None
+        self._ring = JointRing(info.joint_count, info.rate_hz)
+
+    def _read(self, driver: ArmDriver) -> int:
+        records = driver.read(READ_TIMEOUT_S)
+        samples = [record for record in records if isinstance(record, JointSample)]
+        if samples and self._ring is not None:
+            self._ring.extend(samples)
+            self._newest = samples[-1]
+        for record in records:
+            if isinstance(record, ButtonEvent):
+                self._bus.call(self._press, record)
+        return len(samples)
+
+    def _press(self, event: ButtonEvent) -> None:
+        if self.on_button is not None:
+            self.on_button(event)

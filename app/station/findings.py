@@ -1,0 +1,15 @@
+"""What the station tells the operator: sentences with their weight."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+Quality = Literal["good", "attention", "bad", "neutral"]
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """One sentence with the number and the limit, and what to do about it."""
+
+    quality: Quality
+    text: str
+    remedy: str = ""

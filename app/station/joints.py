@@ -1,0 +1,147 @@
+"""The last seconds of the arm's joint samples, and the pose at a stamp."""
+
+import threading
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.frames import Floats
+from hardware.interfaces import JointSample
+
+KEPT_SAMPLES = 16_384
+# An interpolation over a longer gap would invent the arm's path: the limit is a few
+# sample periods, and never below this.
+SHORTEST_GAP_LIMIT_NS = 5_000_000
+GAP_LIMIT_PERIODS = 3.5
+
+Stamps = NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class JointWindow:
+    """Joint samples of a stretch of time, oldest first."""
+
+    stamps_ns: Stamps  # (N,)
+    q_rad: Floats  # (N, n)
+
+    def __len__(self) -> int:
+        return len(self.stamps_ns)
+
+
+class JointRing:
+    """A ring of joint samples that one thread fills and others read.
+
+    A sample whose stamp is not later than the last one's is left out: time runs
+    forward, and interpolation relies on it.
+    """
+
+    def __init__(self, joint_count: int, rate_hz: float) -> None:
+        self.joint_count = joint_count
+        self.gap_limit_ns = int(
+            max(SHORTEST_GAP_LIMIT_NS, GAP_LIMIT_PERIODS * 1e9 / max(rate_hz, 1.0))
+        )
+        self._stamps: Stamps = np.zeros(KEPT_SAMPLES, dtype=np.int64)
+        self._q: Floats = np.zeros((KEPT_SAMPLES, joint_count))
+        self._count = 0
+        self._grown = threading.Condition()
+
+    def extend(self, samples: list[JointSample]) -> None:
+        """Appends samples, oldest first."""
+        with self._grown:
+            for sample in samples:
+                if self._count and sample.stamp_ns <= self._last_stamp():
+                    continue
+                self._stamps[self._count % KEPT_SAMPLES] = sample.stamp_ns
+                self._q[self._count % KEPT_SAMPLES] = sample.joints_rad
+                self._count += 1
+            self._grown.notify_all()
+
+    def between(self, first_ns: int, last_ns: int) -> JointWindow:
+        """The samples with ``first_ns <= stamp <= last_ns`` that are still kept."""
+        with self._grown:
+            low = self._position(first_ns, "left")
+            high = self._position(last_ns, "right")
+            at = np.arange(low, high) % KEPT_SAMPLES
+            return JointWindow(self._stamps[at], self._q[at])
+
+    def wait_past(self, stamp_ns: int, timeout_s: float) -> bool:
+        """Waits for a sample at or after a stamp."""
+        with self._grown:
+            return self._grown.wait_for(
+                lambda: self._count > 0 and self._last_stamp() >= stamp_ns, timeout_s
+            )
+
+    def at(self, stamp_ns: int, wait_s: float = 0.0) -> Floats | None:
+        """Encoder angles (n,) at a stamp, interpolated linearly between its neighbours.
+
+        Waits up to ``wait_s`` for the neighbour after it. None where there is no
+        sample on one side, or where they lie further apart than ``gap_limit_ns``.
+        """
+        self.wait_past(stamp_ns, wait_s)
+        with self._grown:
+            after = self._position(stamp_ns, "left")
+            if after >= self._count:
+                return None
+            b = after % KEPT_SAMPLES
+            if self._stamps[b] == stamp_ns:
+                return np.array(self._q[b])
+            if after == self._oldest():
+                return None
+            a = (after - 1) % KEPT_SAMPLES
+            gap_ns = int(self._stamps[b] - self._stamps[a])
+            if gap_ns > self.gap_limit_ns:
+                return None
+            share = int(stamp_ns - self._stamps[a]) / gap_ns
+            return np.asarray(self._q[a] + share * turn(self._q[b] - self._q[a]))
+
+    def last_stamp_ns(self) -> int | None:
+        with self._grown:
+            return self._last_stamp() if self._count else None
+
+    def _oldest(self) -> int:
+        return max(0, self._count - KEPT_SAMPLES)
+
+    def _last_stamp(self) -> int:
+        return int(self._stamps[(self._count - 1) % KEPT_SAMPLES])
+
+    def _position(self, stamp_ns: int, side: str) -> int:
+        """The running index of the first kept sample at or after (right: after) a stamp."""
+        low, high = self._oldest(), self._count
+        while low < high:
+            middle = (low + high) // 2
+            found = int(self._stamps[middle % KEPT_SAMPLES])
+            if found < stamp_ns or (side == "right" and found == stamp_ns):
+                low = middle + 1
+            else:
+                high = middle
+        return low
+
+
+def turn(difference_rad: Floats) -> Floats:
+    """The shortest turn, in [-pi, pi), of a difference of angles: encoders roll over."""
+    return np.asarray((difference_rad + np.pi) % (2 * np.pi) - np.pi)
+
+
+@dataclass(frozen=True)
+class JointMean:
+    """The mean of the joint samples of a stretch of time."""
+
+    q_rad: Floats  # (n,)
+    scatter_rad: Floats  # (n,) standard deviation of one sample
+    samples: int
+    first_ns: int
+    last_ns: int
+
+
+def mean_of(window: JointWindow) -> JointMean:
+    """The mean of a window of at least one sample, with the samples' scatter."""
+    turns = turn(window.q_rad - window.q_rad[0])
+    scatter = turns.std(axis=0, ddof=1) if len(window) > 1 else np.zeros(turns.shape[1])
+    return JointMean(
+        np.asarray(window.q_rad[0] + turns.mean(axis=0)),
+        np.asarray(scatter),
+        len(window),
+        int(window.stamps_ns[0]),
+        int(window.stamps_ns[-1]),
+    )

@@ -1,0 +1,178 @@
+"""A small arm and sensor that meet the drivers' interfaces, moved and broken by the tests."""
+
+import threading
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from app.metrology.arm import Arm, Joint, Tip
+from app.station.bus import Bus
+from app.station.rig import Rig
+from hardware.clock import now_ns
+from hardware.errors import DeviceError
+from hardware.interfaces import (
+    ArmInfo,
+    ArmRecord,
+    Button,
+    ButtonEvent,
+    Frame,
+    JointSample,
+    LinkHealth,
+    SensorInfo,
+)
+
+RATE_HZ = 500.0
+REST_RAD = np.radians([10.0, -40.0, 60.0, 20.0, 35.0, -15.0])
+WIDTH, HEIGHT = 320, 240
+
+
+def six_axis_arm() -> Arm:
+    shape = [(0, -90, 280), (450, 0, 0), (60, -90, 0), (0, 90, 400), (0, -90, 0), (0, 0, 90)]
+    joints = tuple(
+        Joint(f"J{i + 1}", a, np.radians(alpha), d, 0.0, encoder_sd_rad=1e-5)
+        for i, (a, alpha, d) in enumerate(shape)
+    )
+    return Arm("scripted arm", "A-1", joints, Tip(0.0, -12.0, 165.0, 6.0))
+
+
+class Bench:
+    """What the test does to the devices, and what they share over reconnections."""
+
+    def __init__(self) -> None:
+        self.joints_at: Callable[[float], np.ndarray] = lambda seconds: REST_RAD
+        self.noise_rad = 1e-5
+        self.arm_plugged = True
+        self.arm_silent = False
+        self.arm_skips: set[int] = set()
+        self.arm_opened = 0
+        self.sensor_plugged = True
+        self.sensor_opened = 0
+        self.laser_on = False
+        self.laser_obeys = True
+        self.has_laser_switch = True
+        self.exposure_us = 4000.0
+        self.frame_period_s = 0.01
+        self.scene_level = 0.02
+        self.presses: list[Button] = []
+        self.stripe_row = 120.0
+        self.start_s = time.monotonic()
+
+
+class ScriptedArm:
+    def __init__(self, bench: Bench) -> None:
+        self.bench = bench
+        self.health = LinkHealth()
+        self.random = np.random.default_rng(4)
+        self.sequence = 0
+        self.next_ns = 0
+
+    def open(self) -> ArmInfo:
+        if not self.bench.arm_plugged:
+            raise DeviceError("The arm at bench:1 does not answer", "plug it in")
+        self.bench.arm_opened += 1
+        self.next_ns = now_ns()
+        return ArmInfo("scripted arm", "A-1", 6, RATE_HZ)
+
+    def read(self, timeout_s: float) -> list[ArmRecord]:
+        time.sleep(0.004)
+        if not self.bench.arm_plugged:
+            raise DeviceError("The arm at bench:1 was unplugged")
+        if self.bench.arm_silent:
+            time.sleep(timeout_s)
+            self.next_ns = now_ns()
+            return []
+        records: list[ArmRecord] = []
+        while self.next_ns <= now_ns():
+            self.sequence += 1
+            seconds = self.next_ns / 1e9 - self.bench.start_s
+            q = self.bench.joints_at(seconds) + self.bench.noise_rad * self.random.normal(size=6)
+            if self.sequence in self.bench.arm_skips:
+                self.health.lost += 1
+            else:
+                records.append(JointSample(self.sequence, self.next_ns, tuple(q)))
+                self.health.received += 1
+            self.next_ns += int(1e9 / RATE_HZ)
+        while self.bench.presses:
+            button = self.bench.presses.pop(0)
+            records.append(ButtonEvent(self.sequence, now_ns(), button, True))
+        return records
+
+    def close(self) -> None:
+        pass
+
+
+class ScriptedSensor:
+    """A dark room with one bright level and, with the laser on, a straight stripe."""
+
+    def __init__(self, bench: Bench) -> None:
+        self.bench = bench
+        self.health = LinkHealth()
+        self.sequence = 0
+        self.random = np.random.default_rng(5)
+        self.closed = threading.Event()
+
+    def open(self) -> SensorInfo:
+        if not self.bench.sensor_plugged:
+            raise DeviceError("The camera at bench:2 does not answer")
+        self.bench.sensor_opened += 1
+        return SensorInfo(
+            "scripted sensor", "S-1", WIDTH, HEIGHT, (100.0, 50_000.0), self.bench.has_laser_switch
+        )
+
+    def read(self, timeout_s: float) -> Frame | None:
+        time.sleep(self.bench.frame_period_s)
+        if not self.bench.sensor_plugged:
+            raise DeviceError("The camera at bench:2 was unplugged")
+        exposure_us, laser_on = self.bench.exposure_us, self.bench.laser_on
+        stamp = now_ns() - int(500 * exposure_us)
+        self.sequence += 1
+        self.health.received += 1
+        return Frame(self.sequence, stamp, self.picture(laser_on), exposure_us, laser_on)
+
+    def picture(self, laser_on: bool) -> np.ndarray:
+        level = self.bench.scene_level * self.bench.exposure_us
+        image = np.full((HEIGHT, WIDTH), level) + self.random.normal(0, 1.5, (HEIGHT, WIDTH))
+        if laser_on:
+            rows = np.arange(HEIGHT)[:, None]
+            image += 140 * np.exp(-(((rows - self.bench.stripe_row) / 2) ** 2) / 2)
+        return np.clip(np.round(image), 0, 255).astype(np.uint8)
+
+    def set_exposure_us(self, exposure_us: float) -> None:
+        self.bench.exposure_us = exposure_us
+
+    def set_laser(self, on: bool) -> None:
+        if self.bench.laser_obeys:
+            self.bench.laser_on = on
+
+    def close(self) -> None:
+        self.bench.laser_on = False
+
+
+@pytest.fixture
+def bench() -> Bench:
+    return Bench()
+
+
+@pytest.fixture
+def bus() -> Bus:
+    return Bus()
+
+
+@pytest.fixture
+def rig(bench: Bench, bus: Bus, tmp_path: Path) -> Iterator[Rig]:
+    rig = Rig(bus, lambda: ScriptedArm(bench), lambda: ScriptedSensor(bench), tmp_path)
+    rig.arm.set_model(six_axis_arm())
+    rig.start()
+    yield rig
+    rig.stop()
+
+
+def until(condition: Callable[[], object], timeout_s: float = 10.0) -> None:
+    """Waits for a condition; fails when it does not come."""
+    deadline = time.monotonic() + timeout_s
+    while not condition():
+        assert time.monotonic() < deadline, "it did not happen in time"
+        time.sleep(0.01)

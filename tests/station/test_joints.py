@@ -1,0 +1,129 @@
+"""The joints at a stamp, their mean, and whether the arm is still."""
+
+import threading
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from app.metrology.arm import tip_centres
+from app.station.joints import KEPT_SAMPLES, JointRing, JointWindow, mean_of
+from app.station.stillness import stillness
+from hardware.interfaces import JointSample
+from tests.station.conftest import REST_RAD, six_axis_arm
+
+MS = 1_000_000
+
+
+def ring_of(count: int, period_ns: int = 2 * MS) -> JointRing:
+    ring = JointRing(2, 500.0)
+    ring.extend([JointSample(i, i * period_ns, (0.001 * i, -0.002 * i)) for i in range(count)])
+    return ring
+
+
+@given(st.integers(min_value=0, max_value=198 * MS))
+def test_a_pose_between_two_samples_lies_on_the_line_between_them(stamp_ns: int) -> None:
+    found = ring_of(100).at(stamp_ns)
+    assert found is not None
+    np.testing.assert_allclose(found, np.array([0.001, -0.002]) * stamp_ns / (2 * MS), atol=1e-12)
+
+
+def test_outside_the_samples_there_is_no_pose() -> None:
+    ring = ring_of(100)
+    assert ring.at(-1) is None
+    assert ring.at(198 * MS + 1) is None
+
+
+def test_a_gap_is_not_bridged() -> None:
+    ring = JointRing(1, 500.0)
+    ring.extend([JointSample(0, 0, (0.0,)), JointSample(9, 20 * MS, (1.0,))])
+    assert ring.at(10 * MS) is None
+    assert ring.at(20 * MS) is not None
+
+
+def test_an_encoder_that_rolls_over_is_interpolated_the_short_way() -> None:
+    ring = JointRing(1, 500.0)
+    ring.extend([JointSample(0, 0, (np.pi - 0.01,)), JointSample(1, 2 * MS, (-np.pi + 0.03,))])
+    found = ring.at(MS)
+    assert found is not None
+    assert np.cos(found[0] - (np.pi + 0.01)) == pytest.approx(1.0, abs=1e-12)
+    window = ring.between(0, 2 * MS)
+    assert np.cos(mean_of(window).q_rad[0] - (np.pi + 0.01)) == pytest.approx(1.0, abs=1e-12)
+
+
+def test_the_ring_forgets_its_oldest_and_keeps_its_order() -> None:
+    ring = ring_of(KEPT_SAMPLES + 500)
+    assert ring.at(499 * 2 * MS) is None
+    first = ring.between(0, 10**18)
+    assert len(first) == KEPT_SAMPLES
+    assert (np.diff(first.stamps_ns) == 2 * MS).all()
+    assert first.stamps_ns[0] == 500 * 2 * MS
+
+
+def test_a_sample_that_goes_back_in_time_is_left_out() -> None:
+    ring = ring_of(3)
+    ring.extend([JointSample(3, 3 * MS, (9.0, 9.0)), JointSample(4, 6 * MS, (0.003, -0.006))])
+    assert ring.between(0, 10 * MS).stamps_ns.tolist() == [0, 2 * MS, 4 * MS, 6 * MS]
+
+
+def test_a_reader_waits_for_the_sample_after_its_stamp() -> None:
+    ring = ring_of(3)
+    later = threading.Timer(0.05, ring.extend, [[JointSample(3, 6 * MS, (0.003, -0.006))]])
+    later.start()
+    found = ring.at(5 * MS, wait_s=5.0)
+    later.join()
+    assert found is not None
+    np.testing.assert_allclose(found, [0.0025, -0.005])
+
+
+def window_of(q_rad: np.ndarray) -> JointWindow:
+    return JointWindow(np.arange(len(q_rad), dtype=np.int64) * 2 * MS, q_rad)
+
+
+def test_encoder_noise_alone_is_still() -> None:
+    random = np.random.default_rng(1)
+    arm = six_axis_arm()
+    found = [
+        stillness(arm, window_of(REST_RAD + 1e-5 * random.normal(size=(150, 6)))).still
+        for _ in range(200)
+    ]
+    assert sum(found) >= 199
+
+
+def test_a_drift_of_a_tenth_of_a_millimetre_is_not_still_and_is_told() -> None:
+    arm = six_axis_arm()
+    drift = np.zeros((150, 6))
+    drift[:, 1] = np.linspace(0, 4e-4, 150)
+    found = stillness(arm, window_of(REST_RAD + drift))
+    tips = tip_centres(arm, REST_RAD + drift[[0, -1]])
+    assert not found.still
+    # the six blocks' middles span five sixths of the path
+    assert found.moved_um == pytest.approx(
+        5 / 6 * 1000 * np.linalg.norm(tips[1] - tips[0]), rel=0.02
+    )
+    assert f"{found.moved_um:.0f} µm" in found.text
+
+
+def test_a_turn_about_the_tip_is_not_still() -> None:
+    """The last joint turns the sensor though the tip is near its axis."""
+    arm = six_axis_arm()
+    turned = np.zeros((150, 6))
+    turned[:, 5] = np.linspace(0, 1.5e-3, 150)
+    found = stillness(arm, window_of(REST_RAD + turned))
+    assert not found.still
+    assert found.turned_arcsec == pytest.approx(5 / 6 * 1.5e-3 * 206265, rel=0.02)
+    assert found.moved_um < 25
+
+
+def test_too_few_samples_are_not_called_still() -> None:
+    assert not stillness(six_axis_arm(), window_of(np.tile(REST_RAD, (3, 1)))).still
+
+
+def test_the_mean_comes_with_the_scatter_of_the_samples() -> None:
+    random = np.random.default_rng(2)
+    q = REST_RAD + 1e-4 * random.normal(size=(400, 6))
+    mean = mean_of(window_of(q))
+    np.testing.assert_allclose(mean.q_rad, q.mean(axis=0))
+    np.testing.assert_allclose(mean.scatter_rad, 1e-4, rtol=0.15)
+    assert mean.samples == 400

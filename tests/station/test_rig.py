@@ -1,0 +1,264 @@
+"""The devices under one roof: lost and found again, still or moving, captured or refused."""
+
+import asyncio
+import time
+
+import numpy as np
+import pytest
+
+from app.metrology.refusal import Refusal
+from app.station.bus import Bus
+from app.station.rig import Rig
+from hardware.interfaces import Button, ButtonEvent
+from tests.station.conftest import REST_RAD, Bench, until
+
+
+def ready(rig: Rig) -> None:
+    until(lambda: rig.arm.stillness().still and rig.sensor.fresh)
+
+
+def swing(seconds: float) -> np.ndarray:
+    return REST_RAD + 0.2 * np.sin(3 * seconds)
+
+
+def test_both_devices_are_found_and_told_with_their_rates(rig: Rig) -> None:
+    ready(rig)
+    until(lambda: rig.devices().arm.rate_hz is not None)
+    devices = rig.devices()
+    assert (devices.arm.state, devices.sensor.state) == ("connected", "connected")
+    assert "A-1" in devices.arm.text
+    assert devices.arm.rate_hz == pytest.approx(500, rel=0.3)
+    assert devices.arm.age_s is not None
+    assert devices.arm.age_s < 0.5
+    assert devices.tip_mm is not None
+    assert devices.disk_free_gb > 0
+
+
+def test_an_unplugged_arm_is_said_lost_and_comes_back(rig: Rig, bench: Bench, bus: Bus) -> None:
+    ready(rig)
+    bench.arm_plugged = False
+    until(lambda: rig.arm.link().state == "lost", 1.0)
+    assert "bench:1" in rig.arm.link().text
+    assert rig.arm.latest() is None
+    assert rig.sensor.link().state == "connected"
+    with pytest.raises(Refusal, match="sends no joint angles"):
+        rig.arm.average()
+    received = rig.arm.link().received
+    bench.arm_plugged = True
+    ready(rig)
+    assert bench.arm_opened == 2
+    assert rig.arm.link().received >= received
+
+
+def test_an_arm_that_goes_silent_is_lost_within_a_second_and_opened_again(
+    rig: Rig, bench: Bench
+) -> None:
+    ready(rig)
+    bench.arm_silent = True
+    until(lambda: rig.arm.link().state == "lost", 1.0)
+    assert "No data from the arm" in rig.arm.link().text
+    until(lambda: bench.arm_opened >= 2)
+    bench.arm_silent = False
+    ready(rig)
+
+
+def test_losing_and_finding_a_device_is_told_as_events(rig: Rig, bench: Bench, bus: Bus) -> None:
+    async def scenario() -> list[str]:
+        bus.attach(asyncio.get_running_loop())
+        kinds: list[str] = []
+        with bus.subscribe() as reader:
+            while "sensor-lost" not in kinds:
+                bench.sensor_plugged = not rig.sensor.fresh and not bench.sensor_opened
+                kinds += [e.kind for e in (await asyncio.wait_for(reader.next(), 5)).events]
+            bench.sensor_plugged = True
+            while kinds[-1] != "sensor-connected":
+                kinds += [e.kind for e in (await asyncio.wait_for(reader.next(), 5)).events]
+        bus.detach()
+        return kinds
+
+    until(lambda: rig.sensor.fresh)
+    assert asyncio.run(scenario())[-2:] == ["sensor-lost", "sensor-connected"]
+
+
+def test_a_driver_that_fails_in_its_own_way_does_not_end_the_station(
+    rig: Rig, bench: Bench
+) -> None:
+    ready(rig)
+
+    def broken(seconds: float) -> np.ndarray:
+        raise ZeroDivisionError("a mistake in the driver")
+
+    bench.joints_at = broken
+    until(lambda: "a mistake in the driver" in rig.arm.link().text)
+    bench.joints_at = lambda seconds: REST_RAD
+    ready(rig)
+
+
+def test_a_lost_packet_is_counted(rig: Rig, bench: Bench) -> None:
+    bench.arm_skips = set(range(100, 110))
+    until(lambda: rig.arm.link().lost == 10)
+
+
+def test_a_moving_arm_is_not_averaged_and_a_still_one_is(rig: Rig, bench: Bench) -> None:
+    bench.joints_at = swing
+    until(lambda: rig.arm.stillness().moved_um > 1000)
+    with pytest.raises(Refusal) as refused:
+        rig.arm.average()
+    assert refused.value.code == "arm-moving"
+    bench.joints_at = lambda seconds: REST_RAD
+    ready(rig)
+    mean = rig.arm.average(0.2)
+    np.testing.assert_allclose(mean.q_rad, REST_RAD, atol=5e-6)
+    np.testing.assert_allclose(mean.scatter_rad, bench.noise_rad, rtol=0.5)
+    assert mean.samples == pytest.approx(100, abs=3)
+
+
+def test_a_press_is_averaged_over_what_came_before_it(rig: Rig, bench: Bench) -> None:
+    ready(rig)
+    time.sleep(0.1)
+    newest = rig.arm.latest()
+    assert newest is not None
+    bench.joints_at = swing
+    mean = rig.arm.average(0.2, until_ns=newest.stamp_ns)
+    np.testing.assert_allclose(mean.q_rad, REST_RAD, atol=5e-6)
+    assert mean.last_ns <= newest.stamp_ns
+
+
+def test_a_button_reaches_its_subscriber_on_the_event_loop(
+    rig: Rig, bench: Bench, bus: Bus
+) -> None:
+    async def scenario() -> ButtonEvent:
+        loop = asyncio.get_running_loop()
+        bus.attach(loop)
+        pressed: asyncio.Future[ButtonEvent] = loop.create_future()
+        rig.arm.on_button = pressed.set_result
+        bench.presses.append(Button.UNDO)
+        return await asyncio.wait_for(pressed, 5)
+
+    ready(rig)
+    event = asyncio.run(scenario())
+    assert (event.button, event.pressed) == (Button.UNDO, True)
+
+
+def test_the_joints_at_a_frames_stamp_are_found(rig: Rig, bench: Bench) -> None:
+    bench.joints_at, bench.noise_rad = swing, 0.0
+    ready_frames = rig.sensor.frames.tap(20)
+    until(lambda: rig.arm.latest() is not None)
+    time.sleep(0.2)
+    checked = 0
+    while checked < 10:
+        frame = ready_frames.get(2.0)
+        assert frame is not None
+        q = rig.arm.at(frame.mid_exposure_ns)
+        if q is None:  # older than the arm's first sample
+            continue
+        truth = swing(frame.mid_exposure_ns / 1e9 - bench.start_s)
+        np.testing.assert_allclose(q, truth, atol=2e-6)
+        checked += 1
+
+
+def test_a_pair_is_captured_while_still_and_the_laser_put_back(rig: Rig, bench: Bench) -> None:
+    ready(rig)
+    taken = rig.capture_pair()
+    assert taken.lighting == "pair"
+    assert taken.laser is not None
+    assert (taken.ambient.laser_on, taken.laser.laser_on) == (False, True)
+    assert taken.laser.image.max() > taken.ambient.image.max() + 100
+    assert not bench.laser_on
+    np.testing.assert_allclose(taken.joints.q_rad, REST_RAD, atol=1e-5)
+    rig.sensor.set_laser(True)
+    rig.capture_pair()
+    assert bench.laser_on
+
+
+def test_a_capture_is_refused_while_the_arm_moves(rig: Rig, bench: Bench) -> None:
+    ready(rig)
+    bench.joints_at = swing
+    until(lambda: not rig.arm.stillness().still)
+    with pytest.raises(Refusal) as refused:
+        rig.capture_pair()
+    assert refused.value.code == "arm-moving"
+    assert "hold it still" in refused.value.line
+
+
+def test_a_capture_is_refused_when_the_arm_moved_meanwhile(rig: Rig, bench: Bench) -> None:
+    ready(rig)
+    bench.frame_period_s = 0.4
+    moves_from = time.monotonic() - bench.start_s + 0.35
+
+    def late_move(seconds: float) -> np.ndarray:
+        return REST_RAD + 0.01 * max(0.0, seconds - moves_from)
+
+    bench.joints_at = late_move
+    with pytest.raises(Refusal) as refused:
+        rig.capture_pair()
+    assert refused.value.code == "arm-moved"
+    assert not bench.laser_on
+
+
+def test_a_laser_that_does_not_obey_is_named(rig: Rig, bench: Bench) -> None:
+    ready(rig)
+    bench.laser_obeys = False
+    with pytest.raises(Refusal) as refused:
+        rig.capture_pair()
+    assert refused.value.code == "laser-stuck"
+
+
+def test_a_sensor_without_a_laser_switch_gives_one_picture(rig: Rig, bench: Bench) -> None:
+    bench.has_laser_switch, bench.laser_on = False, True
+    ready(rig)
+    bench.sensor_plugged = False
+    until(lambda: rig.sensor.info is None)
+    bench.sensor_plugged = bench.laser_on = True
+    ready(rig)
+    taken = rig.capture_pair()
+    assert (taken.lighting, taken.laser) == ("both", None)
+    with pytest.raises(Refusal, match="cannot be switched from here"):
+        rig.sensor.set_laser(True)
+
+
+def test_the_exposure_is_found_and_kept_over_a_reconnection(rig: Rig, bench: Bench) -> None:
+    ready(rig)
+    bench.scene_level, bench.exposure_us = 0.5, 2000.0
+    found = rig.sensor.auto_exposure()
+    assert found * bench.scene_level == pytest.approx(0.7 * 255, rel=0.12)
+    bench.sensor_plugged = False
+    until(lambda: rig.sensor.link().state == "lost", 1.0)
+    bench.exposure_us = 100.0
+    bench.sensor_plugged = True
+    until(lambda: rig.sensor.fresh and rig.sensor.exposure_us == pytest.approx(found))
+
+
+def test_a_scene_too_bright_for_the_range_ends_at_its_end(rig: Rig, bench: Bench) -> None:
+    ready(rig)
+    bench.scene_level = 100.0
+    assert rig.sensor.auto_exposure() == pytest.approx(100.0)
+
+
+def test_the_laser_returns_after_a_short_loss_and_is_off_after_stop(rig: Rig, bench: Bench) -> None:
+    ready(rig)
+    rig.sensor.set_laser(True)
+    bench.sensor_plugged = False
+    until(lambda: rig.sensor.link().state == "lost", 1.0)
+    assert not bench.laser_on
+    assert not rig.devices().laser_on
+    bench.sensor_plugged = True
+    until(lambda: rig.sensor.fresh)
+    assert bench.laser_on
+    rig.sensor.laser_off()
+    assert not bench.laser_on
+    rig.sensor.set_laser(True)
+    rig.stop()
+    assert not bench.laser_on
+    assert rig.arm.link().state == "off"
+
+
+def test_a_lost_sensor_refuses_in_words(rig: Rig, bench: Bench) -> None:
+    ready(rig)
+    bench.sensor_plugged = False
+    until(lambda: rig.sensor.link().state == "lost")
+    for act in (rig.capture_pair, rig.sensor.auto_exposure, lambda: rig.sensor.set_laser(True)):
+        with pytest.raises(Refusal) as refused:
+            act()
+        assert refused.value.code == "sensor-lost"
+    rig.sensor.laser_off()
