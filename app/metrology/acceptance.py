@@ -1,0 +1,197 @@
+"""Whether the object that was found is the one of the certificate; if not, why not, in words."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.camera import project
+from app.metrology.crenellated import Crenellated
+from app.metrology.edge_survey import Survey
+from app.metrology.locate import Search
+from app.metrology.picture import BLURRED, PictureFinding
+from app.metrology.refusal import Refusal
+from app.metrology.visibility import seen
+
+# An edge that lies this many standard deviations off is not the certificate's.
+_SIGMAS = 5.0
+# What a camera model and an edge's finish may do to a whole edge, over the longer side.
+_MODEL = 0.1 / 1280
+# Of the drawn edges' length, how much must show: faces of equal brightness hide some.
+_LEAST_SHOWN = 0.5
+# Of the points that show, how many must agree with the edge they were looked for on.
+_LEAST_AGREEING = 0.8
+# Below this support at the small scale nothing like the block was found.
+LEAST_SUPPORT = 0.45
+# Share of straight segments in three perpendicular directions that makes a block.
+_BLOCK_LIKE = 0.7
+
+
+def refuse_unusable(findings: list[PictureFinding], clipped: NDArray[np.bool_]) -> None:
+    """Refuses a black picture and one that is clipped all over.
+
+    Raises:
+        Refusal: ``image-dark``, ``image-saturated``.
+    """
+    for finding in findings:
+        hopeless = finding.code == "image-dark" or (
+            finding.code == "image-saturated" and float(clipped.mean()) > 0.5
+        )
+        if hopeless:
+            raise Refusal(finding.code, finding.text, "", finding.remedy)
+
+
+def refuse_unfound(found: Search, findings: list[PictureFinding], block: Crenellated) -> Refusal:
+    """The refusal for a picture in which no placing of the block matched."""
+    serious = [one for one in findings if one.code != "image-dim"]
+    if serious:
+        return Refusal(
+            serious[0].code,
+            f"the object was not found, and {serious[0].text}",
+            "",
+            serious[0].remedy,
+        )
+    if found.segment_count >= 12 and found.explained >= _BLOCK_LIKE:
+        return mismatch(block, "no placing of its edges explains those in the picture")
+    return Refusal(
+        "object-not-found",
+        "no crenellated object was found in the picture",
+        f"its {found.segment_count} straight edges do not make a block",
+        "bring the whole object into view, from its front and above, and light it evenly",
+    )
+
+
+def mismatch(block: Crenellated, why: str) -> Refusal:
+    """The refusal for a block that is not the certificate's."""
+    return Refusal(
+        "object-does-not-match",
+        f"the object in the picture does not match the certificate of {block.name}"
+        f" ({block.serial_number})",
+        why,
+        "choose the object that is before the camera; if it is this one, look whether its"
+        " edges are clean and undamaged",
+    )
+
+
+def mirror_refusal(block: Crenellated) -> Refusal:
+    """The refusal for a block that reads the wrong way round."""
+    return Refusal(
+        "object-mirrored",
+        f"the merlons of {block.name} read in the mirrored order",
+        "the picture is mirrored, or the camera looks at the object's back",
+        "turn off the camera's mirroring, or turn the object so that its front faces the camera",
+    )
+
+
+def ambiguous(block: Crenellated, both_ways: bool, share: float) -> Refusal:
+    """The refusal for a picture that more than one placing explains."""
+    if share < 0.9:
+        return Refusal(
+            "object-cut-off",
+            f"the frame shows only {100 * share:.0f} % of {block.name}'s visible edges",
+            "what it shows could be more than one part of the object",
+            "move the sensor until the whole object is in the picture",
+        )
+    return Refusal(
+        "object-ambiguous",
+        f"the picture of {block.name} can be read in more than one way",
+        "its merlons read alike from the front and from the back" if both_ways else "",
+        "use an object whose merlons differ in width",
+    )
+
+
+def refuse_blurred(found: Survey) -> None:
+    """Refuses a picture whose edges are too wide for its lines to keep apart.
+
+    Raises:
+        Refusal: ``image-blurred``.
+    """
+    limit_px = BLURRED * max(found.camera.width_px, found.camera.height_px)
+    if found.blur_px > limit_px:
+        # From a tenth to nine tenths of its height, a step is 2.56 standard deviations wide.
+        raise Refusal(
+            "image-blurred",
+            f"the picture is blurred: its edges are {2.56 * found.blur_px:.0f} px wide,"
+            f" at most {2.56 * limit_px:.0f} px can be measured",
+            "",
+            "focus the camera on the object, bring it into the working distance, hold it still",
+        )
+
+
+def symmetric(block: Crenellated) -> bool:
+    """Whether the block reads the same both ways, to ten times its uncertainty."""
+    x = np.array(block.edges_x_mm)
+    there, back = x - x[0], x[-1] - x[::-1]
+    return bool(np.abs(there - back).max() < 10 * max(block.standard_uncertainty_mm, 0.001))
+
+
+def disagreement(found: Survey, certificate_mm: float) -> str:
+    """Why the measured edges are not those of the certificate; empty where they are.
+
+    Each edge's mean distance from where the fitted camera draws it is compared
+    with what certificate, image noise and camera model leave it.
+    """
+    at = found.at
+    shown = float(at.length_px[found.shows].sum()) / max(float(at.length_px.sum()), 1e-9)
+    if shown < _LEAST_SHOWN:
+        return f"only {100 * shown:.0f} % of its visible edges show in the picture"
+    agreeing = float(found.used.sum()) / max(int(found.shows.sum()), 1)
+    if agreeing < _LEAST_AGREEING:
+        return f"only {100 * agreeing:.0f} % of the edge points lie on its edges"
+    worst, worst_mm, name = 0.0, 0.0, ""
+    model_px = _MODEL * max(found.camera.width_px, found.camera.height_px)
+    depth = (at.points_mm @ found.camera.rotation.T + found.camera.translation_mm)[:, 2]
+    for part in np.unique(at.part[found.used]):
+        rows = np.flatnonzero(found.used & (at.part == part))
+        if len(rows) < 4:
+            continue
+        mm_per_px = float(np.median(depth[rows])) / found.camera.matrix[0, 0]
+        off = float(np.median(found.off_px[rows]))
+        own = 1.25 * float(np.median(found.sigma_px[rows])) / np.sqrt(len(rows))
+        allowed = np.sqrt(own**2 + (certificate_mm / mm_per_px) ** 2 + model_px**2)
+        if abs(off) / allowed > worst:
+            worst = abs(off) / allowed
+            worst_mm, name = abs(off) * mm_per_px, found.frame.names[at.edge[rows[0]]]
+    if worst > _SIGMAS:
+        return f"its edge {name} lies {1000 * worst_mm:.0f} µm from where the certificate puts it"
+    return ""
+
+
+def refuse_cut_off(found: Survey, block: Crenellated) -> None:
+    """Refuses a picture whose frame leaves too little of the block.
+
+    A camera needs both levels, and on the crests at least two merlons with both
+    their edges.
+
+    Raises:
+        Refusal: ``object-cut-off``.
+    """
+    names = {found.frame.names[edge] for edge in found.at.edge[found.used]}
+    pairs = sum(
+        f"crest:{i}:L" in names and f"crest:{i}:R" in names for i in range(block.merlon_count)
+    )
+    level = any(name.startswith("floor:") for name in names)
+    share = in_frame(found)
+    if pairs >= 2 and level and share >= 0.4:
+        return
+    raise Refusal(
+        "object-cut-off",
+        f"the frame shows only {100 * share:.0f} % of {block.name}'s visible edges",
+        "a camera needs both levels and at least two whole merlons",
+        "move the sensor until the whole object is in the picture",
+    )
+
+
+def in_frame(found: Survey) -> float:
+    """Share of the visible edges' length that lies within the picture."""
+    parts = seen(found.frame, found.camera.centre_mm)
+    begin = found.frame.starts_mm[parts.edge]
+    along = found.frame.ends_mm[parts.edge] - begin
+    span = (parts.end - parts.start) * np.linalg.norm(along, axis=1)
+    total, inside = 0.0, 0.0
+    for share in (np.arange(20) + 0.5) / 20:
+        at = parts.start + share * (parts.end - parts.start)
+        uv = project(found.camera, begin + at[:, None] * along)
+        within = (uv >= 0).all(axis=1)
+        within &= (uv < [found.camera.width_px, found.camera.height_px]).all(axis=1)
+        total += float(span.sum())
+        inside += float(span[within].sum())
+    return inside / max(total, 1e-9)

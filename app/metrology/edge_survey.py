@@ -1,0 +1,218 @@
+"""All edges of the located block measured in the full picture, and the camera they give."""
+
+from dataclasses import dataclass, replace
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.camera import Camera
+from app.metrology.edge_fit import NO_DISTORTION, WITH_K1, WITH_K2, fit_edges, residuals
+from app.metrology.edge_points import Measured, Stations, measure, search, stations
+from app.metrology.frames import Floats
+from app.metrology.visibility import Wireframe
+
+# One point for every so many pixels of edge: as far apart as each gathers light.
+_SPACING_PX = 5.0
+# A step this many times its own standard deviation is an edge that shows.
+_SHOWS = 6.0
+# A lens term is kept where it is this many times its standard deviation.
+_SIGNIFICANT = 3.0
+_BLUR_START_PX = 1.0
+
+
+@dataclass(frozen=True)
+class Survey:
+    """Measured edges and the camera fitted to them.
+
+    ``at``: the stations; ``uv_px`` (N, 2) where their edges lie; ``sigma_px`` (N,) standard
+    deviations, scaled to the scatter along the edges; ``off_px`` (N,) distance from
+    the camera's edge along the normal; ``shows`` (N,) whether the picture shows an
+    edge there; ``used`` (N,) whether it agrees with its neighbours; ``blur_px``:
+    the standard deviation of the picture's blur.
+    """
+
+    frame: Wireframe
+    camera: Camera
+    at: Stations
+    uv_px: Floats
+    sigma_px: Floats
+    off_px: Floats
+    shows: NDArray[np.bool_]
+    used: NDArray[np.bool_]
+    blur_px: float
+
+
+def survey(
+    grey: Floats,
+    hidden: NDArray[np.bool_],
+    frame: Wireframe,
+    camera: Camera,
+    coarse_px: float,
+    certificate_mm: float,
+) -> Survey | None:
+    """Measures every visible edge of the block and fits the camera to them.
+
+    Args:
+        grey: (H, W) the picture, 0..255.
+        hidden: (H, W) pixels that must not count (clipped, lit by the laser).
+        frame: the block.
+        camera: a camera for this picture that draws the edges within ``coarse_px``.
+        coarse_px: how far off it may be.
+        certificate_mm: standard uncertainty of the block's coordinates.
+
+    Returns:
+        None where too few edges show to fit anything.
+    """
+    masked = grey.copy()
+    masked[hidden] = np.nan
+    smooth: Floats = np.asarray(
+        cv2.GaussianBlur(grey, (0, 0), max(0.8, coarse_px / 4)), dtype=np.float64
+    )
+    pulled = _coarse(smooth, frame, camera, coarse_px)
+    if pulled is None:
+        return None
+    camera = pulled
+    blur = _blur(masked, frame, camera)
+    if blur is None:
+        return None
+    found: Survey | None = None
+    for free in (WITH_K1, WITH_K1):
+        found = _measured(masked, frame, camera, blur)
+        fitted = _fitted(found, free, certificate_mm)
+        if fitted is None:
+            return None
+        found = fitted[0]
+        camera = found.camera
+    assert found is not None
+    return _with_significant_lens(_measured(masked, frame, camera, blur), certificate_mm)
+
+
+def _coarse(smooth: Floats, frame: Wireframe, camera: Camera, reach_px: float) -> Camera | None:
+    for radius in (reach_px, max(0.6 * reach_px, 2.0)):
+        at = stations(frame, camera, 2 * _SPACING_PX, radius + 2)
+        offset, slope = search(smooth, at, radius)
+        met = np.isfinite(offset)
+        steep = np.abs(slope)
+        if met.sum() < 30:
+            return None
+        met &= steep > 0.15 * np.nanpercentile(steep, 80)
+        uv = at.uv_px + np.nan_to_num(offset)[:, None] * at.normal
+        camera, _, _ = fit_edges(
+            camera,
+            at.points_mm[met],
+            uv[met],
+            at.normal[met],
+            np.full(int(met.sum()), 0.5),
+            WITH_K1,
+            3,
+        )
+    return camera
+
+
+def _blur(masked: Floats, frame: Wireframe, camera: Camera) -> float | None:
+    """The picture's blur, from a tenth of the stations, starting sharp and widening."""
+    blur = _BLUR_START_PX
+    at = stations(frame, camera, 8 * _SPACING_PX, 4.0)
+    for _ in range(6):
+        seen = measure(masked, at, blur, free_blur=True)
+        sound = np.isfinite(seen.offset_px) & (np.abs(seen.step) > 8 * seen.noise)
+        if sound.sum() < 12:
+            sound = np.isfinite(seen.offset_px) & (np.abs(seen.step) > 3 * seen.noise)
+        if sound.sum() < 12:
+            return None
+        last, blur = blur, float(np.median(seen.blur_px[sound]))
+        if abs(blur / last - 1) < 0.1:
+            break
+    return blur
+
+
+def _measured(masked: Floats, frame: Wireframe, camera: Camera, blur: float) -> Survey:
+    at = stations(frame, camera, _SPACING_PX, max(4.0, 3.0 * blur))
+    seen = measure(masked, at, blur)
+    shows = np.isfinite(seen.offset_px) & (np.abs(seen.step) > _SHOWS * _step_sigma(seen))
+    shows &= seen.sigma_px < 1.0
+    uv = at.uv_px + np.nan_to_num(seen.offset_px)[:, None] * at.normal
+    sigma = np.where(shows, seen.sigma_px, np.nan)
+    off = np.where(shows, seen.offset_px, np.nan)
+    return Survey(frame, camera, at, uv, sigma, off, shows, shows.copy(), blur)
+
+
+def _step_sigma(seen: Measured) -> Floats:
+    """Standard deviation of a step's height: that of its place times its slope, or the noise."""
+    return np.asarray(
+        np.maximum(seen.sigma_px * np.abs(seen.step) / (2.5 * seen.blur_px), 0.25 * seen.noise)
+    )
+
+
+def _fitted(
+    found: Survey, free: tuple[int, ...], certificate_mm: float
+) -> tuple[Survey, Floats] | None:
+    keep = found.shows
+    if keep.sum() < 3 * len(free):
+        return None
+    at = found.at
+    edge = at.edge[keep]
+    per_edge = np.bincount(edge, minlength=len(found.frame.names))[edge]
+    # The certificate's error moves a whole edge at once: spread over its points it
+    # weighs as it should.
+    depth = (at.points_mm[keep] @ found.camera.rotation.T + found.camera.translation_mm)[:, 2]
+    certificate_px = certificate_mm * found.camera.matrix[0, 0] / depth
+    sigma = np.sqrt(found.sigma_px[keep] ** 2 + per_edge * certificate_px**2)
+    camera, covariance, _ = fit_edges(
+        found.camera, at.points_mm[keep], found.uv_px[keep], at.normal[keep], sigma, free
+    )
+    off = residuals(camera, at.points_mm, found.uv_px, at.normal)
+    used, factor = _agreeing(off, found)
+    return replace(
+        found,
+        camera=camera,
+        off_px=np.where(found.shows, off, np.nan),
+        used=used,
+        sigma_px=found.sigma_px * factor,
+    ), covariance
+
+
+def _agreeing(off: Floats, found: Survey) -> tuple[NDArray[np.bool_], float]:
+    """Which points agree with the others of their part, and what their sigma lacks.
+
+    The factor brings the sigmas to the scatter along the parts, and further to
+    that of parts' means where neighbouring points err alike (texture).
+    """
+    used = np.zeros(len(off), dtype=bool)
+    scatter, products, squares = [], 0.0, 0.0
+    for part in np.unique(found.at.part[found.shows]):
+        rows = np.flatnonzero(found.shows & (found.at.part == part))
+        z = (off[rows] - np.median(off[rows])) / found.sigma_px[rows]
+        spread = max(float(np.median(np.abs(z))) / 0.6745, 1.0)
+        fine = np.abs(z) < 4.0 * spread
+        used[rows[fine]] = True
+        if fine.sum() >= 8:
+            z = z[fine] - z[fine].mean()
+            scatter.append(np.full(len(z), float(np.mean(z**2)) * len(z) / (len(z) - 1)))
+            products += float((z[1:] * z[:-1]).sum())
+            squares += float((z[1:] ** 2 + z[:-1] ** 2).sum()) / 2
+    if not scatter:
+        return used, 1.0
+    factor = float(np.sqrt(np.median(np.concatenate(scatter))))
+    alike = float(np.clip(products / max(squares, 1e-12), 0.0, 0.8))
+    return used, factor * float(np.sqrt((1 + alike) / (1 - alike)))
+
+
+def _with_significant_lens(found: Survey, certificate_mm: float) -> Survey | None:
+    """The fit with as many distortion terms as the edges support."""
+    best = None
+    for free, term in ((WITH_K2, 11), (WITH_K1, 10), (NO_DISTORTION, -1)):
+        start = found.camera.distortion.copy()
+        start[[k for k in (0, 1) if 10 + k not in free]] = 0.0
+        begun = replace(found, camera=replace(found.camera, distortion=start))
+        fitted = _fitted(begun, free, certificate_mm)
+        if fitted is None:
+            return None
+        best, covariance = fitted
+        if term < 0:
+            break
+        value = best.camera.distortion[term - 10]
+        if abs(value) > _SIGNIFICANT * np.sqrt(covariance[term, term]):
+            break
+    return best

@@ -1,0 +1,153 @@
+"""The block found in a picture, to a pixel or so: placings drawn, pulled onto the edges, judged."""
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.camera import Camera
+from app.metrology.crenellated import Crenellated
+from app.metrology.directions import perpendicular_directions, segments
+from app.metrology.edge_fit import FOCAL_AND_POSE, NO_DISTORTION, WITH_K1, fit_edges
+from app.metrology.edge_points import Stations, search, stations
+from app.metrology.frames import Floats
+from app.metrology.identify import Placing, mirrored, placings
+from app.metrology.visibility import Wireframe, wireframe
+
+# The longer side, in pixels, at which the block is first looked for.
+WORKING_PX = 640
+# Steps of brightness this many standard deviations of the noise steep count as edges.
+_CONTRAST = 5.0
+_SPACING_PX = 5.0
+_MARGIN_PX = 3.0
+
+
+@dataclass(frozen=True)
+class Located:
+    """A camera that draws the block's edges onto the picture's.
+
+    ``camera`` for the picture at its working size; ``support``: how much of the drawn
+    and of the seen edges match (0 to 1).
+    """
+
+    camera: Camera
+    mirrored: bool
+    support: float
+
+
+@dataclass(frozen=True)
+class Search:
+    """What was found: the best placings, refined, best first, and what they came from.
+
+    ``explained``: share of the picture's straight segments that follow three
+    perpendicular directions; ``segment_count``: how many there are.
+    """
+
+    found: tuple[Located, ...]
+    explained: float
+    segment_count: int
+
+
+def working_picture(
+    grey: Floats, ignore: NDArray[np.bool_] | None, longer_px: int
+) -> tuple[NDArray[np.uint8], NDArray[np.bool_] | None, float]:
+    """The picture (0..255) made small, stretched in contrast; its mask; and the scale."""
+    height, width = grey.shape
+    scale = min(1.0, longer_px / max(height, width))
+    size = (round(width * scale), round(height * scale))
+    small = cv2.resize(grey.astype(np.float32), size, interpolation=cv2.INTER_AREA)
+    low, high = np.percentile(small[::3, ::3], (0.5, 99.5))
+    stretched = np.clip((small - low) * (230.0 / max(high - low, 4.0)) + 12.0, 0.0, 255.0)
+    mask = None
+    if ignore is not None:
+        covered = cv2.resize(ignore.astype(np.float32), size, interpolation=cv2.INTER_AREA)
+        mask = cv2.dilate((covered > 0).astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
+    return np.rint(stretched).astype(np.uint8), mask, scale
+
+
+def locate(
+    picture: NDArray[np.uint8], ignore: NDArray[np.bool_] | None, block: Crenellated
+) -> Search:
+    """The block's likeliest placings in a small picture (H, W)."""
+    lines = segments(picture, ignore)
+    frames = perpendicular_directions(lines)
+    guesses = [guess for frame in frames for guess in placings(frame, lines, block)]
+    explained = max((frame.explained for frame in frames), default=0.0)
+    if not guesses:
+        return Search((), explained, len(lines))
+    smooth: Floats = np.asarray(
+        cv2.GaussianBlur(picture.astype(np.float64), (0, 0), 0.8), dtype=np.float64
+    )
+    if ignore is not None:
+        smooth[ignore] = np.nan
+    noise = _slope_noise(smooth)
+    seen_px = float(np.hypot(lines[:, 2] - lines[:, 0], lines[:, 3] - lines[:, 1]).sum())
+    seen_px *= max(picture.shape)
+    forms = {False: wireframe(block), True: wireframe(mirrored(block))}
+    judged = []
+    for guess in sorted(guesses, key=lambda one: -one.votes)[:24]:
+        camera = _camera(guess, picture.shape)
+        frame = forms[guess.mirrored]
+        judged.append((_support(smooth, frame, camera, 6.0, noise, seen_px), guess, camera))
+    judged.sort(key=lambda one: -one[0])
+    found = []
+    for _, guess, camera in judged[:8]:
+        frame = forms[guess.mirrored]
+        pulled = _pulled(smooth, frame, camera, noise)
+        if pulled is not None:
+            support = _support(smooth, frame, pulled, 2.0, noise, seen_px)
+            found.append(Located(pulled, guess.mirrored, support))
+    found.sort(key=lambda one: -one.support)
+    return Search(tuple(found), explained, len(lines))
+
+
+def _camera(guess: Placing, shape: tuple[int, ...]) -> Camera:
+    height, width = shape[:2]
+    focal = guess.focal * max(height, width)
+    K = np.array([[focal, 0, (width - 1) / 2], [0, focal, (height - 1) / 2], [0, 0, 1.0]])
+    return Camera(K, guess.rotation, -guess.rotation @ guess.centre_mm, width, height)
+
+
+def _slope_noise(smooth: Floats) -> float:
+    """Standard deviation of the slope, grey levels a pixel, where nothing is."""
+    slope = 0.5 * (smooth[::2, 2:] - smooth[::2, :-2])
+    return max(float(np.nanmedian(np.abs(slope))) / 0.6745, 0.15)
+
+
+def _support(
+    smooth: Floats, frame: Wireframe, camera: Camera, radius: float, noise: float, seen_px: float
+) -> float:
+    """Dice's coefficient of edges drawn and edges seen: 1 when each has its counterpart."""
+    at = stations(frame, camera, _SPACING_PX, _MARGIN_PX)
+    if len(at.edge) == 0:
+        return 0.0
+    _, slope = search(smooth, at, radius)
+    met = np.abs(slope) > _CONTRAST * noise
+    return 2 * float(at.length_px[met].sum()) / (float(at.length_px.sum()) + seen_px)
+
+
+def _pulled(smooth: Floats, frame: Wireframe, camera: Camera, noise: float) -> Camera | None:
+    """The camera pulled onto the steepest places near the drawn edges, ever nearer."""
+    for radius, free in (
+        (8.0, FOCAL_AND_POSE),
+        (5.0, FOCAL_AND_POSE),
+        (4.0, NO_DISTORTION),
+        (3.0, WITH_K1),
+        (2.0, WITH_K1),
+    ):
+        at = stations(frame, camera, _SPACING_PX, _MARGIN_PX)
+        offset, slope = search(smooth, at, radius)
+        met = np.isfinite(offset) & (np.abs(slope) > _CONTRAST * noise)
+        if met.sum() < 3 * len(free):
+            return None
+        camera = _refit(camera, at, offset, met, free)
+    return camera
+
+
+def _refit(
+    camera: Camera, at: Stations, offset: Floats, met: NDArray[np.bool_], free: tuple[int, ...]
+) -> Camera:
+    uv = at.uv_px[met] + offset[met, None] * at.normal[met]
+    sigma = np.full(int(met.sum()), 0.5)
+    return fit_edges(camera, at.points_mm[met], uv, at.normal[met], sigma, free, 3)[0]

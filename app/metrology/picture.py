@@ -1,0 +1,167 @@
+"""Is a picture fit to measure in: exposure, saturation and sharpness, in words."""
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.frames import Floats
+from app.metrology.refusal import Refusal
+from app.metrology.stripe import saturation_level
+
+Image = NDArray[np.uint8] | NDArray[np.uint16]
+
+# Brightest parts below this share of full scale: noise and rounding begin to tell.
+DIM = 0.15
+# Contrast below this share of full scale cannot be told from the noise of one frame.
+DARK = 0.03
+# Share of clipped pixels at which a face, not just a glint or the stripe, is lost.
+CLIPPED = 0.03
+# Width of a step of brightness (standard deviation of the blur) over the longer side.
+# Beyond the second, the two edges of a groove's wall run into one.
+SOFT = 0.0016
+BLURRED = 0.004
+
+
+@dataclass(frozen=True)
+class PictureFinding:
+    """Something about a picture that the operator should mend.
+
+    ``value`` and ``limit`` are shares of full scale, of the pixels, or pixels.
+    """
+
+    code: str
+    text: str
+    remedy: str
+    value: float
+    limit: float
+
+
+def grey_picture(image: Image) -> tuple[Floats, NDArray[np.bool_]]:
+    """Grey levels (H, W) on a scale of 0 to 255, and which pixels are clipped.
+
+    Raises:
+        Refusal: not a grey image of 8 to 16 bits.
+    """
+    array = image
+    if array.ndim != 2 or array.dtype not in (np.uint8, np.uint16) or min(array.shape) < 64:
+        raise Refusal(
+            "image-not-grey",
+            f"an image of shape {array.shape} and type {array.dtype}",
+            "the object is looked for in grey images of 8 to 16 bits, at least 64 pixels each way",
+        )
+    full = saturation_level(array)
+    return array.astype(np.float64) * (255.0 / full), array >= full
+
+
+def edge_blur_px(grey: NDArray[np.floating]) -> float:
+    """Standard deviation, in px, of the blur at the sharpest edges of a picture (H, W).
+
+    A step of height a blurred by s is steepest by a / (s sqrt(2 pi)); height and
+    steepness are taken where the picture is steepest. inf where there are no edges.
+    """
+    for shrink in (1, 2, 4):
+        small = (
+            grey
+            if shrink == 1
+            else cv2.resize(grey, None, fx=1 / shrink, fy=1 / shrink, interpolation=cv2.INTER_AREA)
+        )
+        smooth = cv2.GaussianBlur(small, (0, 0), 0.7)
+        slope_u = cv2.Sobel(smooth, cv2.CV_32F, 1, 0, ksize=1) * 0.5
+        slope_v = cv2.Sobel(smooth, cv2.CV_32F, 0, 1, ksize=1) * 0.5
+        slope = cv2.magnitude(slope_u, slope_v)
+        box = np.ones((15, 15), np.uint8)
+        height = cv2.dilate(smooth, box) - cv2.erode(smooth, box)
+        noise = float(np.median(slope[::2, ::2])) / 1.1774
+        low, high = np.percentile(smooth[::4, ::4], (1.0, 99.0))
+        ridge = (slope > 6 * noise + 0.3) & (height > 0.3 * (high - low))
+        ridge &= slope >= cv2.dilate(slope, np.ones((3, 3), np.uint8))
+        if int(ridge.sum()) < 50:
+            continue
+        blur = float(np.median(height[ridge] / slope[ridge])) / np.sqrt(2 * np.pi)
+        if blur < 3.0 or shrink == 4:
+            return float(np.sqrt(max(blur**2 - 0.49, 0.05))) * shrink
+    return float("inf")
+
+
+def picture_findings(image: Image) -> list[PictureFinding]:
+    """What is wrong with a picture of the object, most serious first; quick enough for live use.
+
+    Args:
+        image: (H, W) grey, 8 to 16 bits.
+
+    Returns:
+        findings with the codes ``image-dark``, ``image-dim``, ``image-saturated``,
+        ``image-soft`` and ``image-blurred``; none for a good picture.
+
+    Raises:
+        Refusal: not a grey image.
+    """
+    array = image
+    step = max(1, min(array.shape) // 500) if array.ndim == 2 else 1
+    thin, clipped = grey_picture(array[::step, ::step])
+    share = float(clipped.mean())
+    low, high = np.percentile(thin[::2, ::2], (1.0, 99.0)) / 255.0
+    found = []
+    if high - low < DARK:
+        found.append(
+            PictureFinding(
+                "image-dark",
+                f"the picture shows no contrast: {100 * (high - low):.1f} % of full scale",
+                "turn up the light or the exposure, and look at the object",
+                float(high - low),
+                DARK,
+            )
+        )
+    elif high < DIM:
+        found.append(
+            PictureFinding(
+                "image-dim",
+                f"the picture is dim: its bright parts reach {100 * high:.0f} % of full scale",
+                "turn up the light or the exposure",
+                float(high),
+                DIM,
+            )
+        )
+    if share > CLIPPED:
+        found.append(
+            PictureFinding(
+                "image-saturated",
+                f"{100 * share:.0f} % of the picture is overexposed",
+                "turn down the exposure until the object's faces keep their grey",
+                share,
+                CLIPPED,
+            )
+        )
+    if not found or found[0].code == "image-dim":
+        found += _sharpness(array)
+    return found
+
+
+def _sharpness(array: Image) -> list[PictureFinding]:
+    longer = max(array.shape)
+    shrink = min(1.0, 640 / longer)
+    full = saturation_level(array)
+    grey = array.astype(np.float32) * np.float32(255.0 / full)
+    if shrink < 1.0:
+        grey = np.asarray(
+            cv2.resize(grey, None, fx=shrink, fy=shrink, interpolation=cv2.INTER_AREA), np.float32
+        )
+    blur = edge_blur_px(grey) / shrink
+    if blur > BLURRED * longer and np.isfinite(blur):
+        code, text, limit = "image-blurred", "the picture is blurred", BLURRED * longer
+    elif blur > SOFT * longer and np.isfinite(blur):
+        code, text, limit = "image-soft", "the picture is a little soft", SOFT * longer
+    else:
+        return []
+    # From a tenth to nine tenths of its height, a step is 2.56 standard deviations wide.
+    return [
+        PictureFinding(
+            code,
+            f"{text}: its edges are {2.56 * blur:.0f} px wide",
+            "focus the camera on the object, bring it into the working distance, and hold it still",
+            blur,
+            limit,
+        )
+    ]

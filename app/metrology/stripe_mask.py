@@ -1,0 +1,50 @@
+"""The pixels that the laser stripe covers in a picture with room light and laser."""
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.frames import Floats
+from app.metrology.stripe import Stripe
+
+_WIDEST_PX = 16
+_PROBED = 400
+
+
+def stripe_mask(grey: Floats, stripe: Stripe) -> NDArray[np.bool_]:
+    """Pixels (H, W) lit by the stripe: all within its measured half width of its points."""
+    height, width = grey.shape
+    mask = np.zeros((height, width), np.uint8)
+    column = np.rint(stripe.u).astype(np.int64)
+    row = np.rint(stripe.v).astype(np.int64)
+    inside = (column >= 0) & (column < width) & (row >= 0) & (row < height)
+    column, row = column[inside], row[inside]
+    if len(column) == 0:
+        return mask > 0
+    mask[row, column] = 1
+    reach = _half_width(grey, column, row, by_column=_counted(stripe.u, stripe.v)) + 3
+    disc = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * reach + 1, 2 * reach + 1))
+    # Along the stripe its points may miss where it is faint or crosses an edge.
+    bridged = cv2.morphologyEx(mask, cv2.MORPH_CLOSE, np.ones((3, 3), np.uint8))
+    return np.asarray(cv2.dilate(bridged, disc) > 0)
+
+
+def _counted(u: Floats, v: Floats) -> bool:
+    """Whether the points are counted along the columns (whole u) rather than the rows."""
+    return bool(np.abs(u - np.rint(u)).sum() <= np.abs(v - np.rint(v)).sum())
+
+
+def _half_width(
+    grey: Floats, column: NDArray[np.int64], row: NDArray[np.int64], by_column: bool
+) -> int:
+    """Pixels from the stripe's centre to where its median profile has fallen to a twentieth."""
+    pick = np.linspace(0, len(column) - 1, min(len(column), _PROBED)).astype(np.int64)
+    offsets = np.arange(-_WIDEST_PX, _WIDEST_PX + 1)
+    du, dv = (0, 1) if by_column else (1, 0)
+    at_row = np.clip(row[pick, None] + dv * offsets, 0, grey.shape[0] - 1)
+    at_column = np.clip(column[pick, None] + du * offsets, 0, grey.shape[1] - 1)
+    values = grey[at_row, at_column]
+    profile = np.median(values - values.min(axis=1, keepdims=True), axis=0)
+    profile = np.maximum(profile, profile[::-1]) - profile.min()
+    wide = np.flatnonzero(profile > 0.05 * profile.max())
+    return int(max(2, np.abs(offsets[wide]).max())) if profile.max() > 0 else 2

@@ -1,0 +1,244 @@
+"""What of the crenellated block a camera sees: edge parts, what adjoins them, corners.
+
+Exact up to rounding. The block is the union of boxes along the axes; what is seen
+of an edge can change only where, as seen from the camera, another edge crosses
+it. So every edge is cut at all such crossings, and one ray to each piece decides.
+"""
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.compiled import kernel
+from app.metrology.crenellated import Crenellated, corners, edges
+from app.metrology.frames import Floats
+
+# A ray this far off an edge (radians) tells what adjoins it there.
+_BESIDE_RAD = 1e-6
+# Points nearer than this part of their distance lie on the surface, not behind it.
+_ON_SURFACE = 1e-7
+
+
+@dataclass(frozen=True)
+class VisiblePart:
+    """A part of an edge that the camera sees, between two points (3,) in the object frame.
+
+    ``regions`` names what adjoins it on either side: ``crest:I``, ``floor:J``,
+    ``wall:I:L|R``, ``front``, ``back``, ``bottom`` or ``background``. The first lies
+    on the side of ``(start - centre) x (end - centre)``.
+    """
+
+    edge: str
+    start_mm: Floats
+    end_mm: Floats
+    regions: tuple[str, str]
+
+
+@dataclass(frozen=True)
+class Wireframe:
+    """The block as arrays, for many questions about its visibility.
+
+    ``starts_mm``, ``ends_mm``: (E, 3) edges in the order of ``names``;
+    ``boxes_mm``: (B, 6) as xmin, xmax, ymin, ymax, zmin, zmax, the body first;
+    ``regions``: names by the region numbers that ``seen`` gives.
+    """
+
+    names: tuple[str, ...]
+    starts_mm: Floats
+    ends_mm: Floats
+    boxes_mm: Floats
+    grooves_mm: Floats
+    regions: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Seen:
+    """Visible parts as arrays of one length N.
+
+    ``edge``: row in the wireframe; ``start``, ``end``: fractions of the edge;
+    ``regions``: (N, 2) numbers of what adjoins on either side.
+    """
+
+    edge: NDArray[np.int64]
+    start: Floats
+    end: Floats
+    regions: NDArray[np.int64]
+
+
+@lru_cache(maxsize=32)
+def wireframe(block: Crenellated) -> Wireframe:
+    """The arrays of a block."""
+    drawn = edges(block)
+    count = block.merlon_count
+    x = block.edges_x_mm
+    depth = (block.front_y_mm, block.back_y_mm)
+    # The merlons reach down through the body, so that no ray slips between them.
+    boxes = [(x[0], x[-1], *depth, block.base_z_mm, block.floor_z_mm)]
+    boxes += [
+        (x[2 * i], x[2 * i + 1], *depth, block.base_z_mm, block.crest_z_mm) for i in range(count)
+    ]
+    regions = ["background", "front", "back", "bottom"]
+    regions += [f"crest:{i}" for i in range(count)] + [f"wall:{i}:L" for i in range(count)]
+    regions += [f"wall:{i}:R" for i in range(count)] + [f"floor:{j}" for j in range(count - 1)]
+    return Wireframe(
+        tuple(edge.name for edge in drawn),
+        np.array([edge.start_mm for edge in drawn], dtype=np.float64),
+        np.array([edge.end_mm for edge in drawn], dtype=np.float64),
+        np.array(boxes, dtype=np.float64),
+        np.array(x[2::2], dtype=np.float64),
+        tuple(regions),
+    )
+
+
+@kernel
+def _first_hit(
+    boxes: Floats, grooves: Floats, origin: Floats, along: Floats
+) -> tuple[float, int]:  # pragma: no cover - compiled
+    """Distance in units of ``along`` and region number of the first surface; inf and 0 if none."""
+    nearest, region = np.inf, 0
+    merlons = len(boxes) - 1
+    for b in range(len(boxes)):
+        box = boxes[b]
+        enter, leave, axis, high = -np.inf, np.inf, -1, False
+        for k in range(3):
+            low_side, high_side = box[2 * k] - origin[k], box[2 * k + 1] - origin[k]
+            if along[k] == 0.0:
+                if low_side > 0.0 or high_side < 0.0:
+                    leave = -np.inf
+                continue
+            near, far = low_side / along[k], high_side / along[k]
+            from_high = near > far
+            if from_high:
+                near, far = far, near
+            if near > enter:
+                enter, axis, high = near, k, from_high
+            leave = min(leave, far)
+        if axis < 0 or enter > leave or enter <= 0.0 or enter >= nearest:
+            continue
+        nearest = enter
+        if axis == 1:
+            region = 2 if high else 1
+        elif axis == 0:
+            merlon = b - 1 if b > 0 else (merlons - 1 if high else 0)
+            region = 4 + merlons + merlon + (merlons if high else 0)
+        elif not high:
+            region = 3
+        elif b > 0:
+            region = 4 + b - 1
+        else:
+            at_x = origin[0] + enter * along[0]
+            groove = 0
+            while groove < merlons - 2 and at_x > grooves[groove]:
+                groove += 1
+            region = 4 + 3 * merlons + groove
+    return nearest, region
+
+
+@kernel
+def _seen(
+    starts: Floats, ends: Floats, boxes: Floats, grooves: Floats, centre: Floats
+) -> tuple[NDArray[np.int64], Floats, NDArray[np.int64]]:  # pragma: no cover - compiled
+    """Edge numbers (N,), fractions (N, 2) and regions (N, 2) of all visible pieces."""
+    count = len(starts)
+    edge = np.empty(count * count, np.int64)
+    span = np.empty((count * count, 2))
+    sides = np.empty((count * count, 2), np.int64)
+    found = 0
+    cuts = np.empty(count + 2)
+    for a in range(count):
+        a0, a1 = starts[a] - centre, ends[a] - centre
+        normal_a = np.cross(a0, a1)
+        length = np.sqrt((normal_a**2).sum())
+        if length == 0.0:
+            continue
+        cuts[0], cuts[1] = 0.0, 1.0
+        n = 2
+        for b in range(count):
+            b0, b1 = starts[b] - centre, ends[b] - centre
+            d0, d1 = (normal_a * b0).sum(), (normal_a * b1).sum()
+            if a == b or d0 * d1 > 0.0 or d0 == d1:
+                continue
+            normal_b = np.cross(b0, b1)
+            c0, c1 = (normal_b * a0).sum(), (normal_b * a1).sum()
+            if c0 * c1 > 0.0 or c0 == c1:
+                continue
+            at = c0 / (c0 - c1)
+            ray_a = a0 + at * (a1 - a0)
+            ray_b = b0 + d0 / (d0 - d1) * (b1 - b0)
+            if (ray_a * ray_b).sum() > 0.0:
+                cuts[n] = at
+                n += 1
+        order = np.sort(cuts[:n])
+        for k in range(n - 1):
+            if order[k + 1] - order[k] < 1e-9:
+                continue
+            ray = a0 + 0.5 * (order[k] + order[k + 1]) * (a1 - a0)
+            hit, _ = _first_hit(boxes, grooves, centre, ray)
+            if hit < 1.0 - _ON_SURFACE:
+                continue
+            aside = normal_a * (_BESIDE_RAD * np.sqrt((ray**2).sum()) / length)
+            _, one = _first_hit(boxes, grooves, centre, ray + aside)
+            _, other = _first_hit(boxes, grooves, centre, ray - aside)
+            if one == other:
+                continue
+            if (
+                found > 0
+                and edge[found - 1] == a
+                and span[found - 1][1] == order[k]
+                and sides[found - 1][0] == one
+                and sides[found - 1][1] == other
+            ):
+                span[found - 1][1] = order[k + 1]
+                continue
+            edge[found] = a
+            span[found][0], span[found][1] = order[k], order[k + 1]
+            sides[found][0], sides[found][1] = one, other
+            found += 1
+    return edge[:found].copy(), span[:found].copy(), sides[:found].copy()
+
+
+def seen(frame: Wireframe, centre_mm: Floats) -> Seen:
+    """Visible parts of all edges from a camera's centre (3,) in the object frame."""
+    edge, span, sides = _seen(
+        frame.starts_mm,
+        frame.ends_mm,
+        frame.boxes_mm,
+        frame.grooves_mm,
+        np.ascontiguousarray(centre_mm, dtype=np.float64),
+    )
+    return Seen(edge, span[:, 0], span[:, 1], sides)
+
+
+def visible_parts(block: Crenellated, centre_mm: Floats) -> list[VisiblePart]:
+    """Every part of every edge that is seen from ``centre_mm`` (3,), object frame.
+
+    A part ends where it is hidden and where what adjoins it changes. Edges at which
+    a face ends in front of another face are listed too: they show only where the
+    two differ in brightness.
+    """
+    frame = wireframe(block)
+    parts = seen(frame, centre_mm)
+    found = []
+    for e, start, end, (one, other) in zip(
+        parts.edge, parts.start, parts.end, parts.regions, strict=True
+    ):
+        origin, along = frame.starts_mm[e], frame.ends_mm[e] - frame.starts_mm[e]
+        names = (frame.regions[one], frame.regions[other])
+        found.append(
+            VisiblePart(frame.names[e], origin + start * along, origin + end * along, names)
+        )
+    return found
+
+
+def visible_corners(block: Crenellated, centre_mm: Floats) -> frozenset[str]:
+    """Names of the corners that are seen from ``centre_mm`` (3,), object frame."""
+    frame = wireframe(block)
+    centre = np.ascontiguousarray(centre_mm, dtype=np.float64)
+    names = []
+    for name, point in corners(block).items():
+        hit, _ = _first_hit(frame.boxes_mm, frame.grooves_mm, centre, point - centre)
+        if hit >= 1.0 - _ON_SURFACE:
+            names.append(name)
+    return frozenset(names)
