@@ -16,7 +16,10 @@ export function CameraPicture() {
       <LiveCamera />
       {exposure_us !== null && (
         <div className={styles.exposure} role="group" aria-label="Exposure">
-          <span className={styles.label}>Exposure {figures(exposure_us)} µs</span>
+          <span className={styles.label}>
+            <span className={styles.word}>Exposure </span>
+            {figures(exposure_us)} µs
+          </span>
           <PressButton onPress={() => setExposure(exposure_us / FACTOR)}>Darker</PressButton>
           <PressButton onPress={() => setExposure(exposure_us * FACTOR)}>Brighter</PressButton>
         </div>

@@ -26,7 +26,7 @@ export function FaceChips({ faces, onSelect }: FaceChipsProps) {
           </span>
           <span className={styles.count}>
             {face.taken} of {face.wanted}
-            {face.rms_um !== null && <span className={styles.rms}> · {figures(face.rms_um)} µm rms</span>}
+            {face.rms_um !== null && <span className={styles.rms}>{figures(face.rms_um)} µm rms</span>}
           </span>
         </button>
       ))}

@@ -7,8 +7,6 @@ import { BigNumber } from "../parts/BigNumber";
 import { CardHead } from "../parts/CardHead";
 import { Findings } from "../parts/Findings";
 import { Busy, Progress } from "../parts/Progress";
-import styles from "./FlowCard.module.css";
-import { LastEvent } from "./LastEvent";
 import { StepDots } from "./StepDots";
 import { Verdict } from "./Verdict";
 
@@ -32,10 +30,7 @@ export function FlowCard({ view }: { view: FlowView }) {
       {view.number && <BigNumber number={view.number} />}
       {view.progress && <Progress {...view.progress} />}
       {view.busy && <Busy key={view.busy.text} {...view.busy} />}
-      <LastEvent />
-      <div className={styles.actions}>
-        <Actions actions={view.actions} onAct={(action) => sendFlow(action.name, action.args)} />
-      </div>
+      <Actions actions={view.actions} onAct={(action) => sendFlow(action.name, action.args)} />
       <Findings findings={view.findings} />
     </>
   );

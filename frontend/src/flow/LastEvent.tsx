@@ -17,12 +17,12 @@ export function LastEvent() {
   }, [event]);
   const shown = event && event.id !== hidden && event.text ? event : null;
   return (
-    <div className={styles.event} aria-live="polite" data-empty={!shown || undefined}>
+    <div className={styles.place} aria-live="polite">
       {shown && (
-        <>
+        <div className={styles.event}>
           <QualityMark quality={shown.quality} size="1.25rem" />
           <span>{shown.text}</span>
-        </>
+        </div>
       )}
     </div>
   );

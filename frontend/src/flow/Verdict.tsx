@@ -1,4 +1,5 @@
 import type { CalibrationResult } from "../api/types";
+import { bound } from "../parts/format";
 import { QualityMark } from "../parts/QualityMark";
 import styles from "./Verdict.module.css";
 
@@ -7,7 +8,7 @@ export function Verdict({ result }: { result: CalibrationResult }) {
   return (
     <div className={styles.verdict} data-quality={result.verdict}>
       <QualityMark quality={result.verdict} size="2.25rem" />
-      <p className={styles.text}>{result.verdict_text}</p>
+      <p className={styles.text}>{bound(result.verdict_text)}</p>
     </div>
   );
 }

@@ -20,7 +20,7 @@ export function SafetyControls() {
 function laserWords(devices: Devices | null, live: boolean): { state: string; act: string; on: boolean } {
   if (!devices || !live) return { state: "Laser unknown", act: "LASER OFF", on: false };
   if (devices.laser_on) return { state: "Laser is on", act: "LASER OFF", on: true };
-  return { state: "Laser is off", act: "Laser on", on: false };
+  return { state: "Laser is off", act: "Switch on", on: false };
 }
 
 function LaserButton() {
@@ -28,7 +28,7 @@ function LaserButton() {
   const live = useLive((s) => s.connection === "live");
   const { state, act, on } = laserWords(devices, live);
   const switchable = !devices || devices.has_laser_switch;
-  const press = () => void setLaser(act === "Laser on");
+  const press = () => void setLaser(act === "Switch on");
   return (
     <button
       type="button"

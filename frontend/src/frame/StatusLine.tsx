@@ -18,7 +18,7 @@ export function StatusLine() {
         <>
           <Device name="arm" device={devices.arm} figure={freshness(devices.arm, live ? 0 : silent_s)} />
           <Device name="camera" device={devices.sensor} figure={rate(devices.sensor)} />
-          <Item>disk {figures(devices.disk_free_gb)} GB</Item>
+          <Item minor>disk {figures(devices.disk_free_gb)} GB</Item>
         </>
       )}
       {home && (
@@ -46,6 +46,6 @@ function Device({ name, device, figure }: { name: string; device: DeviceState; f
   );
 }
 
-function Item({ children }: { children: ReactNode }) {
-  return <span className={styles.item}>{children}</span>;
+function Item({ children, minor = false }: { children: ReactNode; minor?: boolean }) {
+  return <span className={styles.item} data-minor={minor || undefined}>{children}</span>;
 }

@@ -4,6 +4,8 @@ import { useEffect, useRef, useState } from "react";
 import { type Preview, watchPreview } from "../api/preview";
 import type { PreviewHeader } from "../api/types";
 import { age, figures } from "../parts/format";
+import { QualityMark } from "../parts/QualityMark";
+import { Readouts } from "../parts/Readouts";
 import styles from "./LiveCamera.module.css";
 import { drawOverlay } from "./overlay";
 
@@ -41,7 +43,7 @@ export function LiveCamera() {
         />
         {!header && <p className={styles.waiting}>No picture yet. It appears when the camera sends one.</p>}
       </div>
-      {header && <Caption header={header} old_s={old ? old_s : null} />}
+      {header && <Panel header={header} old_s={old ? old_s : null} />}
     </div>
   );
 }
@@ -75,13 +77,33 @@ function useAge(newest: { current: number }): number {
   return age_s;
 }
 
-function Caption({ header, old_s }: { header: PreviewHeader; old_s: number | null }) {
-  const parts = [
-    old_s === null ? `${age(header.age_s)} old` : `No new picture for ${age(old_s)}`,
-    `laser ${header.laser_on ? "on" : "off"}`,
-    header.arm_still ? "arm still" : "arm moving",
-    `${figures(header.corners.length)} corners`,
-    `${figures(header.saturated_percent, 1)} % saturated`,
-  ];
-  return <p className={styles.caption}>{parts.join(" · ")}</p>;
+/** What the newest picture is worth, in figures, and what is wrong with it, in words. */
+function Panel({ header, old_s }: { header: PreviewHeader; old_s: number | null }) {
+  const wrong = header.findings.filter(({ quality }) => quality === "attention" || quality === "bad");
+  return (
+    <>
+      {wrong.length > 0 && (
+        <ul className={styles.wrong} aria-label="About the picture">
+          {wrong.map(({ quality, text, remedy }) => (
+            <li key={text}>
+              <QualityMark quality={quality} size="1.25rem" />
+              {text}
+              {remedy && `. ${remedy}`}
+            </li>
+          ))}
+        </ul>
+      )}
+      <Readouts
+        readouts={[
+          old_s === null
+            ? { label: "Picture", value: age(header.age_s), unit: "old" }
+            : { label: "No new picture", value: age(old_s), quality: "bad" },
+          { label: "Laser", value: header.laser_on ? "on" : "off" },
+          { label: "Arm", value: header.arm_still ? "still" : "moving", quality: header.arm_still ? "good" : "attention" },
+          { label: "Corners", value: figures(header.corners.length) },
+          { label: "Saturated", value: figures(header.saturated_percent, 1), unit: "%" },
+        ]}
+      />
+    </>
+  );
 }

@@ -3,7 +3,7 @@ import { type ReactNode, useMemo } from "react";
 
 import type { BlockGeometry } from "../api/types";
 import styles from "./BlockDrawing.module.css";
-import { type Patch, visiblePatches } from "./block";
+import { footprint, type Patch, visiblePatches } from "./block";
 import { useHeading } from "./useHeading";
 import { headingFor, makeView, pathOf, type View } from "./view";
 
@@ -26,6 +26,7 @@ export function BlockDrawing({ block, face, onFace, label, children }: BlockDraw
     <div ref={ref} className={styles.drawing}>
       {width > 0 && height > 0 && (
         <svg width={width} height={height} role="group" aria-label={label}>
+          <path d={pathOf(view, footprint(block))} className={styles.shadow} />
           {patches.map((patch) => (
             <PatchPath key={patch.id} patch={patch} view={view} chosen={patch.face !== null && patch.face === face} onFace={onFace} />
           ))}

@@ -6,7 +6,7 @@ import { isSeen, NORMALS } from "./block";
 import { rampColour } from "./residuals";
 import styles from "./Touches.module.css";
 import { along } from "./vector";
-import { layOn, project, type View } from "./view";
+import { dotRadius, layOn, project, type View } from "./view";
 
 const UP: Vec3 = [0, 0, 1];
 
@@ -14,9 +14,15 @@ function normalOf(face: string): Vec3 {
   return NORMALS[face] ?? UP;
 }
 
+type Placed = TouchedPoint & { at_mm: Vec3 };
+
+function placed(points: TouchedPoint[]): Placed[] {
+  return points.filter((point): point is Placed => point.at_mm !== null);
+}
+
 /** Rings lying on the face, where it would be good to touch. */
 export function Suggestions({ view, face, places }: { view: View; face: string; places: Vec3[] }) {
-  const radius_mm = 11 / view.scale;
+  const radius_mm = (1.35 * dotRadius(view)) / view.scale;
   return (
     <g className={styles.rings} aria-hidden="true">
       {places.map((at) => (
@@ -43,20 +49,20 @@ interface TouchesProps {
 export function Touches({ view, block, points, scale_um, chosen, onPoint }: TouchesProps) {
   return (
     <g>
-      {points.map(
-        (point) =>
-          point.at_mm && (
-            <Touch
-              key={point.index}
-              point={point}
-              at={project(view, point.at_mm)}
-              seen={isSeen(block, point.at_mm, normalOf(point.face), view.to)}
-              scale_um={scale_um}
-              chosen={point.index === chosen}
-              onPoint={onPoint}
-            />
-          ),
-      )}
+      {placed(points)
+        .sort((a, b) => Number(a.outlier) - Number(b.outlier))
+        .filter(({ at_mm, face }) => isSeen(block, at_mm, normalOf(face), view.to))
+        .map((point) => (
+          <Touch
+            key={point.index}
+            point={point}
+            at={project(view, point.at_mm)}
+            radius={dotRadius(view)}
+            scale_um={scale_um}
+            chosen={point.index === chosen}
+            onPoint={onPoint}
+          />
+        ))}
     </g>
   );
 }
@@ -64,13 +70,13 @@ export function Touches({ view, block, points, scale_um, chosen, onPoint }: Touc
 interface TouchProps {
   point: TouchedPoint;
   at: [number, number];
-  seen: boolean;
+  radius: number;
   scale_um: number;
   chosen: boolean;
   onPoint: (index: number) => void;
 }
 
-function Touch({ point, at, seen, scale_um, chosen, onPoint }: TouchProps) {
+function Touch({ point, at, radius, scale_um, chosen, onPoint }: TouchProps) {
   const residual = point.residual_um;
   const words = residual === null ? "no residual yet" : `${signed(residual)} µm`;
   const fill = residual === null ? "var(--ink-3)" : rampColour(Math.abs(residual) / scale_um);
@@ -86,19 +92,18 @@ function Touch({ point, at, seen, scale_um, chosen, onPoint }: TouchProps) {
       role="button"
       tabIndex={0}
       aria-label={`Point ${point.index + 1} on ${point.face}, ${words}${point.outlier ? ", outlier" : ""}`}
-      data-hidden={!seen || undefined}
       data-chosen={chosen || undefined}
       onClick={() => onPoint(point.index)}
       onKeyDown={onKey}
     >
-      <circle r="22" className={styles.reach} />
+      <circle r={radius + 12} className={styles.reach} />
       {point.outlier ? (
-        <path d="M0-12 12 0 0 12-12 0Z" className={styles.outlier} />
+        <path d="M0-1.5 1.5 0 0 1.5-1.5 0Z" transform={`scale(${radius})`} className={styles.outlier} />
       ) : (
-        <circle r="8" className={styles.point} style={{ fill: seen ? fill : "none", stroke: seen ? undefined : fill }} />
+        <circle r={radius} className={styles.point} style={{ fill }} />
       )}
       {point.outlier && (
-        <text x="18" y="6" className={styles.value}>
+        <text x={radius * 2} y="6" className={styles.value}>
           {words}
         </text>
       )}
@@ -106,18 +111,34 @@ function Touch({ point, at, seen, scale_um, chosen, onPoint }: TouchProps) {
   );
 }
 
-/** Each residual as a stick along its face's normal, enlarged so that the scale's end is 40 px. */
-export function ResidualSticks({ view, points, scale_um }: { view: View; points: TouchedPoint[]; scale_um: number }) {
-  const mm_per_um = 40 / view.scale / scale_um;
+interface SticksProps {
+  view: View;
+  block: BlockGeometry;
+  points: TouchedPoint[];
+  scale_um: number;
+}
+
+const STICK_PX = 40;
+
+/** Each residual as a stick along its face's normal; the scale's end is 40 px beyond the dot. */
+export function ResidualSticks({ view, block, points, scale_um }: SticksProps) {
+  const sticks = placed(points).filter(({ at_mm, face }) => isSeen(block, at_mm, normalOf(face), view.to));
   return (
     <g className={styles.sticks} aria-hidden="true">
-      {points.map((point) => {
-        if (!point.at_mm || point.residual_um === null) return null;
-        const capped = Math.max(-2 * scale_um, Math.min(2 * scale_um, point.residual_um));
-        const end = project(view, along(point.at_mm, normalOf(point.face), capped * mm_per_um));
-        const start = project(view, point.at_mm);
-        return <path key={point.index} d={`M${start.join(" ")}L${end.join(" ")}`} />;
-      })}
+      {sticks.map((point) => (
+        <path key={point.index} d={stick(view, point, scale_um)} />
+      ))}
     </g>
   );
+}
+
+function stick(view: View, point: Placed, scale_um: number): string {
+  const [x, y] = project(view, point.at_mm);
+  const [out_x, out_y] = project(view, along(point.at_mm, normalOf(point.face), 1));
+  const length = Math.hypot(out_x - x, out_y - y) || 1;
+  const share = Math.max(-2, Math.min(2, (point.residual_um ?? 0) / scale_um));
+  const reach_px = share * STICK_PX + Math.sign(share) * dotRadius(view);
+  const end_x = x + ((out_x - x) / length) * reach_px;
+  const end_y = y + ((out_y - y) / length) * reach_px;
+  return `M${x} ${y}L${end_x} ${end_y}`;
 }

@@ -55,6 +55,13 @@ function wall(block: BlockGeometry, x: number, foot: number): Vec3[] {
   ];
 }
 
+/** Where the block stands, a little wider than itself: its shadow. */
+export function footprint(block: BlockGeometry): Vec3[] {
+  const [x, y] = middle(block);
+  const outline = level(block, edge(block, 0), edge(block, block.edges_x_mm.length - 1), block.base_z_mm);
+  return outline.map((at): Vec3 => [x + (at[0] - x) * 1.08, y + (at[1] - y) * 1.12, at[2]]);
+}
+
 /** The comb's outline, as the front and the back show it. */
 function comb(block: BlockGeometry, y: number): Vec3[] {
   const { base_z_mm: base, floor_z_mm: floor, crest_z_mm: crest } = block;

@@ -24,6 +24,11 @@ export function headingFor(face: string | null): Heading {
   return (face && HEADINGS[face]) || RESTING;
 }
 
+/** The radius of a touched point's dot, in px: smaller where the block is small. */
+export function dotRadius(view: View): number {
+  return Math.min(9, Math.max(5, view.scale * 0.8));
+}
+
 export interface View {
   /** Unit vectors in the object frame: to the viewer, right and up on the screen. */
   to: Vec3;
@@ -35,7 +40,27 @@ export interface View {
   height: number;
 }
 
-const MARGIN_PX = 36;
+/** Kept free around the block, as a share of the smaller side of the picture. */
+const MARGIN = 0.06;
+
+/** Half the width and height that the block takes on the screen, in mm, at a heading. */
+function reach(half: Vec3, { azimuth_deg, elevation_deg }: Heading): [number, number] {
+  const azimuth = (azimuth_deg * Math.PI) / 180;
+  const elevation = (elevation_deg * Math.PI) / 180;
+  const [x, y, z] = half;
+  const across = x * Math.abs(Math.cos(azimuth)) + y * Math.abs(Math.sin(azimuth));
+  const deep = x * Math.abs(Math.sin(azimuth)) + y * Math.abs(Math.cos(azimuth));
+  return [across, deep * Math.sin(elevation) + z * Math.cos(elevation)];
+}
+
+/** The scale at which every heading fits, so that turning does not zoom. */
+function fittingScale(half: Vec3, width: number, height: number): number {
+  const margin = MARGIN * Math.min(width, height);
+  const reaches = [...Object.values(HEADINGS), RESTING].map((heading) => reach(half, heading));
+  const across = Math.max(...reaches.map(([x]) => x));
+  const up = Math.max(...reaches.map(([, y]) => y));
+  return Math.max(0.5, Math.min((width / 2 - margin) / across, (height / 2 - margin) / up));
+}
 
 /** Parallel projection that holds the block, whatever the heading, in the same size. */
 export function makeView(block: BlockGeometry, heading: Heading, width: number, height: number): View {
@@ -49,13 +74,7 @@ export function makeView(block: BlockGeometry, heading: Heading, width: number, 
     Math.cos(azimuth) * Math.sin(elevation),
     flat,
   ];
-  const [half_x, half_y, half_z] = halfSize(block);
-  const reach_across = Math.hypot(half_x, half_y);
-  const reach_up = half_z * 0.85 + reach_across * 0.6;
-  const scale = Math.max(
-    0.5,
-    Math.min((width / 2 - MARGIN_PX) / reach_across, (height / 2 - MARGIN_PX) / reach_up),
-  );
+  const scale = fittingScale(halfSize(block), width, height);
   return { to, right, up, scale, centre: middle(block), width, height };
 }
 

@@ -1,5 +1,6 @@
 import { startFlow } from "../api/commands";
 import { FlowCard } from "../flow/FlowCard";
+import { LastEvent } from "../flow/LastEvent";
 import { PictureView } from "../flow/PictureView";
 import { Layout } from "../frame/Layout";
 import { CardHead } from "../parts/CardHead";
@@ -10,7 +11,17 @@ import { useLive } from "../state/store";
 export function CalibratePage() {
   const view = useLive((s) => s.flow);
   if (!view?.running) return <NotStarted />;
-  return <Layout picture={<PictureView key={view.step} picture={view.picture} />} card={<FlowCard view={view} />} />;
+  return (
+    <Layout
+      picture={
+        <>
+          <PictureView key={view.step} picture={view.picture} />
+          <LastEvent />
+        </>
+      }
+      card={<FlowCard view={view} />}
+    />
+  );
 }
 
 function NotStarted() {

@@ -27,7 +27,8 @@ export function HomePage() {
 
 function Active({ calibration }: { calibration: CalibrationSummary }) {
   const facts: [string, string][] = [
-    ["Accepted", `${moment(calibration.accepted_at)}, ${days(calibration.age_days)} ago`],
+    ["Accepted", moment(calibration.accepted_at)],
+    ["Age", days(calibration.age_days)],
     ["Arm", calibration.arm_serial],
     ["Sensor", calibration.sensor_serial],
     ["Object", calibration.object_serial],
@@ -57,7 +58,7 @@ function Next({ home }: { home: Home }) {
   const { next } = home;
   return (
     <>
-      <CardHead title={next.label} text={next.text} />
+      <CardHead title="What to do next" text={next.text} />
       <PressButton kind="primary" onPress={() => go(next.page)}>
         {next.label}
       </PressButton>

@@ -39,7 +39,7 @@ function ActionButton({ action, onAct }: { action: Action; onAct: (action: Actio
   const whyId = useId();
   const why = action.enabled ? "" : action.why_not;
   return (
-    <div className={styles.action} data-why={why ? true : undefined}>
+    <div className={styles.action} data-primary={action.primary || undefined} data-why={why ? true : undefined}>
       <PressButton
         kind={action.primary ? "primary" : "secondary"}
         disabled={!action.enabled}

@@ -1,5 +1,6 @@
 import type { Ref } from "react";
 
+import { bound } from "./format";
 import styles from "./CardHead.module.css";
 
 interface CardHeadProps {
@@ -15,7 +16,7 @@ export function CardHead({ title, text, ref }: CardHeadProps) {
       <h1 className={styles.title} tabIndex={-1} ref={ref}>
         {title}
       </h1>
-      <p className={styles.text}>{text}</p>
+      <p className={styles.text}>{bound(text)}</p>
     </div>
   );
 }

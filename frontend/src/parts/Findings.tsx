@@ -1,4 +1,5 @@
 import type { Finding } from "../api/types";
+import { bound } from "./format";
 import styles from "./Findings.module.css";
 import { QualityMark } from "./QualityMark";
 
@@ -11,8 +12,8 @@ export function Findings({ findings }: { findings: Finding[] }) {
         <li key={finding.text} className={styles.finding} data-quality={finding.quality}>
           <QualityMark quality={finding.quality} size="1.25rem" />
           <div>
-            <p className={styles.text}>{finding.text}</p>
-            {finding.remedy && <p className={styles.remedy}>{finding.remedy}</p>}
+            <p className={styles.text}>{bound(finding.text)}</p>
+            {finding.remedy && <p className={styles.remedy}>{bound(finding.remedy)}</p>}
           </div>
         </li>
       ))}

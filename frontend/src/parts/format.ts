@@ -48,3 +48,10 @@ export function duration(seconds: number): string {
   const whole = Math.floor(seconds);
   return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")} min`;
 }
+
+const UNITS = /(\d) (?=(?:µm|mm|px|%|s|ms|µs|Hz|fps|GB|nm|°C|min|h|days?)(?![a-z]))/g;
+
+/** The same words, a number never parted from its unit at a line's end. */
+export function bound(text: string): string {
+  return text.replace(UNITS, "$1\u00a0");
+}

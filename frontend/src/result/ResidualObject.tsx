@@ -24,7 +24,7 @@ export function ResidualObject({ block, points }: { block: BlockGeometry; points
       >
         {(view) => (
           <>
-            <ResidualSticks view={view} points={points} scale_um={scale_um} />
+            <ResidualSticks view={view} block={block} points={points} scale_um={scale_um} />
             <Touches view={view} block={block} points={points} scale_um={scale_um} chosen={chosen} onPoint={setChosen} />
           </>
         )}

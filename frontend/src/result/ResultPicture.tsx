@@ -31,7 +31,7 @@ export function ResultPicture({ picture }: { picture: ResultView }) {
           size="md"
           radius="md"
           aria-label="What to look at"
-          classNames={{ label: styles.tab ?? "" }}
+          classNames={{ root: styles.control ?? "", label: styles.tab ?? "", indicator: styles.indicator ?? "" }}
         />
       </div>
       <div className={styles.shown}>

@@ -1,0 +1,28 @@
+import type { Quality } from "../api/types";
+import { QualityMark } from "./QualityMark";
+import styles from "./Readouts.module.css";
+
+export interface Readout {
+  label: string;
+  value: string;
+  unit?: string;
+  quality?: Quality;
+}
+
+/** A row of small labelled figures, as an instrument's panel has them. */
+export function Readouts({ readouts }: { readouts: Readout[] }) {
+  return (
+    <dl className={styles.readouts}>
+      {readouts.map(({ label, value, unit, quality }) => (
+        <div key={label} className={styles.readout}>
+          <dt>{label}</dt>
+          <dd>
+            {quality && quality !== "neutral" && <QualityMark quality={quality} size="1.125rem" />}
+            {value}
+            {unit && <span> {unit}</span>}
+          </dd>
+        </div>
+      ))}
+    </dl>
+  );
+}
