@@ -1,0 +1,110 @@
+"""What the detector adds: shot and read noise, speckle, and the limits of its numbers."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hardware.compiled import kernel
+from hardware.twin.casting import Image
+from hardware.twin.kinematics import Floats
+
+Digits = NDArray[np.uint8] | NDArray[np.uint16]
+
+POOL = 1 << 21
+TILE = 512
+GRAIN = 256
+
+
+@dataclass(frozen=True)
+class Detector:
+    """Brightness in 8-bit digits at the exposure ``nominal_exposure_us``, and its noise."""
+
+    crest_dn: float = 120.0
+    """A white face square to the room's light, above the dark level."""
+    stripe_dn: float = 190.0
+    """The stripe's peak on a white face square to the laser."""
+    haze_dn: float = 20.0
+    """Even veil of the room's light."""
+    dark_dn: float = 6.0
+    read_dn: float = 1.5
+    shot_dn: float = 0.045
+    """Variance of the shot noise per digit of signal; 0 for none."""
+    blur_px: float = 0.7
+    """Sigma of the lens' point spread."""
+    speckle_contrast: float = 0.3
+    speckle_px: float = 0.9
+    """Sigma of the field filter that makes the grains; they are about twice as wide."""
+    bits: int = 8
+    nominal_exposure_us: float = 5000.0
+
+
+QUIET = Detector(read_dn=0.0, shot_dn=0.0, speckle_contrast=0.0)
+"""No noise of any kind; the optics stay."""
+
+
+def blank(height: int, width: int, detector: Detector) -> Digits:
+    """An image to be filled, of the detector's kind of digits."""
+    if detector.bits <= 8:
+        return np.zeros((height, width), dtype=np.uint8)
+    return np.zeros((height, width), dtype=np.uint16)
+
+
+def speckle_tile(detector: Detector, rng: np.random.Generator) -> Image:
+    """(512, 512) of mean 1, seamless: intensities of summed independent speckle fields."""
+    if detector.speckle_contrast <= 0:
+        return np.ones((TILE, TILE), dtype=np.float32)
+    looks = max(1, round(1 / detector.speckle_contrast**2))
+    frequency = np.fft.fftfreq(TILE)
+    radius2 = frequency[:, None] ** 2 + frequency[None] ** 2
+    low_pass = np.exp(-2 * (np.pi * detector.speckle_px) ** 2 * radius2)
+    tile = np.zeros((TILE, TILE))
+    for _ in range(looks):
+        field = rng.normal(size=(TILE, TILE)) + 1j * rng.normal(size=(TILE, TILE))
+        tile += np.abs(np.fft.ifft2(np.fft.fft2(field) * low_pass)) ** 2
+    return np.asarray(tile / tile.mean(), dtype=np.float32)
+
+
+def grain_tile(rng: np.random.Generator) -> Image:
+    """(256, 256) of mean 0 and sd 1, seamless and smooth: a surface's weak texture."""
+    frequency = np.fft.fftfreq(GRAIN)
+    radius2 = frequency[:, None] ** 2 + frequency[None] ** 2
+    low_pass = np.exp(-2 * (np.pi * 2.0) ** 2 * radius2)
+    tile = np.real(np.fft.ifft2(np.fft.fft2(rng.normal(size=(GRAIN, GRAIN))) * low_pass))
+    return np.asarray((tile - tile.mean()) / tile.std(), dtype=np.float32)
+
+
+@kernel
+def speckled(out: Image, tile: Image, shift_r: int, shift_c: int) -> None:
+    """Multiplies the laser's light by the speckle, in place."""
+    for r in range(out.shape[0]):
+        row, grains = out[r], tile[(r + shift_r) & 511]
+        for c in range(out.shape[1]):
+            if row[c] > 0.0:
+                row[c] *= grains[(c + shift_c) & 511]
+
+
+@kernel
+def digitise(
+    signal: Image, pool: Image, offsets: NDArray[np.int64], numbers: Floats, out: Digits
+) -> None:
+    """Digits of a frame from its light, with noise; saturates.
+
+    ``numbers``: dark level, haze, read noise, shot variance per digit, the largest
+    8-bit-scaled value, and the factor from 8-bit digits to the detector's own.
+    """
+    dark, haze, read2, shot = numbers[0], numbers[1], numbers[2] ** 2, numbers[3]
+    top, scale = numbers[4], numbers[5]
+    for r in range(signal.shape[0]):
+        row, normal, digits = signal[r], pool[offsets[r] : offsets[r] + signal.shape[1]], out[r]
+        for c in range(signal.shape[1]):
+            light = row[c] + haze
+            value = dark + light + np.sqrt(read2 + shot * light) * normal[c]
+            digits[c] = int(min(max(value, 0.0), top) * scale + 0.5)
+
+
+@kernel
+def digitise_dark(pool: Digits, offsets: NDArray[np.int64], out: Digits) -> None:
+    """Rows that no light falls on, from a pool of ready-made digits."""
+    for r in range(out.shape[0]):
+        out[r] = pool[offsets[r] : offsets[r] + out.shape[1]]

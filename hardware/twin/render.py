@@ -1,0 +1,221 @@
+"""Pictures of the simulated scene, as the simulated sensor takes them.
+
+``Renderer.picture`` is all that others need: where the sensor is, how much of the
+room's light and of the laser's, and a frame of digits comes back.
+"""
+
+from functools import cached_property
+from typing import cast
+
+import cv2
+import numpy as np
+
+from hardware.twin.camera import LaserSheet, Optics, sight_lines
+from hardware.twin.casting import (
+    Image,
+    band_around,
+    cast_laser,
+    cast_room,
+    lattice,
+    refine_room,
+    trace_fan,
+)
+from hardware.twin.kinematics import Floats
+from hardware.twin.noise import (
+    POOL,
+    Detector,
+    Digits,
+    blank,
+    digitise,
+    digitise_dark,
+    grain_tile,
+    speckle_tile,
+    speckled,
+)
+from hardware.twin.tracing import bundle
+from hardware.twin.world import Scene, shape_rows
+
+FINE, COARSE = 89, 13
+"""Rays over a pixel at an edge: for measuring, and for a preview while things move."""
+FAN_RAYS = 1500
+SPECKLE_PER_MM = np.array([[23.0, 7.0, 31.0], [11.0, 29.0, 17.0]])
+"""Pixels that the speckle wanders as the sensor moves."""
+
+
+class Renderer:
+    """Takes pictures of one scene with one sensor. Not for two threads at once.
+
+    The last light of the room and of the laser is kept, so that a sensor that
+    stands still costs only fresh noise.
+    """
+
+    def __init__(
+        self,
+        scene: Scene,
+        optics: Optics,
+        sheet: LaserSheet,
+        detector: Detector,
+        seed: int = 0,
+    ) -> None:
+        self.scene, self.optics, self.sheet, self.detector = scene, optics, sheet, detector
+        self._rng = np.random.default_rng(seed)
+        self._kinds, self._rows = shape_rows(scene)
+        self._grain = grain_tile(np.random.default_rng(seed + 1))
+        self._speckle = speckle_tile(detector, np.random.default_rng(seed + 2))
+        self._lines = sight_lines(optics)
+        self._allocate(optics.height_px, optics.width_px)
+        self._room: tuple[Floats, int, Image] | None = None
+        self._stripe: tuple[Floats, Image, int, int] | None = None
+
+    def _allocate(self, height: int, width: int) -> None:
+        normal = self._rng.standard_normal(POOL, dtype=np.float32)
+        self._pool = np.concatenate([normal, normal[:width]])
+        self._dark_pool = blank(1, POOL + width, self.detector)
+        digitise(
+            np.zeros_like(self._pool)[None],
+            self._pool,
+            np.zeros(1, dtype=np.int64),
+            self._numbers(0.0),
+            self._dark_pool,
+        )
+        self._laser_codes = np.full((height, width), -2, dtype=np.int32)
+        self._laser_offs = np.zeros((height, width), dtype=np.float32)
+        self._laser_light = np.zeros((height, width), dtype=np.float32)
+        self._band = np.zeros(height * width, dtype=np.int64)
+
+    def _numbers(self, haze: float) -> Floats:
+        d = self.detector
+        scale = 2.0 ** (d.bits - 8)
+        return np.array([d.dark_dn, haze, d.read_dn, d.shot_dn, 256.0 - 1.0 / scale, scale])
+
+    def _into_things(self, T_arm_sensor: Floats) -> Floats:
+        """(K, 4, 4): the camera's frame into each thing's."""
+        T_arm_cam = T_arm_sensor @ np.linalg.inv(self.optics.T_cam_sensor)
+        return np.stack([np.linalg.inv(thing.T_arm_obj) @ T_arm_cam for thing in self.scene.things])
+
+    def room_light(self, T_arm_sensor: Floats, rays: int = FINE) -> Image:
+        """(H, W) light of the room with 1 for a bright face, lens blur included, no noise."""
+        kept = self._room
+        if kept is not None and kept[1] >= rays and np.array_equal(kept[0], T_arm_sensor):
+            return kept[2]
+        into = self._into_things(T_arm_sensor)
+        eyes = bundle(into, self._rows, np.zeros(3))
+        light = self.scene.light
+        towards = np.array(light.direction) / np.linalg.norm(light.direction)
+        in_cam = self.optics.T_cam_sensor[:3, :3] @ towards
+        lights = np.ascontiguousarray(into[:, :3, :3] @ in_cam)
+        look = np.array([light.directed, light.ambient, light.groove_shade, light.texture])
+        codes = np.empty(self._lines.shape[:2], dtype=np.int32)
+        wide = np.empty(self._lines.shape[:2], dtype=np.float32)
+        scene = (self._kinds, self._rows, eyes, lights, look, self._grain, codes, wide)
+        cast_room(self._lines, *scene)
+        refine_room(self._lines, lattice(rays), *scene)
+        image = self._blurred(wide)[1:-1, 1:-1].copy()
+        self._room = (T_arm_sensor.copy(), rays, image)
+        return image
+
+    def laser_light(self, T_arm_sensor: Floats) -> tuple[Image, int, int]:
+        """(H, W) light of the laser, peak about 1, blur and speckle included, no noise.
+
+        Also the rows from, to (excluded) that any of it falls on.
+        """
+        kept = self._stripe
+        if kept is not None and np.array_equal(kept[0], T_arm_sensor):
+            return kept[1:]
+        into = self._into_things(T_arm_sensor)
+        fan, emitter, sheet, lens = self._sheet_in_camera
+        eyes, lamps = bundle(into, self._rows, np.zeros(3)), bundle(into, self._rows, emitter)
+        shapes = (self._kinds, self._rows)
+        angles = np.linspace(-self.sheet.half_angle_rad, self.sheet.half_angle_rad, FAN_RAYS)
+        landed = trace_fan(angles, fan, emitter, sheet, lens, *shapes, lamps)
+        count = band_around(landed, self._laser_codes, self._band)
+        light = self._laser_light
+        light[:] = 0.0
+        cast_laser(
+            self._lines,
+            self._band,
+            count,
+            lattice(55),
+            lattice(13),
+            emitter,
+            sheet,
+            *shapes,
+            eyes,
+            lamps,
+            self._laser_codes,
+            self._laser_offs,
+            light,
+        )
+        marked = self._band[:count]
+        self._laser_codes.reshape(-1)[marked] = -2
+        height, width = light.shape
+        first, last = 0, 0
+        if count:
+            first = max(int(marked.min()) // width - 4, 0)
+            last = min(int(marked.max()) // width + 5, height)
+            light[first:last] = self._blurred(light[first:last])
+            shift = SPECKLE_PER_MM @ T_arm_sensor[:3, 3]
+            speckled(light[first:last], self._speckle, int(shift[0]) + first, int(shift[1]))
+        self._stripe = (T_arm_sensor.copy(), light, first, last)
+        return light, first, last
+
+    def _blurred(self, image: Image) -> Image:
+        sigma = self.detector.blur_px
+        if sigma <= 0:
+            return image
+        size = 2 * int(np.ceil(4 * sigma)) + 1
+        return cast(Image, cv2.GaussianBlur(image, (size, size), sigma))
+
+    @cached_property
+    def _sheet_in_camera(self) -> tuple[Floats, Floats, Floats, Floats]:
+        """In the camera's frame: fan's middle and side (2, 3), emitter, sheet (5,), lens (9,)."""
+        T, sheet, o = self.optics.T_cam_sensor, self.sheet, self.optics
+        normal = T[:3, :3] @ np.array(sheet.normal)
+        offset = sheet.offset_mm + float(normal @ T[:3, 3])
+        emitter = T[:3, :3] @ np.array(sheet.emitter_mm) + T[:3, 3]
+        down = np.array([0.0, 0.0, -1.0]) + sheet.normal[2] * np.array(sheet.normal)
+        down /= np.linalg.norm(down)
+        side = np.cross(sheet.normal, down)
+        fan = np.stack([down, side]) @ T[:3, :3].T
+        lens = np.array([o.fx_px, o.fy_px, o.cx_px, o.cy_px, *o.distortion])
+        return (
+            np.ascontiguousarray(fan),
+            emitter,
+            np.array([*normal, offset, sheet.sigma_mm]),
+            lens,
+        )
+
+    def picture(
+        self,
+        T_arm_sensor: Floats,
+        room: float = 1.0,
+        laser: float = 0.0,
+        rays: int = FINE,
+    ) -> Digits:
+        """A frame (H, W) with noise.
+
+        Args:
+            T_arm_sensor: (4, 4) where the sensor truly is.
+            room: the room's light times exposure; 1 is nominal, 0 is dark.
+            laser: the laser's light times exposure.
+            rays: over a pixel at an edge, one of 13, 21, 34, 55, 89, 144.
+        """
+        detector = self.detector
+        height, width = self.optics.height_px, self.optics.width_px
+        out = blank(height, width, self.detector)
+        offsets = self._rng.integers(0, POOL, height)
+        first, last, light = 0, 0, self._laser_light
+        if laser > 0:
+            light, first, last = self.laser_light(T_arm_sensor)
+        if room > 0:
+            total = self.room_light(T_arm_sensor, rays) * np.float32(room * detector.crest_dn)
+            if last > first:
+                total[first:last] += light[first:last] * np.float32(laser * detector.stripe_dn)
+            digitise(total, self._pool, offsets, self._numbers(room * detector.haze_dn), out)
+            return out
+        digitise_dark(self._dark_pool[0], offsets[:first], out[:first])
+        digitise_dark(self._dark_pool[0], offsets[last:], out[last:])
+        if last > first:
+            lit = light[first:last] * np.float32(laser * detector.stripe_dn)
+            digitise(lit, self._pool, offsets[first:last], self._numbers(0.0), out[first:last])
+        return out
