@@ -18,6 +18,7 @@ from app.files.documents import (
     Part,
     Vector3,
 )
+from app.files.software import Software
 from app.metrology.camera import Camera
 from app.metrology.frames import Floats
 from app.metrology.laser_plane import LaserPlane
@@ -115,11 +116,6 @@ class Verdict(Part):
 class Input(Part):
     file: str
     sha256: str
-
-
-class Software(Part):
-    name: str
-    version: str
 
 
 class CalibrationFile(Document):

@@ -4,15 +4,17 @@ import math
 from pathlib import Path
 from typing import ClassVar, Literal, Self
 
+import numpy as np
 from pydantic import model_validator
 
 from app.files.documents import Document, Positive, Vector3
+from app.metrology.gauges import NominalPlane, NominalSphere
 from app.metrology.refusal import Refusal
 
 UNIT_TOLERANCE = 1e-6
 
 
-class PlaneNominal(Document):
+class PlaneFile(Document):
     FORMAT: ClassVar[str] = "crenel/nominal"
 
     shape: Literal["plane"] = "plane"
@@ -27,7 +29,7 @@ class PlaneNominal(Document):
         return self
 
 
-class SphereNominal(Document):
+class SphereFile(Document):
     FORMAT: ClassVar[str] = "crenel/nominal"
 
     shape: Literal["sphere"] = "sphere"
@@ -41,11 +43,13 @@ class _AnyNominal(Document):
     shape: str
 
 
-def read_nominal(path: Path) -> PlaneNominal | SphereNominal:
+def read_nominal(path: Path) -> NominalPlane | NominalSphere:
     """Reads a gauge's nominal; raises ``Refusal`` naming the file and the field."""
     shape = _AnyNominal.read(path).shape
     if shape == "plane":
-        return PlaneNominal.read(path)
+        plane = PlaneFile.read(path)
+        return NominalPlane(np.array(plane.point_mm), np.array(plane.normal))
     if shape == "sphere":
-        return SphereNominal.read(path)
-    raise Refusal("shape-unknown", f"{path}: shape {shape!r}", "plane and sphere are known")
+        sphere = SphereFile.read(path)
+        return NominalSphere(np.array(sphere.centre_mm), sphere.radius_mm)
+    raise Refusal("shape-unknown", f"{path}: shape is {shape!r}", "gauges are a plane or a sphere")

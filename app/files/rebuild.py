@@ -2,7 +2,6 @@
 
 import os
 from collections import deque
-from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,6 +11,7 @@ import numpy as np
 from app.files.calibration import Calibration
 from app.files.clouds import PlyWriter, ply_writer
 from app.files.joint_track import JointTrack
+from app.files.progress import Progress, no_progress
 from app.files.recorded_joints import JointReader
 from app.files.recording import (
     IMAGE_TOPIC,
@@ -32,8 +32,6 @@ from app.metrology.stripe import Stripe, extract_stripe
 SETTLED_AT_ONCE = 32
 """Frames whose poses are computed together."""
 
-Progress = Callable[[float], None]
-
 
 @dataclass(frozen=True)
 class Rebuilt:
@@ -51,6 +49,23 @@ class Rebuilt:
     cut: str
     """Where and why the recording ended early; empty for a whole one."""
 
+    @property
+    def all_frames(self) -> int:
+        return self.frames + self.frames_without_stripe + self.frames_without_joints
+
+    @property
+    def warnings(self) -> list[str]:
+        """What whoever asked for the cloud should know, one sentence each."""
+        said = [self.cut] if self.cut else []
+        if self.first_without_joints_s is not None:
+            said.append(
+                f"{self.frames_without_joints} of {self.all_frames} frames left out: no joints "
+                f"around their stamps, the first {self.first_without_joints_s:.3f} s from the start"
+            )
+        if self.joint_samples_unusable:
+            said.append(f"{self.joint_samples_unusable} joint samples left out: not numbers")
+        return said
+
 
 @dataclass(frozen=True)
 class _Seen:
@@ -67,15 +82,12 @@ def rebuild(
     calibration: Calibration,
     arm: Arm,
     cloud_path: Path,
-    progress: Progress = lambda share: None,
+    progress: Progress = no_progress,
 ) -> Rebuilt:
     """Reconstructs a recording's cloud in the arm frame and writes it as PLY.
 
     Pictures are decoded, extracted and brought to the sensor frame on all cores; only
     a few of them are in memory at a time.
-
-    Args:
-        progress: told the share done, 0 to 1.
 
     Raises:
         Refusal: calibration, arm and recording do not belong together, the recording
@@ -131,10 +143,10 @@ class _Job:
             if len(self._working) >= window:
                 self._waiting.append(self._working.popleft().result())
                 self._settle(SETTLED_AT_ONCE, self._track.last_ns)
-                progress(self._recording.bytes_read / max(self._recording.size, 1))
+                progress(self._recording.bytes_read / max(self._recording.size, 1), "")
         self._waiting.extend(future.result() for future in self._working)
         self._settle(1, None)
-        progress(1.0)
+        progress(1.0, "")
 
     def result(self) -> Rebuilt:
         """The counts; raises ``Refusal`` where there are no points."""

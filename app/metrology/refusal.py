@@ -29,5 +29,5 @@ class Refusal(Exception):
         if self.why:
             text += ": " + self.why.rstrip(".")
         if self.remedy:
-            text += ". " + self.remedy.rstrip(".")
+            text += ". " + self.remedy[0].upper() + self.remedy[1:].rstrip(".")
         return text + "."

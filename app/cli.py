@@ -1,0 +1,267 @@
+"""The command line: ``crenel``. Heavy modules are imported by the command that needs them."""
+
+import signal
+import sys
+import time
+from dataclasses import asdict
+from enum import StrEnum
+from pathlib import Path
+from typing import Annotated, NoReturn
+
+import typer
+
+from app.console import (
+    print_figures,
+    print_json,
+    print_table,
+    progress_bar,
+    refusing,
+    warn,
+)
+
+cli = typer.Typer(
+    name="crenel",
+    help="Calibrates a laser stripe sensor on a measuring arm in one step, and scans with it.",
+    add_completion=False,
+    no_args_is_help=True,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+
+AsJson = Annotated[bool, typer.Option("--json", help="Print the result for programs on stdout.")]
+Host = Annotated[str, typer.Option(help="Address to listen on.")]
+Port = Annotated[int, typer.Option(min=0, max=65535, help="Port to listen on; 0 takes a free one.")]
+Open = Annotated[bool, typer.Option("--open/--no-open", help="Open the browser.")]
+DataFolder = Annotated[
+    Path | None, typer.Option("--data", help="Folder of the station's records.", file_okay=False)
+]
+
+
+class Method(StrEnum):
+    """How a session is calibrated."""
+
+    ONE_POSE = "one-pose"
+
+
+class Axis(StrEnum):
+    """Along which image axis stripe points are counted."""
+
+    U = "u"
+    V = "v"
+
+
+class Shape(StrEnum):
+    """What a gauge is."""
+
+    PLANE = "plane"
+    SPHERE = "sphere"
+
+
+def main() -> None:
+    """The entry point of ``crenel``."""
+    signal.signal(signal.SIGTERM, _terminated)
+    cli()
+
+
+def _terminated(number: int, frame: object) -> NoReturn:
+    """Leaves by an exception, so that files under way are removed."""
+    sys.exit(128 + number)
+
+
+def _print_version(wanted: bool) -> None:
+    if wanted:
+        from app.files.software import SOFTWARE
+
+        print(f"{SOFTWARE.name} {SOFTWARE.version}")
+        raise typer.Exit
+
+
+@cli.callback()
+def _options(
+    version: Annotated[
+        bool,
+        typer.Option(
+            "--version", callback=_print_version, is_eager=True, help="Print the version and exit."
+        ),
+    ] = False,
+) -> None:
+    pass
+
+
+@cli.command()
+@refusing
+def demo(
+    data: DataFolder = None,
+    host: Host = "127.0.0.1",
+    port: Port = 8000,
+    open_browser: Open = True,
+) -> None:
+    """The whole station on simulated hardware, in the browser."""
+    from app import main as station
+
+    station.demo(data, host, port, open_browser)
+
+
+@cli.command()
+@refusing
+def serve(
+    config: Annotated[
+        Path | None, typer.Option("--config", help="station.toml: which drivers, which data.")
+    ] = None,
+    data: DataFolder = None,
+    host: Host = "127.0.0.1",
+    port: Port = 8000,
+    open_browser: Open = False,
+) -> None:
+    """The station on real hardware."""
+    from app import main as station
+
+    station.serve(config, data, host, port, open_browser)
+
+
+@cli.command()
+@refusing
+def calibrate(
+    session: Annotated[Path, typer.Argument(help="Folder of a calibration session.")],
+    output: Annotated[Path, typer.Option("-o", "--output", help="Where to write it.")] = Path(
+        "calibration.json"
+    ),
+    method: Annotated[
+        Method, typer.Option(help="one-pose: contacts and the pictures of the first pose.")
+    ] = Method.ONE_POSE,
+    as_json: AsJson = False,
+) -> None:
+    """Calibrate from contact points and one picture: camera, laser plane, probe matrix."""
+    from app.calibrating import calibrate_session, calibration_figures
+
+    began = time.perf_counter()
+    with progress_bar("Calibrating", not as_json) as tell:
+        sheet = calibrate_session(session, output, tell)
+    seconds = time.perf_counter() - began
+    if as_json:
+        print_json({**sheet.fields(), "file": str(output), "seconds": seconds})
+        return
+    print_figures(f"Calibration of {session}", calibration_figures(sheet))
+    print(f"{output} written in {seconds:.2f} s")
+
+
+@cli.command()
+@refusing
+def extract(
+    images: Annotated[list[Path], typer.Argument(help="Pictures with the laser on.")],
+    output: Annotated[Path, typer.Option("-o", "--output", help="Where to write it.")] = Path(
+        "stripe.csv"
+    ),
+    axis: Annotated[
+        Axis, typer.Option(help="u: one point a column of the picture; v: one a row.")
+    ] = Axis.U,
+    as_json: AsJson = False,
+) -> None:
+    """Extract the laser stripe: columns u, v, intensity, sigma_px.
+
+    Of several pictures, a last column ``image`` names the picture of each row.
+    """
+    from app.files.atomic import checked_target
+    from app.files.extract import extract as extract_all
+    from app.files.extract import write_stripes
+
+    checked_target(output)
+    with progress_bar("Extracting", not as_json) as tell:
+        stripes = extract_all(images, axis.value, tell)
+        write_stripes(output, stripes)
+    if as_json:
+        found = [
+            {
+                "image": str(one.file),
+                "u": one.stripe.u.tolist(),
+                "v": one.stripe.v.tolist(),
+                "intensity": one.stripe.intensity.tolist(),
+                "sigma_px": one.stripe.sigma_px.tolist(),
+            }
+            for one in stripes
+        ]
+        print_json({"file": str(output), "axis": axis.value, "images": found})
+        return
+    import numpy as np
+
+    rows = [
+        (str(one.file), str(len(one.stripe.u)), f"{float(np.median(one.stripe.sigma_px)):.3f}")
+        for one in stripes
+    ]
+    print_table("Laser stripe", ("picture", "points", "median σ px"), rows)
+    print(f"{output} written")
+
+
+@cli.command()
+@refusing
+def reconstruct(
+    recording: Annotated[Path, typer.Argument(metavar="SCAN.mcap", help="A scan recording.")],
+    calibration: Annotated[Path, typer.Option(help="The sensor's calibration.json.")],
+    arm: Annotated[Path, typer.Option(help="The arm's arm.json.")],
+    output: Annotated[Path, typer.Option("-o", "--output", help="The cloud: a .ply file.")] = Path(
+        "cloud.ply"
+    ),
+    as_json: AsJson = False,
+) -> None:
+    """Rebuild the cloud of a recording in the arm frame, with any calibration."""
+    if output.suffix.lower() != ".ply":
+        raise typer.BadParameter(
+            f"'{output}': clouds are written as PLY; name it {output.with_suffix('.ply').name}",
+            param_hint="'-o'",
+        )
+    from app.files.arm import read_arm
+    from app.files.calibration import read_calibration
+    from app.files.rebuild import rebuild
+
+    began = time.perf_counter()
+    sensor, arm_model = read_calibration(calibration), read_arm(arm)
+    with progress_bar("Reconstructing", not as_json) as tell:
+        rebuilt = rebuild(recording, sensor, arm_model, output, tell)
+    seconds = time.perf_counter() - began
+    warnings = rebuilt.warnings
+    for text in warnings:
+        warn(text)
+    if as_json:
+        result = {"file": str(output), "seconds": seconds, "warnings": warnings}
+        print_json({**result, **asdict(rebuilt)})
+        return
+    figures = (
+        ("points", f"{rebuilt.points:,}".replace(",", " ")),
+        ("frames", f"{rebuilt.frames} with points, {rebuilt.frames_without_stripe} without stripe"),
+        ("speed", f"{rebuilt.all_frames / seconds:.0f} frames/s"),
+    )
+    print_figures(f"Cloud of {recording}", figures)
+    print(f"{output} written in {seconds:.2f} s")
+
+
+@cli.command()
+@refusing
+def verify(
+    shape: Annotated[Shape, typer.Argument(help="What the gauge is.")],
+    clouds: Annotated[list[Path], typer.Argument(help="Clouds of the gauge: .ply or .xyz.")],
+    nominal: Annotated[
+        Path | None, typer.Option(help="nominal.json: where the gauge truly is.")
+    ] = None,
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", help="Write the report here, too.")
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Check clouds of a gauge plane or sphere against its nominal, in arcsec and µm."""
+    from app.files.atomic import checked_target
+    from app.files.verify import report_table
+    from app.files.verify import verify as verify_all
+
+    if output is not None:
+        checked_target(output)
+    with progress_bar("Verifying", not as_json) as tell:
+        report = verify_all(shape.value, clouds, nominal, tell)
+        if output is not None:
+            report.write(output)
+    if as_json:
+        print_json(report.fields())
+        return
+    against = f" against {nominal}" if nominal else ", no nominal given"
+    print_table(f"Gauge {shape.value}{against}", *report_table(report))
+    if output is not None:
+        print(f"{output} written")

@@ -1,0 +1,124 @@
+"""How the command line speaks: results on stdout, progress and refusals on stderr."""
+
+import errno
+import json
+import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from functools import wraps
+from typing import NoReturn, ParamSpec
+
+import typer
+
+from app.files.failures import refusal_of
+from app.metrology.refusal import Refusal
+
+P = ParamSpec("P")
+
+FAILED = 1
+INTERRUPTED = 130
+
+
+def refusing(command: Callable[P, None]) -> Callable[P, None]:
+    """A command whose failures end in one line on stderr and status 1, never in a traceback.
+
+    Python's development mode (``python -X dev``) lets a fault of the program itself
+    through, traceback and all.
+    """
+
+    @wraps(command)
+    def guarded(*args: P.args, **kwargs: P.kwargs) -> None:
+        try:
+            command(*args, **kwargs)
+        except Refusal as refusal:
+            fail(refusal.line)
+        except KeyboardInterrupt:
+            fail("interrupted; nothing was written.", INTERRUPTED)
+        except OSError as error:
+            if error.errno == errno.EPIPE:  # who read our output has gone
+                raise
+            fail(refusal_of(error).line)
+        except MemoryError:
+            fail("there is not enough memory. Close other programs, or use less data.")
+        except (typer.Exit, typer.Abort, typer.BadParameter):
+            raise
+        except Exception as error:
+            if sys.flags.dev_mode:
+                raise
+            fail(f"a fault of the program: {type(error).__name__}: {error}. Please report it.")
+
+    return guarded
+
+
+def fail(text: str, status: int = FAILED) -> NoReturn:
+    """Says why on one line of stderr and ends with ``status``."""
+    print("crenel: " + " ".join(text.split()), file=sys.stderr)
+    raise typer.Exit(status)
+
+
+def warn(text: str) -> None:
+    """One line of warning on stderr."""
+    print("crenel: warning: " + " ".join(text.split()), file=sys.stderr)
+
+
+def print_json(result: Mapping[str, object]) -> None:
+    """A result for programs: the only thing on stdout."""
+    print(json.dumps(result, indent=1, ensure_ascii=False, allow_nan=False))
+
+
+@contextmanager
+def progress_bar(title: str, shown: bool = True) -> Iterator[Callable[[float, str], None]]:
+    """A bar on stderr while the block runs, where stderr is a terminal.
+
+    Yields:
+        To be told the share done (0 to 1) and, where it changes, what is being done.
+    """
+    if not (shown and sys.stderr.isatty()):
+        yield lambda share, text: None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+    columns = (TextColumn("{task.description}"), BarColumn(40), TimeElapsedColumn())
+    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task(title, total=1.0)
+
+        def tell(share: float, text: str) -> None:
+            bar.update(task, completed=share, description=text or title)
+
+        yield tell
+
+
+def print_figures(title: str, figures: Sequence[tuple[str, str]]) -> None:
+    """A list of named figures under a title."""
+    from rich.table import Table
+
+    table = Table.grid(padding=(0, 2))
+    table.add_column(style="dim")
+    table.add_column()
+    for name, value in figures:
+        table.add_row(name, value)
+    _print(title, table)
+
+
+def print_table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
+    """A table whose first column is text and the others are numbers."""
+    from rich import box
+    from rich.table import Table
+
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 1))
+    for i, column in enumerate(columns):
+        table.add_column(column, justify="left" if i == 0 else "right", overflow="fold")
+    for row in rows:
+        table.add_row(*row)
+    _print(title, table)
+
+
+def _print(title: str, content: object) -> None:
+    from rich.console import Console
+
+    console = Console(highlight=False, markup=False)
+    if not console.is_terminal:  # a file or a pipe has no width to fold at
+        console = Console(highlight=False, markup=False, width=200)
+    console.print(title, style="bold")
+    console.print(content)
