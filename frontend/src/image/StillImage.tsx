@@ -1,5 +1,6 @@
 import { useState } from "react";
 
+import type { ImageCorner } from "../api/types";
 import { figures } from "../parts/format";
 import { COLOURS, type Overlay } from "./overlay";
 import styles from "./StillImage.module.css";
@@ -8,16 +9,20 @@ interface StillImageProps extends Overlay {
   image_url: string;
   width_px: number;
   height_px: number;
-  /** Draws each corner's residual as a disc, so many times enlarged. */
+  /** Draws each corner's residual as a disc of that radius, enlarged. */
   residuals?: boolean;
 }
 
-/** Residuals are drawn as discs whose radius is the residual, so many times enlarged. */
-const ENLARGED = 100;
+/** How much residuals are enlarged, so that the largest is well seen and covers little. */
+function enlargement(corners: ImageCorner[], width_px: number): number {
+  const largest = Math.max(1e-6, ...corners.map((c) => c.residual_px ?? 0));
+  return [1000, 500, 200, 100, 50, 20, 10].find((times) => largest * times <= width_px / 30) ?? 5;
+}
 
 /** The captured picture with what was found in it. */
 export function StillImage(props: StillImageProps) {
   const { image_url, width_px, height_px, corners, outline, stripe, residuals = false } = props;
+  const times = residuals ? enlargement(corners, width_px) : 0;
   const [name, setName] = useState<string | null>(null);
   const corner = corners.find((c) => c.name === name);
   return (
@@ -43,14 +48,14 @@ export function StillImage(props: StillImageProps) {
           <g key={c.name} transform={`translate(${c.u} ${c.v})`} onPointerEnter={() => setName(c.name)}>
             <circle r={width_px / 50} className={styles.reach} />
             {residuals && c.residual_px !== null && (
-              <circle r={c.residual_px * ENLARGED} className={styles.disc} stroke={COLOURS.corner} />
+              <circle r={c.residual_px * times} className={styles.disc} stroke={COLOURS.corner} />
             )}
             <circle r={residuals ? 2 : width_px / 160} className={styles.corner} stroke={COLOURS.corner} />
           </g>
         ))}
       </svg>
       <figcaption className={styles.caption}>
-        {corner ? told(corner.name, corner.residual_px) : summary(props, residuals)}
+        {corner ? told(corner.name, corner.residual_px) : summary(props, times)}
       </figcaption>
     </figure>
   );
@@ -60,7 +65,7 @@ function told(name: string, residual_px: number | null): string {
   return residual_px === null ? name : `${name}: residual ${figures(residual_px, 3)} px`;
 }
 
-function summary({ corners, stripe }: Overlay, residuals: boolean): string {
+function summary({ corners, stripe }: Overlay, times: number): string {
   const found = `${figures(corners.length)} corners, ${figures(stripe.length)} stripe points`;
-  return residuals ? `${found}. Discs are the corners' residuals, ${ENLARGED} times enlarged.` : found;
+  return times ? `${found}. Discs are the corners' residuals, ${times} times enlarged.` : found;
 }

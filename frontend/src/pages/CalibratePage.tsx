@@ -15,7 +15,7 @@ export function CalibratePage() {
     <Layout
       picture={
         <>
-          <PictureView key={view.step} picture={view.picture} />
+          <PictureView key={view.picture.kind} picture={view.picture} />
           <LastEvent />
         </>
       }

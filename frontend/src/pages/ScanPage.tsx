@@ -14,7 +14,7 @@ const WORDS: Record<ScanState["state"], { title: string; text: string }> = {
   idle: { title: "Ready to scan", text: "Start, then pass the stripe slowly over the part." },
   running: { title: "Scanning", text: "Pass the stripe slowly over the part." },
   stopping: { title: "Stopping", text: "The cloud is being written." },
-  blocked: { title: "Scanning is not possible now", text: "The reason stands below the button." },
+  blocked: { title: "Scanning is not possible now", text: "The reason stands by the button." },
 };
 
 export function ScanPage() {
@@ -56,10 +56,10 @@ function actionsOf(scan: ScanState, hasHand: boolean): Action[] {
   const main = running
     ? action("stop", "Stop the scan", true)
     : action("start", "Start scan", true, scan.state === "stopping" ? "The last scan is being written." : scan.why_not);
-  if (!hasHand) return [main];
+  if (!hasHand || scan.state === "blocked") return [main];
   const hand = scan.hand_running
     ? action("hand_off", "Stop the hand", false)
-    : action("hand_on", "Let the hand do it", false, running || scan.state === "idle" ? "" : scan.why_not);
+    : action("hand_on", "Let the hand do it", false);
   return [main, hand];
 }
 

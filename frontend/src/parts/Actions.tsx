@@ -76,7 +76,7 @@ function Question({ action, opened, onClose, onAct }: QuestionProps) {
       <p className={styles.question}>{action.confirm}</p>
       <div className={styles.answers}>
         <button type="button" className={styles.keep} data-autofocus onClick={onClose}>
-          Keep
+          No, keep it
         </button>
         <PressButton onPress={agree}>{action.label}</PressButton>
       </div>

@@ -1,14 +1,15 @@
-import type { ReactNode } from "react";
-
+import { Illustration } from "../object/Illustration";
 import styles from "./EmptyState.module.css";
 
 /** A page without data says what will be here and how to get it. */
-export function EmptyState({ title, text, children }: { title: string; text: string; children?: ReactNode }) {
+export function EmptyState({ title, text }: { title: string; text: string }) {
   return (
     <div className={styles.empty}>
-      <h2 className={styles.title}>{title}</h2>
-      <p className={styles.text}>{text}</p>
-      {children}
+      <Illustration />
+      <div className={styles.words}>
+        <h2 className={styles.title}>{title}</h2>
+        <p className={styles.text}>{text}</p>
+      </div>
     </div>
   );
 }

@@ -1,0 +1,53 @@
+import type { BlockGeometry, Vec3 } from "../api/types";
+import { BlockDrawing } from "./BlockDrawing";
+import { isSeen } from "./block";
+import styles from "./Illustration.module.css";
+import { project, type View } from "./view";
+
+/** A block for pages that have no certificate to draw from; it stands for any. */
+const ANY_BLOCK: BlockGeometry = {
+  edges_x_mm: [-24, -15, -7, -1, 6, 12, 19, 24],
+  front_y_mm: -13,
+  back_y_mm: 13,
+  crest_z_mm: 15,
+  floor_z_mm: 0,
+  base_z_mm: -12,
+};
+
+const UP: Vec3 = [0, 0, 1];
+const STEP_MM = 0.5;
+const STRIPE_Y_MM = -7;
+
+/** What calibration is about: the object, and the laser stripe across crests and floors. */
+export function Illustration() {
+  return (
+    <div className={styles.illustration}>
+      <BlockDrawing block={ANY_BLOCK} face={null} label="A crenellated object with the laser stripe across it">
+        {(view) => <path className={styles.stripe} d={stripePath(view, ANY_BLOCK)} />}
+      </BlockDrawing>
+    </div>
+  );
+}
+
+function heightAt(block: BlockGeometry, x: number): number {
+  const passed = block.edges_x_mm.filter((edge) => edge <= x).length;
+  return passed % 2 === 1 ? block.crest_z_mm : block.floor_z_mm;
+}
+
+function stripePath(view: View, block: BlockGeometry): string {
+  const first = block.edges_x_mm[0] ?? 0;
+  const last = block.edges_x_mm[block.edges_x_mm.length - 1] ?? 0;
+  let path = "";
+  let drawnAt: number | null = null;
+  for (let x = first + STEP_MM / 2; x < last; x += STEP_MM) {
+    const z = heightAt(block, x);
+    const at: Vec3 = [x, STRIPE_Y_MM, z];
+    if (!isSeen(block, at, UP, view.to)) {
+      drawnAt = null;
+      continue;
+    }
+    path += `${drawnAt === z ? "L" : "M"}${project(view, at).join(" ")}`;
+    drawnAt = z;
+  }
+  return path;
+}
