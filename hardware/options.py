@@ -27,12 +27,13 @@ def read_options(model: type[OptionsT], options: Mapping[str, object], table: st
         table: "arm" or "sensor", for the message.
 
     Raises:
-        DeviceError: naming the first wrong key and what is wrong with it.
+        DeviceError: naming a wrong key and what is wrong with it.
     """
     try:
         return model.model_validate(dict(options))
     except ValidationError as error:
-        first = error.errors()[0]
+        # A misspelt key shows as an unknown and a missing one: the unknown one says more.
+        first = min(error.errors(), key=lambda each: each["type"] != "extra_forbidden")
     key = ".".join(str(part) for part in first["loc"][:1])
     known = sorted(model.model_fields)
     if first["type"] == "extra_forbidden":

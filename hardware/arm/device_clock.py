@@ -30,6 +30,7 @@ _LEVEL_BUCKETS = 2
 _MOST_DRIFT = 0.01
 """Above any crystal (1e-4) and any ceramic resonator (5e-3)."""
 _LATE_NS = 50_000_000
+"""So far off the line, a clock has jumped."""
 _LATE_BUCKETS = 4
 _LEAST_STEP_NS = 500_000
 
@@ -39,8 +40,8 @@ class DeviceClock:
 
     ``observe`` is told of arrivals, ``stamp`` asks for the mapping. Where a better
     observation moves the mapping back, stamps run at half speed until it is met. When
-    nothing has arrived on the line for two seconds, the device's clock has been set
-    back or stood still, and the mapping begins anew.
+    a packet comes far earlier than can be, or nothing has arrived on the line for two
+    seconds, one of the clocks has jumped or stood still, and the line begins anew.
     """
 
     def __init__(self) -> None:
@@ -70,9 +71,14 @@ class DeviceClock:
         if arrival_ns // _BUCKET_NS != self._bucket:
             self._bucket = arrival_ns // _BUCKET_NS
             self._close_bucket()
+        below = self._slope * at + self._level_ns - difference
+        if below > _LATE_NS:  # earlier than can be: the device's clock has jumped forward
+            self._buckets.clear()
+            self._slope, self._level_ns = 0.0, difference
+        elif below > 0:
+            self._level_ns -= below
         if difference < self._best[1]:
             self._best = (at, difference)
-        self._level_ns = min(self._level_ns, difference - self._slope * at)
 
     def stamp(self, device_ns: int) -> int:
         """Host-monotonic nanoseconds of a device time; needs one observation before."""

@@ -105,7 +105,6 @@ class Wire:
         try:
             descriptor = self._port.fileno()
         except (AttributeError, OSError):
-            self._port.timeout = _SLICE_S
             return None
         self._port.timeout = 0
         selector = selectors.DefaultSelector()
@@ -130,9 +129,11 @@ class Wire:
 
 
 def _open_port(url: str, baudrate: int) -> _Port:
+    # pyserial's RFC 2217 client refuses a limit for writing; what we write is nine bytes.
+    write_timeout = None if url.lower().startswith("rfc2217:") else 1.0
     try:
         port = serial.serial_for_url(
-            url, baudrate=baudrate, timeout=0, write_timeout=1, exclusive=True
+            url, baudrate=baudrate, timeout=_SLICE_S, write_timeout=write_timeout, exclusive=True
         )
     except (OSError, ValueError, OverflowError) as error:
         raise _open_error(url, error) from error

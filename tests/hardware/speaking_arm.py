@@ -12,7 +12,11 @@ import threading
 import time
 import tty
 import zlib
+from collections.abc import Callable
 from typing import Protocol
+
+import serial
+from serial.rfc2217 import PortManager
 
 REQUEST = bytes.fromhex("A75C0181002F1A1BDC")
 COUNTS = 1 << 20
@@ -126,12 +130,44 @@ class TcpLine:
         return b""
 
 
+class Rfc2217Line(TcpLine):
+    """A serial port that a terminal server offers over telnet (RFC 2217)."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.url = self.url.replace("socket:", "rfc2217:")
+        self._served: socket.socket | None = None
+        self._port_settings = serial.serial_for_url("loop://")
+        self._manager: PortManager | None = None
+
+    def write(self, data: bytes) -> None:
+        if self._manager is not None:
+            super().write(b"".join(self._manager.escape(data)))
+
+    def read(self) -> bytes:
+        data = super().read()
+        if self._client is not self._served:
+            self._served, self._manager = self._client, None
+            if self._client is not None:
+                self._manager = PortManager(self._port_settings, _Telnet(super().write))
+        return b"" if self._manager is None else b"".join(self._manager.filter(data))
+
+
+class _Telnet:
+    """What the port manager sends its own words through."""
+
+    def __init__(self, write: Callable[[bytes], None]) -> None:
+        self.write = write
+
+
 class SpeakingArm:
     """An arm whose every joint turns by one count a sample.
 
     Attributes may be changed while it runs: ``buttons``, ``silent`` (no sample is
     sent), ``skip`` (so many samples are taken and not sent), ``damage`` (so many
-    samples are sent with a wrong byte), ``greets`` (answers the request).
+    samples are sent with a wrong byte), ``repeat`` (so many are sent twice), ``greets``
+    (answers the request), ``counts`` (per revolution, as the hello says), ``chatter``
+    (sent each time in place of a sample, even when silent).
     """
 
     def __init__(
@@ -145,8 +181,11 @@ class SpeakingArm:
         self.silent = False
         self.skip = 0
         self.damage = 0
+        self.repeat = 0
         self.greets = True
-        self.serial = "B-1"
+        self.counts = COUNTS
+        self.chatter = b""
+        self.latched_ns: dict[int, int] = {}
         self.requests = 0
         self._said: list[bytes] = []
         self._born_ns = time.monotonic_ns() - 5_000_000_000
@@ -187,13 +226,12 @@ class SpeakingArm:
                 asked = self.line.read().count(REQUEST)
                 self.requests += asked
                 if asked and self.greets:
-                    self.line.write(
-                        hello_packet([COUNTS] * self.joints, self.rate_hz, serial=self.serial)
-                    )
+                    self.line.write(hello_packet([self.counts] * self.joints, self.rate_hz))
                 self._send_sample()
 
     def _send_sample(self) -> None:
-        device_us = (time.monotonic_ns() - self._born_ns) // 1000
+        now_ns = self.latched_ns[self.sequence] = time.monotonic_ns()
+        device_us = (now_ns - self._born_ns) // 1000
         data = sample_packet(
             self.sequence, device_us, self.buttons, [self.sequence & 0xFFFFF] * self.joints
         )
@@ -205,5 +243,9 @@ class SpeakingArm:
             self.skip -= 1
         elif not self.silent:
             self.line.write(data)
+            if self.repeat:
+                self.repeat -= 1
+                self.line.write(data)
+        self.line.write(self.chatter)
         while self._said:
             self.line.write(self._said.pop(0))

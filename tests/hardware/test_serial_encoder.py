@@ -1,14 +1,37 @@
 """The serial driver against a device at the far end of a pseudo-terminal and of TCP."""
 
+import os
+import socket
+import threading
 from collections.abc import Iterator
+from math import pi
 from pathlib import Path
 
+import numpy as np
 import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
 from hardware.arm.serial_encoder import from_options
-from hardware.interfaces import ArmDriver, Button
-from tests.hardware.conformance import ArmBench, ArmConformance
-from tests.hardware.speaking_arm import PtyLine, SpeakingArm, TcpLine
+from hardware.clock import now_ns
+from hardware.errors import DeviceError
+from hardware.interfaces import ArmDriver, Button, JointSample
+from tests.hardware.conformance import (
+    ArmBench,
+    ArmConformance,
+    read_until,
+    read_until_lost,
+    samples_of,
+)
+from tests.hardware.speaking_arm import (
+    COUNTS,
+    PtyLine,
+    Rfc2217Line,
+    SpeakingArm,
+    TcpLine,
+    hello_packet,
+    packet,
+)
 
 BITS = {Button.PRIMARY: 1, Button.UNDO: 2, Button.BACK: 4}
 
@@ -53,3 +76,244 @@ class TestOverTcp(ArmConformance):
         arm = SpeakingArm(TcpLine(), joints=7, first_sequence=(1 << 32) - 300)
         yield SerialBench(arm)
         arm.stop()
+
+
+@pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")  # pyserial's own
+class TestOverRfc2217(ArmConformance):
+    """A serial port served over the network, which has no file descriptor here."""
+
+    @pytest.fixture
+    def bench(self) -> Iterator[ArmBench]:
+        arm = SpeakingArm(Rfc2217Line(), joints=6, rate_hz=200.0)
+        yield SerialBench(arm)
+        arm.stop()
+
+
+@pytest.fixture
+def arm(tmp_path: Path) -> Iterator[SpeakingArm]:
+    arm = SpeakingArm(PtyLine(tmp_path))
+    yield arm
+    arm.stop()
+
+
+@pytest.fixture
+def driver(arm: SpeakingArm) -> Iterator[ArmDriver]:
+    driver = from_options({"url": arm.line.url})
+    yield driver
+    driver.close()
+
+
+def test_counts_become_radians(arm: SpeakingArm, driver: ArmDriver) -> None:
+    info = driver.open()
+    assert (info.name, info.serial_number, info.joint_count) == ("Bench arm", "B-1", 6)
+    assert info.rate_hz == arm.rate_hz
+    for sample in samples_of(read_until(driver, lambda got: len(got) > 50)):
+        assert sample.joints_rad == (pytest.approx(2 * pi * sample.sequence / COUNTS),) * 6
+
+
+@pytest.mark.parametrize("counts", [1000, [1000, 2000, 3000, 4000, 5000, 6000]])
+def test_counts_per_revolution_may_be_given(arm: SpeakingArm, counts: int | list[int]) -> None:
+    driver = from_options({"url": arm.line.url, "counts_per_revolution": counts})
+    driver.open()
+    sample = samples_of(read_until(driver, samples_of))[0]
+    each = counts if isinstance(counts, list) else [counts] * 6
+    expected = [2 * pi * sample.sequence / count for count in each]
+    assert sample.joints_rad == pytest.approx(expected)
+    driver.close()
+
+
+def test_damaged_packets_are_counted_as_corrupt_and_lost(
+    arm: SpeakingArm, driver: ArmDriver
+) -> None:
+    driver.open()
+    read_until(driver, samples_of)
+    arm.damage = 5  # five in a row are one stretch
+    read_until(driver, lambda _: driver.health.lost >= 5)
+    assert driver.health.corrupt == 1
+    arm.say(b"\xa7\x5c\x01\x01\xff noise")
+    read_until(driver, lambda _: driver.health.corrupt >= 2)
+    read_until(driver, lambda got: len(got) > 20)
+    assert (driver.health.lost, driver.health.corrupt) == (5, 2)
+
+
+def test_a_repeated_sample_is_dropped(arm: SpeakingArm, driver: ArmDriver) -> None:
+    driver.open()
+    read_until(driver, samples_of)
+    arm.repeat = 1
+    samples = samples_of(read_until(driver, lambda _: driver.health.corrupt >= 1))
+    assert np.all(np.diff([s.sequence for s in samples]) == 1)
+    assert driver.health.lost == 0
+
+
+def test_a_restarted_arm_goes_on(arm: SpeakingArm, driver: ArmDriver) -> None:
+    driver.open()
+    first = samples_of(read_until(driver, lambda got: len(got) > 100))
+    arm.reboot()
+    second = samples_of(read_until(driver, lambda got: len(got) > 200))
+    assert np.all(np.diff([s.stamp_ns for s in first + second]) > 0)
+    assert np.all(np.diff([s.sequence for s in first + second]) == 1)
+    assert min(s.joints_rad[0] for s in second) == 0.0
+    assert driver.health.lost == 0
+
+
+def test_the_sequence_wraps_without_a_loss(tmp_path: Path) -> None:
+    arm = SpeakingArm(PtyLine(tmp_path), first_sequence=(1 << 32) - 400)
+    driver = from_options({"url": arm.line.url})
+    driver.open()
+    samples = samples_of(read_until(driver, lambda got: len(got) > 500))
+    assert samples[-1].sequence > 1 << 32
+    assert np.all(np.diff([s.sequence for s in samples]) == 1)
+    assert driver.health.lost == 0
+    driver.close()
+    arm.stop()
+
+
+def test_stamps_are_those_of_latching(arm: SpeakingArm, driver: ArmDriver) -> None:
+    """The device's clock here is the host's, so truth is known."""
+    driver.open()
+    late_us = []
+    for sample in samples_of(read_until(driver, lambda got: len(got) > 500)):
+        late_us.append((sample.stamp_ns - arm.latched_ns[sample.sequence]) / 1000)
+    assert min(late_us) > -1000
+    assert np.median(late_us) < 3000
+
+
+def test_the_latency_comes_off_the_stamp(arm: SpeakingArm) -> None:
+    driver = from_options({"url": arm.line.url, "latency_us": 50_000.0})
+    driver.open()
+    sample = samples_of(read_until(driver, samples_of))[0]
+    assert now_ns() - sample.stamp_ns >= 50_000_000
+    driver.close()
+
+
+def test_an_arm_that_cannot_listen_is_known_by_its_own_hello(arm: SpeakingArm) -> None:
+    arm.greets = False
+    timer = threading.Timer(0.5, arm.say, [hello_packet([COUNTS] * 6)])
+    timer.start()
+    driver = from_options({"url": arm.line.url})
+    assert driver.open().joint_count == 6
+    timer.join()
+    driver.close()
+
+
+def test_another_arm_on_the_same_line_is_an_error(arm: SpeakingArm, driver: ArmDriver) -> None:
+    driver.open()
+    arm.say(hello_packet([COUNTS] * 6, arm.rate_hz, serial="B-2"))
+    error = read_until_lost(lambda: driver.read(0.1))
+    assert "B-2" in error.what
+    assert "B-1" in error.what
+
+
+def test_samples_of_another_joint_count_are_an_error(arm: SpeakingArm, driver: ArmDriver) -> None:
+    driver.open()
+    arm.joints = 7
+    error = read_until_lost(lambda: driver.read(0.1))
+    assert "said it has 6 joints, but sends 7" in error.what
+
+
+def open_error(options: dict[str, object]) -> str:
+    driver = from_options({"timeout_s": 0.6, **options})
+    with pytest.raises(DeviceError) as caught:
+        driver.open()
+    with pytest.raises(DeviceError):
+        driver.read(0.0)
+    return str(caught.value)
+
+
+def test_what_is_wrong_at_opening_is_said(arm: SpeakingArm) -> None:
+    url = arm.line.url
+    arm.silent = True
+    assert "says who it is (Bench arm) but sends no samples" in open_error({"url": url})
+    arm.greets = False
+    assert "Nothing came from" in open_error({"url": url})
+    arm.silent = False
+    assert "does not say who it is" in open_error({"url": url})
+    arm.silent, arm.chatter = True, b"$GPGGA,123519\r\n"
+    message = open_error({"url": url})
+    assert "no packet of an encoder arm" in message
+    assert "baud rate" in message
+    arm.chatter = packet(1, bytes(40), version=2)
+    assert "version 2 of the protocol" in open_error({"url": url})
+
+
+def test_an_arm_of_the_wrong_kind_is_refused(arm: SpeakingArm) -> None:
+    url = arm.line.url
+    assert "asks for joint_count = 7" in open_error({"url": url, "joint_count": 7})
+    assert "3 counts_per_revolution, the arm has 6" in open_error(
+        {"url": url, "counts_per_revolution": [1, 2, 3]}
+    )
+    arm.counts = 0
+    assert "0 counts per revolution for joint 1" in open_error({"url": url})
+    arm.joints = 5
+    assert "reports 5 joints" in open_error({"url": url})
+
+
+def test_a_port_in_use_is_named(arm: SpeakingArm, driver: ArmDriver) -> None:
+    driver.open()
+    assert "in use by another program" in open_error({"url": arm.line.url})
+    read_until(driver, lambda got: len(got) > 3)
+
+
+def test_a_port_that_cannot_be_opened_says_why(tmp_path: Path) -> None:
+    assert "There is no serial port" in open_error({"url": str(tmp_path / "ttyNONE")})
+    assert "cannot be opened" in open_error({"url": "nonsense://x"})
+    plain = tmp_path / "file"
+    plain.write_text("no port")
+    assert "cannot be opened" in open_error({"url": str(plain)})
+    free = socket.create_server(("127.0.0.1", 0))
+    port = free.getsockname()[1]
+    free.close()
+    assert "Nothing listens at" in open_error({"url": f"socket://127.0.0.1:{port}"})
+    assert "is not known" in open_error({"url": "socket://no-such-host.invalid:1"})
+
+
+@pytest.mark.skipif(os.name != "posix" or os.geteuid() == 0, reason="root may open any port")
+def test_a_port_of_another_owner_is_named(arm: SpeakingArm) -> None:
+    os.chmod(os.path.realpath(arm.line.url), 0)
+    assert "may not open the serial port" in open_error({"url": arm.line.url})
+
+
+def test_closing_ends_a_waiting_open(arm: SpeakingArm) -> None:
+    arm.silent = True
+    driver = from_options({"url": arm.line.url, "timeout_s": 60.0})
+    timer = threading.Timer(0.3, driver.close)
+    timer.start()
+    with pytest.raises(DeviceError, match="is closed"):
+        driver.open()
+    timer.join()
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        ({}, "'url' is missing"),
+        ({"url": "x", "baudrte": 9600}, "no option 'baudrte'. Did you mean baudrate?"),
+        ({"url": "x", "baudrate": -1}, "baudrate = -1 cannot be used"),
+        ({"url": "x", "baudrate": "fast"}, "baudrate = 'fast' cannot be used"),
+        ({"url": "x", "joint_count": 5}, "joint_count = 5 cannot be used"),
+        ({"url": "x", "counts_per_revolution": 0}, "counts_per_revolution = 0 cannot be used"),
+        ({"url": 7}, "url = 7 cannot be used"),
+    ],
+)
+def test_a_wrong_option_is_named(options: dict[str, object], words: str) -> None:
+    with pytest.raises(DeviceError) as caught:
+        from_options(options)
+    assert "station.toml, [arm]" in caught.value.what
+    assert words in str(caught.value)
+
+
+@given(st.lists(st.one_of(st.binary(max_size=80), st.just(b"\xa7\x5c\x01\x02\x61")), max_size=8))
+@settings(
+    max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
+def test_noise_on_the_line_costs_no_sample(
+    arm: SpeakingArm, driver: ArmDriver, noises: list[bytes]
+) -> None:
+    driver.open()
+    lost = driver.health.lost
+    samples: list[JointSample] = []
+    for noise in noises:
+        arm.say(noise)
+        samples += samples_of(read_until(driver, lambda got: len(got) > 5))
+    assert np.all(np.diff([s.sequence for s in samples]) == 1)
+    assert driver.health.lost == lost

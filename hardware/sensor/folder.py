@@ -1,0 +1,99 @@
+"""The ``folder`` driver: a folder of pictures as a sensor.
+
+Pictures (png, tif, bmp, jpg; 8 or 16 bits; colour is made grey) are shown in the order
+of their names, numbers counted as numbers, so that 10 comes after 9. In station.toml::
+
+    [sensor]
+    driver = "folder"
+    path = "recordings/block"
+    rate_hz = 20.0       # optional
+    loop = true          # optional: begin again after the last one
+    exposure_us = 2000   # optional: what the pictures were taken with
+"""
+
+import re
+import threading
+from collections.abc import Mapping
+from pathlib import Path
+
+import cv2
+import numpy as np
+from pydantic import Field
+
+from hardware.errors import DeviceError
+from hardware.options import Options, read_options
+from hardware.sensor.grabbing import (
+    EndOfPicturesError,
+    GrabbingSensor,
+    Pace,
+    Picture,
+    Source,
+)
+from hardware.sensor.grey import to_grey
+
+_SUFFIXES = {".png", ".tif", ".tiff", ".bmp", ".jpg", ".jpeg"}
+
+
+class FolderOptions(Options):
+    """Options of the driver in station.toml."""
+
+    path: str = Field(min_length=1)
+    rate_hz: float = Field(default=20.0, gt=0, le=1000)
+    loop: bool = True
+    exposure_us: float = Field(default=0.0, ge=0)
+
+
+def from_options(options: Mapping[str, object]) -> GrabbingSensor:
+    """The driver for one ``[sensor]`` table of station.toml; raises ``DeviceError``."""
+    read = read_options(FolderOptions, options, "sensor")
+    return GrabbingSensor(
+        f"The folder {read.path}", lambda stop: _Folder(read, stop), first_within_s=10.0
+    )
+
+
+class _Folder(Source):
+    waits = True
+
+    def __init__(self, options: FolderOptions, stop: threading.Event) -> None:
+        folder = Path(options.path)
+        if not folder.is_dir():
+            raise DeviceError(f"There is no folder {folder}", "Check [sensor] path.")
+        self._files = sorted(
+            (path for path in folder.iterdir() if path.suffix.lower() in _SUFFIXES),
+            key=_natural_order,
+        )
+        if not self._files:
+            raise DeviceError(
+                f"There is no picture in the folder {folder}",
+                f"It is searched for {', '.join(sorted(_SUFFIXES))}.",
+            )
+        self.name = folder.name
+        self.exposure_range_us = (options.exposure_us, options.exposure_us)
+        self._options = options
+        self._pace = Pace(options.rate_hz, stop)
+        self._next = 0
+
+    def grab(self) -> Picture:
+        if self._next == len(self._files):
+            if not self._options.loop:
+                raise EndOfPicturesError
+            self._next = 0
+        path = self._files[self._next]
+        self._next += 1
+        raw = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
+        if raw is None:
+            raise DeviceError(f"The picture {path} cannot be read", "Is it there, and whole?")
+        image = to_grey(raw, raw.shape[0]) if raw.dtype in (np.uint8, np.uint16) else None
+        if image is None:
+            raise DeviceError(
+                f"The picture {path} is of {raw.dtype} numbers", "Save it with 8 or 16 bits."
+            )
+        return Picture(image, self._pace.wait(), self._options.exposure_us)
+
+    def release(self) -> None:
+        """Holds nothing open."""
+
+
+def _natural_order(path: Path) -> list[tuple[int, str]]:
+    parts = re.split(r"(\d+)", path.name)
+    return [(int(part), "") if part.isdecimal() else (-1, part) for part in parts]

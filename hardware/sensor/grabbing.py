@@ -1,0 +1,296 @@
+"""What the drivers have in common whose pictures come from a call that blocks.
+
+Such a call (OpenCV's ``grab``) cannot be interrupted, and a picture that nobody
+fetches grows old in the system's buffers without a stamp. So a thread of the driver's
+own grabs, stamps at once, and keeps the few newest pictures for ``read``.
+"""
+
+import threading
+from abc import ABC, abstractmethod
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from hardware.clock import now_ns
+from hardware.errors import DeviceError
+from hardware.interfaces import Frame, LinkHealth, SensorInfo
+
+GreyImage = NDArray[np.uint8] | NDArray[np.uint16]
+
+_KEPT = 4
+_CATCH_UP_NS = 1_000_000_000
+_JOIN_S = 5.0
+
+
+class EndOfPicturesError(Exception):
+    """A recording has been shown to its end."""
+
+
+@dataclass(frozen=True, slots=True)
+class Picture:
+    """A grey (height, width) image and the middle of its exposure."""
+
+    image: GreyImage
+    mid_exposure_ns: int
+    exposure_us: float
+
+
+class Source(ABC):
+    """An open camera or recording; one thread uses it."""
+
+    name: str
+    serial_number = ""
+    waits: bool
+    """A recording waits for its reader; a camera does not, and old pictures are lost."""
+    exposure_range_us = (0.0, 0.0)
+
+    @abstractmethod
+    def grab(self) -> Picture | None:
+        """The next picture, waited for; None for a damaged one. Stamps increase.
+
+        Raises ``DeviceError`` when the source is lost, ``EndOfPicturesError`` when a
+        recording is over or when told to stop.
+        """
+
+    def set_exposure_us(self, exposure_us: float) -> None:
+        """Asked only of a source whose range is open, and within it."""
+        raise NotImplementedError(f"{self.name} has a fixed exposure")
+
+    @abstractmethod
+    def release(self) -> None: ...
+
+
+class Pace:
+    """Shows a recording at its own rate.
+
+    Stamps are a period apart, whenever the thread came to run; a reader that falls
+    behind by more than a second makes them jump forward.
+    """
+
+    def __init__(self, rate_hz: float, stop: threading.Event) -> None:
+        self._period_ns = 1e9 / rate_hz
+        self._stop = stop
+        self._due_ns = 0.0
+
+    def wait(self) -> int:
+        """Waits until the next picture is due; returns that time.
+
+        Raises ``EndOfPicturesError`` when told to stop.
+        """
+        now = now_ns()
+        self._due_ns += self._period_ns
+        if now - self._due_ns > _CATCH_UP_NS:
+            self._due_ns = float(now)
+        if self._stop.wait(max(0.0, (self._due_ns - now) / 1e9)):
+            raise EndOfPicturesError
+        return round(self._due_ns)
+
+
+class GrabbingSensor:
+    """A sensor without a laser switch whose pictures a thread grabs. Meets ``SensorDriver``.
+
+    The laser is taken to be wired on.
+
+    Args:
+        title: the device in words, for errors.
+        connect: opens the source; given an event that is set when it shall stop.
+        first_within_s: how long ``open`` waits for the first picture.
+    """
+
+    def __init__(
+        self, title: str, connect: Callable[[threading.Event], Source], first_within_s: float
+    ) -> None:
+        self._title = title
+        self._connect = connect
+        self._first_within_s = first_within_s
+        self._state = threading.Lock()
+        self._closings = 0
+        self._grabber: _Grabber | None = None
+        self._info: SensorInfo | None = None
+        self._health = LinkHealth()
+
+    @property
+    def health(self) -> LinkHealth:
+        return self._health
+
+    def open(self) -> SensorInfo:
+        """Connects and waits for the first picture, which ``read`` will give.
+
+        Open already, it does nothing. Raises ``DeviceError``.
+        """
+        with self._state:
+            if self._grabber is not None and self._info is not None:
+                return self._info
+            closings = self._closings
+        stop = threading.Event()
+        source = self._connect(stop)
+        with self._state:
+            if self._closings != closings:
+                source.release()
+                raise DeviceError(f"{self._title} was closed while opening")
+            self._health = LinkHealth()
+            self._grabber = grabber = _Grabber(self._title, source, stop, self._health)
+            grabber.start()
+        try:
+            image = grabber.first_image(self._first_within_s)
+        except DeviceError:
+            self._drop(grabber)
+            raise
+        self._info = SensorInfo(
+            name=source.name,
+            serial_number=source.serial_number,
+            width_px=image.shape[1],
+            height_px=image.shape[0],
+            exposure_range_us=source.exposure_range_us,
+            has_laser_switch=False,
+        )
+        return self._info
+
+    def read(self, timeout_s: float) -> Frame | None:
+        """The next picture; None after ``timeout_s``, and ever after a recording's end."""
+        grabber = self._grabber
+        if grabber is None:
+            raise DeviceError(f"{self._title} is not open")
+        try:
+            return grabber.take(timeout_s)
+        except DeviceError:
+            self._drop(grabber)
+            raise
+
+    def set_exposure_us(self, exposure_us: float) -> None:
+        """Clipped to the range; without effect where the exposure cannot be set."""
+        grabber, info = self._grabber, self._info
+        if grabber is not None and info is not None:
+            shortest, longest = info.exposure_range_us
+            if shortest < longest:
+                grabber.wanted_exposure_us = min(max(exposure_us, shortest), longest)
+
+    def set_laser(self, on: bool) -> None:
+        """Without effect: there is no switch."""
+
+    def close(self) -> None:
+        """Ends a waiting ``open`` or ``read`` and releases the source; idempotent."""
+        with self._state:
+            self._closings += 1
+            grabber, self._grabber, self._info = self._grabber, None, None
+        if grabber is not None:
+            grabber.end()
+
+    def _drop(self, grabber: "_Grabber") -> None:
+        with self._state:
+            if self._grabber is grabber:
+                self._grabber, self._info = None, None
+        grabber.end()
+
+
+class _Grabber(threading.Thread):
+    """Grabs from one source until it ends, is lost, or is told to stop."""
+
+    def __init__(
+        self, title: str, source: Source, stop: threading.Event, health: LinkHealth
+    ) -> None:
+        super().__init__(name=f"grabbing {title}", daemon=True)
+        self.wanted_exposure_us: float | None = None
+        self._title = title
+        self._source = source
+        self._stop_asked = stop
+        self._health = health
+        self._kept: deque[Frame] = deque()
+        self._changed = threading.Condition()
+        self._error: DeviceError | None = None
+        self._over = False
+        self._shape: tuple[int, ...] | None = None
+
+    def first_image(self, within_s: float) -> GreyImage:
+        with self._changed:
+            self._changed.wait_for(self._anything, within_s)
+            if self._kept:
+                return self._kept[0].image
+            raise self._why_nothing(
+                DeviceError(
+                    f"{self._title} gave no picture within {within_s:g} s",
+                    "Check its cable, and that no other program uses it.",
+                )
+            )
+
+    def take(self, timeout_s: float) -> Frame | None:
+        with self._changed:
+            self._changed.wait_for(
+                lambda: self._kept or self._error or self._stop_asked.is_set(), timeout_s
+            )
+            if self._stop_asked.is_set():
+                raise DeviceError(f"{self._title} is closed")
+            if self._kept:
+                self._changed.notify_all()
+                return self._kept.popleft()
+            if self._error is not None:
+                raise self._error
+            return None
+
+    def end(self) -> None:
+        with self._changed:
+            self._stop_asked.set()
+            self._changed.notify_all()
+        self.join(_JOIN_S)
+
+    def run(self) -> None:
+        sequence = 0
+        try:
+            while not self._stop_asked.is_set():
+                if (exposure_us := self.wanted_exposure_us) is not None:
+                    self.wanted_exposure_us = None
+                    self._source.set_exposure_us(exposure_us)
+                picture = self._source.grab()
+                if picture is None:
+                    self._health.corrupt += 1
+                else:
+                    self._keep(picture, sequence)
+                sequence += 1
+        except EndOfPicturesError:
+            self._finish(None)
+        except DeviceError as error:
+            self._finish(error)
+        except cv2.error as error:
+            self._finish(DeviceError(f"{self._title} failed: {error}", "Open it again."))
+        finally:
+            self._source.release()
+
+    def _keep(self, picture: Picture, sequence: int) -> None:
+        shape = picture.image.shape
+        if shape != (self._shape or shape):
+            assert self._shape is not None
+            raise DeviceError(
+                f"{self._title} changed its picture from {self._shape[1]} × {self._shape[0]} "
+                f"to {shape[1]} × {shape[0]} pixels",
+                "All pictures of one sensor must have one size.",
+            )
+        self._shape = shape
+        frame = Frame(
+            sequence, picture.mid_exposure_ns, picture.image, picture.exposure_us, laser_on=True
+        )
+        with self._changed:
+            if self._source.waits:
+                self._changed.wait_for(lambda: len(self._kept) < _KEPT or self._stop_asked.is_set())
+            elif len(self._kept) == _KEPT:
+                self._kept.popleft()
+                self._health.lost += 1
+            self._kept.append(frame)
+            self._health.received += 1
+            self._changed.notify_all()
+
+    def _finish(self, error: DeviceError | None) -> None:
+        with self._changed:
+            self._error, self._over = error, True
+            self._changed.notify_all()
+
+    def _anything(self) -> bool:
+        return bool(self._kept) or self._over or self._stop_asked.is_set()
+
+    def _why_nothing(self, silence: DeviceError) -> DeviceError:
+        if self._stop_asked.is_set():
+            return DeviceError(f"{self._title} was closed while opening")
+        return self._error or silence

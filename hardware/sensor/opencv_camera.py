@@ -1,0 +1,254 @@
+"""The ``opencv`` driver: a USB camera, a network stream or a video file, through OpenCV.
+
+In station.toml::
+
+    [sensor]
+    driver = "opencv"
+    source = 0                  # a camera's number, "/dev/video0", "rtsp://…", "http://…", a file
+    width_px = 1280             # optional, of a camera; with height_px
+    height_px = 1024
+    rate_hz = 60.0              # optional: asked of a camera; a file's own rate otherwise
+    exposure_us = 2000.0        # optional, of a camera: switches its automatic exposure off
+    exposure_range_us = [100.0, 20000.0]   # optional: lets the operator set it within this
+    latency_us = 0.0            # optional: from the end of the exposure to the stamp, see below
+    loop = false                # optional, of a file
+
+Grey: where the camera sends a luma channel (grey, YUYV, NV12, motion JPEG) that is
+taken as it is; elsewhere BGR is converted. Motion JPEG, H.264 and the like are lossy:
+good for a look, not for measuring.
+
+Stamps: a picture's event is the V4L2 driver's monotonic time of the buffer where there
+is one, else the moment at which ``grab`` returned. The middle of the exposure is
+``event - latency_us - exposure / 2``. The latency (readout and transport; a constant for
+one camera in one mode) cannot be seen from here; it shows in the data as the distance
+between a forward and a backward pass over one plane. A file's pictures are stamped a
+period apart, from the moment of opening.
+"""
+
+import math
+import sys
+import threading
+from collections.abc import Mapping
+from pathlib import Path
+
+import cv2
+from pydantic import Field, PositiveFloat, PositiveInt
+
+from hardware.clock import now_ns
+from hardware.errors import DeviceError
+from hardware.options import Options, read_options
+from hardware.sensor.grabbing import (
+    EndOfPicturesError,
+    GrabbingSensor,
+    Pace,
+    Picture,
+    Source,
+)
+from hardware.sensor.grey import to_grey
+
+_OPEN_MS, _READ_MS = 5000, 3000
+_STAMP_AGE_NS = 1_000_000_000
+_V4L2_MANUAL = 1
+
+
+class OpenCvOptions(Options):
+    """Options of the driver in station.toml."""
+
+    source: int | str
+    width_px: PositiveInt | None = None
+    height_px: PositiveInt | None = None
+    rate_hz: PositiveFloat | None = None
+    exposure_us: PositiveFloat | None = None
+    exposure_range_us: list[PositiveFloat] | None = Field(default=None, min_length=2, max_length=2)
+    latency_us: float = Field(default=0.0, ge=0, le=1_000_000)
+    loop: bool = False
+
+
+def from_options(options: Mapping[str, object]) -> GrabbingSensor:
+    """The driver for one ``[sensor]`` table of station.toml; raises ``DeviceError``."""
+    read = read_options(OpenCvOptions, options, "sensor")
+    if read.exposure_range_us is not None and read.exposure_us is None:
+        raise DeviceError(
+            "station.toml, [sensor]: exposure_range_us needs exposure_us, to begin with",
+            "Add a line exposure_us = …",
+        )
+
+    def connect(stop: threading.Event) -> Source:
+        return _Recording(read, stop) if _is_file(read.source) else _Camera(read)
+
+    return GrabbingSensor(_title(read.source), connect, first_within_s=_OPEN_MS / 1000 + 5)
+
+
+class _Recording(Source):
+    """A video file, played at its rate."""
+
+    waits = True
+
+    def __init__(self, options: OpenCvOptions, stop: threading.Event) -> None:
+        self._path = Path(str(options.source))
+        self._title = _title(options.source)
+        for key in ("width_px", "height_px", "exposure_us"):
+            if getattr(options, key) is not None:
+                raise DeviceError(
+                    f"station.toml, [sensor]: {key} cannot be set of a video file",
+                    f"Take {key} out.",
+                )
+        self._loop = options.loop
+        self._capture = self._open()
+        rate_hz = options.rate_hz or self._capture.get(cv2.CAP_PROP_FPS)
+        if not (math.isfinite(rate_hz) and rate_hz > 0):
+            raise DeviceError(f"{self._title} does not say its rate", "Set [sensor] rate_hz.")
+        self._pace = Pace(rate_hz, stop)
+        self.name = self._path.name
+
+    def grab(self) -> Picture | None:
+        there, raw = self._capture.read()
+        if not there:
+            if not self._loop:
+                raise EndOfPicturesError
+            self._capture.release()
+            self._capture = self._open()
+            there, raw = self._capture.read()
+            if not there:
+                raise DeviceError(f"{self._title} holds no picture", "Is the file whole?")
+        image = to_grey(raw, raw.shape[0])
+        due_ns = self._pace.wait()
+        return None if image is None else Picture(image, due_ns, 0.0)
+
+    def release(self) -> None:
+        self._capture.release()
+
+    def _open(self) -> cv2.VideoCapture:
+        if not self._path.is_file():
+            raise DeviceError(f"There is no video file {self._path}", "Check [sensor] source.")
+        capture = cv2.VideoCapture(str(self._path), cv2.CAP_FFMPEG)
+        if not capture.isOpened():
+            raise DeviceError(f"{self._title} cannot be played", "Is it a video, and whole?")
+        return capture
+
+
+class _Camera(Source):
+    """A camera or a network stream, which comes when it comes."""
+
+    waits = False
+
+    def __init__(self, options: OpenCvOptions) -> None:
+        self._title = _title(options.source)
+        self._latency_ns = round(options.latency_us * 1000)
+        self._exposure_us = 0.0
+        self._last_ns = 0
+        self.name = str(options.source)
+        self._capture = _open_live(options.source, self._title)
+        self._backend = self._capture.getBackendName()
+        try:
+            self._configure(options)
+        except DeviceError:
+            self._capture.release()
+            raise
+
+    def grab(self) -> Picture | None:
+        if not self._capture.grab():
+            raise DeviceError(f"{self._title} was lost", "Check its cable and its power.")
+        event_ns = self._event_ns(now_ns())
+        there, raw = self._capture.retrieve()
+        image = to_grey(raw, self._height_px or raw.shape[0]) if there else None
+        if image is None:
+            return None
+        exposure_us = self._exposure_us
+        mid_ns = event_ns - self._latency_ns - round(exposure_us * 500)
+        self._last_ns = max(mid_ns, self._last_ns + 1)
+        return Picture(image, self._last_ns, exposure_us)
+
+    def set_exposure_us(self, exposure_us: float) -> None:
+        shortest, longest = self.exposure_range_us
+        if shortest < longest:
+            self._apply_exposure(exposure_us)
+
+    def release(self) -> None:
+        self._capture.release()
+
+    def _event_ns(self, arrival_ns: int) -> int:
+        if self._backend == "V4L2":
+            buffer_ns = round(self._capture.get(cv2.CAP_PROP_POS_MSEC) * 1e6)
+            if 0 <= arrival_ns - buffer_ns < _STAMP_AGE_NS:
+                return buffer_ns
+        return arrival_ns
+
+    def _configure(self, options: OpenCvOptions) -> None:
+        wanted = {
+            "width_px": (cv2.CAP_PROP_FRAME_WIDTH, options.width_px),
+            "height_px": (cv2.CAP_PROP_FRAME_HEIGHT, options.height_px),
+            "rate_hz": (cv2.CAP_PROP_FPS, options.rate_hz),
+        }
+        for prop, value in wanted.values():
+            if value is not None:
+                self._capture.set(prop, value)
+        for key, (prop, value) in wanted.items():
+            given = self._capture.get(prop)
+            if value is not None and abs(given - value) > 0.02 * value:
+                raise DeviceError(
+                    f"{self._title} cannot do {key} = {value:g}; it offers {given:g}",
+                    f"Correct [sensor] {key}, or take it out.",
+                )
+        # The camera's own luma, where the system hands it through unconverted.
+        if self._backend == "V4L2":
+            self._capture.set(cv2.CAP_PROP_CONVERT_RGB, 0)
+        self._height_px = int(self._capture.get(cv2.CAP_PROP_FRAME_HEIGHT))
+        if options.exposure_us is not None:
+            self._apply_exposure(options.exposure_us)
+            shortest, longest = options.exposure_range_us or (self._exposure_us,) * 2
+            self.exposure_range_us = (shortest, longest)
+
+    def _apply_exposure(self, exposure_us: float) -> None:
+        setting, actual_us = exposure_setting(self._backend, exposure_us)
+        if self._backend == "V4L2":
+            self._capture.set(cv2.CAP_PROP_AUTO_EXPOSURE, _V4L2_MANUAL)
+        if not self._capture.set(cv2.CAP_PROP_EXPOSURE, setting):
+            raise DeviceError(
+                f"{self._title} does not take an exposure of {actual_us:g} µs",
+                "Correct [sensor] exposure_us, or take it out.",
+            )
+        self._exposure_us = actual_us
+
+
+def exposure_setting(backend: str, exposure_us: float) -> tuple[float, float]:
+    """What to set for an exposure, and what that is in µs.
+
+    V4L2 counts in whole 100 µs; Windows' interfaces in whole powers of two of a second.
+    """
+    if backend == "V4L2":
+        steps = max(1, round(exposure_us / 100))
+        return float(steps), 100.0 * steps
+    power = round(math.log2(exposure_us * 1e-6))
+    return float(power), 1e6 * 2.0**power
+
+
+def _is_file(source: int | str) -> bool:
+    return isinstance(source, str) and "://" not in source and not source.startswith("/dev/")
+
+
+def _title(source: int | str) -> str:
+    if _is_file(source):
+        return f"The video file {source}"
+    is_stream = isinstance(source, str) and "://" in source
+    return f"The video stream {source}" if is_stream else f"The camera {source}"
+
+
+def _open_live(source: int | str, title: str) -> cv2.VideoCapture:
+    if isinstance(source, str) and "://" in source:
+        timeouts = [cv2.CAP_PROP_OPEN_TIMEOUT_MSEC, _OPEN_MS]
+        timeouts += [cv2.CAP_PROP_READ_TIMEOUT_MSEC, _READ_MS]
+        capture = cv2.VideoCapture(source, cv2.CAP_FFMPEG, timeouts)
+        remedy = "Check its address, its network, and that it is switched on."
+    else:
+        on_linux = sys.platform == "linux"
+        capture = cv2.VideoCapture(source, cv2.CAP_V4L2 if on_linux else cv2.CAP_ANY)
+        remedy = "Check its cable, and that no other program uses it. " + _cameras_there_are()
+    if not capture.isOpened():
+        raise DeviceError(f"{title} cannot be opened", remedy.strip())
+    return capture
+
+
+def _cameras_there_are() -> str:
+    names = sorted(str(path) for path in Path("/dev").glob("video*"))
+    return f"Cameras there are: {', '.join(names)}." if names else ""

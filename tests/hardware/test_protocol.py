@@ -1,0 +1,144 @@
+"""The packets: as published, and out of damaged streams."""
+
+import re
+from itertools import pairwise
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from hardware.arm import protocol
+from hardware.arm.protocol import Hello, PacketReader, Sample
+from tests.hardware.speaking_arm import hello_packet, packet, sample_packet
+
+
+def published_examples() -> list[bytes]:
+    assert protocol.__doc__ is not None
+    blocks = re.findall(r"::\n\n((?:    [0-9A-F ]+\n)+)", protocol.__doc__)
+    return [bytes.fromhex(block.replace("\n", " ")) for block in blocks]
+
+
+def test_the_published_sample_is_what_it_says() -> None:
+    example = published_examples()[0]
+    counts = [0, 1, -1, 4194304, -2097152, 123456]
+    assert example == sample_packet(258, 1_000_000_000, 1, counts)
+    assert PacketReader().feed(example) == [Sample(258, 1_000_000_000, 1, tuple(counts))]
+
+
+def test_the_published_hello_is_what_it_says() -> None:
+    hello = Hello(1000.0, (8388608,) * 6, "Sample arm", "SA-0042", "1.4.0")
+    assert PacketReader().feed(published_examples()[1]) == [hello]
+
+
+def test_the_published_request_is_what_is_sent() -> None:
+    assert published_examples()[2] == protocol.HELLO_REQUEST == packet(0x81, b"")
+
+
+def test_a_hello_of_seven_joints() -> None:
+    found = PacketReader().feed(hello_packet([9] * 7, 250.5, "Ärmel", "7"))
+    assert found == [Hello(250.5, (9,) * 7, "Ärmel", "7", "1.0")]
+
+
+def test_an_unknown_type_is_passed_by_silently() -> None:
+    reader = PacketReader()
+    sample = sample_packet(1, 2, 0, [0] * 6)
+    assert len(reader.feed(sample + packet(0x33, b"abc") + sample)) == 2
+    assert reader.corrupt == 0
+
+
+def test_another_version_is_noticed() -> None:
+    reader = PacketReader()
+    assert reader.feed(packet(1, b"who knows", version=2)) == []
+    assert reader.other_version == 2
+
+
+def test_damage_is_counted_once_a_stretch_and_not_before_the_first_packet() -> None:
+    reader = PacketReader()
+    sample = sample_packet(1, 2, 0, [0] * 6)
+    bad = sample[:20] + bytes([sample[20] ^ 1]) + sample[21:]
+    assert len(reader.feed(b"noise" + bad + sample)) == 1
+    assert reader.corrupt == 0
+    assert len(reader.feed(bad + b"noise" + bad + sample)) == 1
+    assert reader.corrupt == 1
+    assert len(reader.feed(sample + bad + sample)) == 2
+    assert reader.corrupt == 2
+
+
+@pytest.mark.parametrize("kind", [1, 2])
+def test_a_good_crc_around_a_wrong_length_is_no_packet(kind: int) -> None:
+    reader = PacketReader()
+    sample = sample_packet(1, 2, 0, [0] * 6)
+    for length in (0, 4, 13, 14, 37, 69, 255):
+        assert reader.feed(packet(kind, bytes([6] * length))) == []
+    assert reader.feed(sample) == [Sample(1, 2, 0, (0,) * 6)]
+
+
+def test_a_false_start_does_not_delay_the_packet_behind_it() -> None:
+    reader = PacketReader()
+    false_start = bytes.fromhex("A7 5C 01 01 FF")
+    assert len(reader.feed(false_start + sample_packet(1, 2, 0, [0] * 6))) == 1
+
+
+samples = st.builds(
+    lambda sequence, device_us, buttons, counts: (sequence, device_us, buttons, counts),
+    st.integers(0, (1 << 32) - 1),
+    st.integers(0, (1 << 64) - 1),
+    st.integers(0, 7),
+    st.integers(6, 7).flatmap(
+        lambda n: st.lists(st.integers(-(1 << 31), (1 << 31) - 1), min_size=n, max_size=n)
+    ),
+)
+sync_rich = st.one_of(
+    st.binary(max_size=60),
+    st.lists(st.sampled_from([0xA7, 0x5C, 0x01, 0x02, 0x26]), max_size=60).map(bytes),
+)
+
+
+def feed_in_pieces(reader: PacketReader, stream: bytes, cuts: list[int]) -> list[Sample | Hello]:
+    edges = sorted({cut % (len(stream) + 1) for cut in cuts} | {0, len(stream)})
+    found: list[Sample | Hello] = []
+    for start, end in pairwise(edges):
+        found += reader.feed(stream[start:end])
+    return found
+
+
+@given(st.lists(st.tuples(sync_rich, samples), max_size=12), st.lists(st.integers(0, 9999)))
+def test_every_intact_packet_is_found_in_noise(
+    parts: list[tuple[bytes, tuple[int, int, int, list[int]]]], cuts: list[int]
+) -> None:
+    stream = b"".join(noise + sample_packet(*sample) for noise, sample in parts)
+    expected = [Sample(s, t, b, tuple(c)) for _, (s, t, b, c) in parts]
+    assert feed_in_pieces(PacketReader(), stream, cuts) == expected
+
+
+@given(samples, samples, st.data())
+def test_a_packet_cut_at_any_byte_costs_only_itself(
+    first: tuple[int, int, int, list[int]],
+    second: tuple[int, int, int, list[int]],
+    data: st.DataObject,
+) -> None:
+    whole = sample_packet(*first)
+    kept = data.draw(st.integers(0, len(whole) - 1))
+    from_its_end = data.draw(st.booleans())
+    cut = whole[len(whole) - kept :] if from_its_end else whole[:kept]
+    s, t, b, c = second
+    stream = sample_packet(*first) + cut + sample_packet(*second)
+    reader = PacketReader()
+    assert feed_in_pieces(reader, stream, [len(whole) + 3])[1:] == [Sample(s, t, b, tuple(c))]
+    assert reader.corrupt == (1 if kept else 0)
+
+
+@given(st.binary(max_size=2000), st.lists(st.integers(0, 9999)))
+def test_noise_alone_never_fails_nor_piles_up(noise: bytes, cuts: list[int]) -> None:
+    reader = PacketReader()
+    assert feed_in_pieces(reader, noise, cuts) == []
+    assert reader.received_bytes == len(noise)
+
+
+@given(samples, st.integers(0, 50), st.integers(1, 255))
+def test_any_changed_byte_is_noticed(
+    sample: tuple[int, int, int, list[int]], at: int, change: int
+) -> None:
+    whole = bytearray(sample_packet(*sample))
+    whole[at % len(whole)] ^= change
+    assert PacketReader().feed(bytes(whole)) == []

@@ -1,0 +1,347 @@
+"""The camera drivers on pictures that the tests make: files, a folder, a network stream."""
+
+import socket
+import threading
+import time
+from collections.abc import Iterator
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from hardware.errors import DeviceError
+from hardware.interfaces import SensorDriver
+from hardware.sensor import folder, opencv_camera
+from hardware.sensor.grey import to_grey
+from tests.hardware.conformance import SensorBench, SensorConformance, next_frame
+
+WIDTH, HEIGHT, PICTURES, RATE_HZ = 160, 128, 7, 60.0
+
+
+def picture(index: int) -> NDArray[np.uint8]:
+    """A noise picture that differs from all others."""
+    return np.random.default_rng(index).integers(0, 256, (HEIGHT, WIDTH), dtype=np.uint8)
+
+
+def write_video(path: Path, codec: str) -> None:
+    writer = cv2.VideoWriter(
+        str(path), cv2.VideoWriter_fourcc(*codec), RATE_HZ, (WIDTH, HEIGHT), isColor=False
+    )
+    assert writer.isOpened()
+    for index in range(PICTURES):
+        writer.write(picture(index))
+    writer.release()
+
+
+def write_folder(path: Path) -> None:
+    path.mkdir()
+    for index in range(PICTURES):
+        cv2.imwrite(str(path / f"{index}.png"), picture(index))
+
+
+class PathBench(SensorBench):
+    """Unplugging a recording takes it away."""
+
+    def __init__(self, path: Path, driver: SensorDriver) -> None:
+        self._path = path
+        self._away = path.with_name("away")
+        self._driver = driver
+
+    def driver(self) -> SensorDriver:
+        return self._driver
+
+    def unplug(self) -> None:
+        self._path.rename(self._away)
+
+    def plug_in(self) -> None:
+        self._away.rename(self._path)
+
+
+@pytest.mark.parametrize("codec", ["FFV1", "MJPG"], scope="class")
+class TestVideoFile(SensorConformance):
+    @pytest.fixture
+    def bench(self, tmp_path: Path, codec: str) -> Iterator[SensorBench]:
+        path = tmp_path / "block.avi"
+        write_video(path, codec)
+        driver = opencv_camera.from_options({"source": str(path), "loop": True})
+        yield PathBench(path, driver)
+        driver.close()
+
+
+class TestFolder(SensorConformance):
+    @pytest.fixture
+    def bench(self, tmp_path: Path) -> Iterator[SensorBench]:
+        path = tmp_path / "block"
+        write_folder(path)
+        driver = folder.from_options({"path": str(path), "rate_hz": RATE_HZ})
+        yield PathBench(path, driver)
+        driver.close()
+
+
+class MjpegServer:
+    """A network camera: motion JPEG over HTTP."""
+
+    def __init__(self) -> None:
+        self.connected = threading.Semaphore(0)
+        self._port = 0
+        self._server: ThreadingHTTPServer | None = None
+        self._running = threading.Event()
+        self.plug_in()
+        self.url = f"http://127.0.0.1:{self._port}/video.mjpg"
+
+    def plug_in(self) -> None:
+        running = self._running = threading.Event()
+        running.set()
+
+        class Handler(BaseHTTPRequestHandler):
+            def do_GET(self) -> None:
+                self.send_response(200)
+                self.send_header("Content-Type", "multipart/x-mixed-replace; boundary=next")
+                self.end_headers()
+                index = 0
+                while running.is_set():
+                    ok, jpeg = cv2.imencode(".jpg", picture(index % PICTURES))
+                    assert ok
+                    head = f"--next\r\nContent-Type: image/jpeg\r\nContent-Length: {len(jpeg)}"
+                    try:
+                        self.wfile.write(head.encode() + b"\r\n\r\n" + jpeg.tobytes() + b"\r\n")
+                    except OSError:
+                        return
+                    index += 1
+                    time.sleep(1 / RATE_HZ)
+                self.connection.shutdown(socket.SHUT_RDWR)
+
+            def log_message(self, *_: object) -> None:
+                """The test's output stays clean."""
+
+        self._server = ThreadingHTTPServer(("127.0.0.1", self._port), Handler)
+        self._server.daemon_threads = True
+        self._port = self._server.server_address[1]
+        threading.Thread(target=self._server.serve_forever, args=(0.05,), daemon=True).start()
+
+    def unplug(self) -> None:
+        self._running.clear()
+        server, self._server = self._server, None
+        if server is not None:
+            server.shutdown()
+            server.server_close()
+
+
+class StreamBench(SensorBench):
+    def __init__(self, server: MjpegServer, driver: SensorDriver) -> None:
+        self._server = server
+        self._driver = driver
+
+    def driver(self) -> SensorDriver:
+        return self._driver
+
+    def unplug(self) -> None:
+        self._server.unplug()
+
+    def plug_in(self) -> None:
+        self._server.plug_in()
+
+
+class TestNetworkStream(SensorConformance):
+    @pytest.fixture
+    def bench(self) -> Iterator[SensorBench]:
+        server = MjpegServer()
+        driver = opencv_camera.from_options({"source": server.url})
+        yield StreamBench(server, driver)
+        driver.close()
+        server.unplug()
+
+
+def shown(driver: SensorDriver, count: int) -> list[NDArray[np.uint8] | NDArray[np.uint16]]:
+    return [next_frame(driver).image for _ in range(count)]
+
+
+def test_a_lossless_video_arrives_unchanged_and_in_order(tmp_path: Path) -> None:
+    write_video(tmp_path / "v.avi", "FFV1")
+    driver = opencv_camera.from_options({"source": str(tmp_path / "v.avi"), "loop": True})
+    driver.open()
+    images = shown(driver, 2 * PICTURES)
+    driver.close()
+    for index, image in enumerate(images):
+        np.testing.assert_array_equal(image, picture(index % PICTURES))
+
+
+def test_a_video_is_stamped_at_its_own_rate(tmp_path: Path) -> None:
+    write_video(tmp_path / "v.avi", "FFV1")
+    driver = opencv_camera.from_options({"source": str(tmp_path / "v.avi")})
+    driver.open()
+    stamps = [next_frame(driver).mid_exposure_ns for _ in range(PICTURES)]
+    driver.close()
+    np.testing.assert_allclose(np.diff(stamps), 1e9 / RATE_HZ, atol=2)
+
+
+def test_after_the_last_picture_comes_none(tmp_path: Path) -> None:
+    write_video(tmp_path / "v.avi", "FFV1")
+    write_folder(tmp_path / "f")
+    for driver in (
+        opencv_camera.from_options({"source": str(tmp_path / "v.avi")}),
+        folder.from_options({"path": str(tmp_path / "f"), "loop": False, "rate_hz": 100.0}),
+    ):
+        driver.open()
+        assert len(shown(driver, PICTURES)) == PICTURES
+        assert driver.read(0.1) is None
+        assert driver.read(0.1) is None
+        driver.close()
+
+
+def test_a_slow_reader_of_a_recording_misses_nothing(tmp_path: Path) -> None:
+    write_folder(tmp_path / "f")
+    driver = folder.from_options({"path": str(tmp_path / "f"), "loop": False, "rate_hz": 500.0})
+    driver.open()
+    frames = []
+    for _ in range(PICTURES):
+        time.sleep(0.05)
+        frames.append(next_frame(driver))
+    assert [f.sequence for f in frames] == list(range(PICTURES))
+    assert driver.health.lost == 0
+    driver.close()
+
+
+def test_a_slow_reader_of_a_camera_gets_fresh_pictures_and_the_loss_is_counted() -> None:
+    server = MjpegServer()
+    driver = opencv_camera.from_options({"source": server.url})
+    driver.open()
+    time.sleep(0.5)
+    asked_ns = time.monotonic_ns()
+    frames = [next_frame(driver) for _ in range(6)]
+    assert frames[0].sequence > 0
+    assert frames[0].sequence <= driver.health.lost
+    assert asked_ns - frames[0].mid_exposure_ns < 10 / RATE_HZ * 1e9
+    driver.close()
+    server.unplug()
+
+
+def test_latency_and_half_the_exposure_come_off_the_stamp() -> None:
+    server = MjpegServer()
+    driver = opencv_camera.from_options({"source": server.url, "latency_us": 400_000.0})
+    driver.open()
+    for _ in range(5):
+        frame = next_frame(driver)
+    assert time.monotonic_ns() - frame.mid_exposure_ns >= 400_000_000
+    driver.close()
+    server.unplug()
+
+
+def test_names_are_sorted_as_numbers(tmp_path: Path) -> None:
+    for index in (10, 9, 100):
+        cv2.imwrite(str(tmp_path / f"image_{index}.bmp"), np.full((4, 6), index, np.uint8))
+    driver = folder.from_options({"path": str(tmp_path), "rate_hz": 200.0})
+    driver.open()
+    assert [int(image[0, 0]) for image in shown(driver, 4)] == [9, 10, 100, 9]
+    driver.close()
+
+
+def test_sixteen_bits_stay_sixteen(tmp_path: Path) -> None:
+    image = np.arange(48, dtype=np.uint16).reshape(6, 8) * 1000
+    for suffix in ("png", "tif"):
+        cv2.imwrite(str(tmp_path / f"a.{suffix}"), image)
+    driver = folder.from_options({"path": str(tmp_path), "rate_hz": 200.0})
+    driver.open()
+    for got in shown(driver, 2):
+        assert got.dtype == np.uint16
+        np.testing.assert_array_equal(got, image)
+    driver.close()
+
+
+def test_a_folder_says_which_picture_is_wrong(tmp_path: Path) -> None:
+    write_folder(tmp_path / "f")
+    (tmp_path / "f" / "3.png").write_bytes(b"no picture")
+    driver = folder.from_options({"path": str(tmp_path / "f"), "rate_hz": 200.0})
+    driver.open()
+    shown(driver, 3)
+    with pytest.raises(DeviceError, match=r"3\.png cannot be read"):
+        driver.read(5.0)
+    cv2.imwrite(str(tmp_path / "f" / "3.png"), picture(0)[:, :50])
+    driver.open()
+    shown(driver, 3)
+    with pytest.raises(DeviceError, match="from 160 × 128 to 50 × 128 pixels"):
+        driver.read(5.0)
+    (tmp_path / "g").mkdir()
+    cv2.imwrite(str(tmp_path / "g" / "0.tif"), picture(0).astype(np.float32))
+    with pytest.raises(DeviceError, match=r"0\.tif is of float32 numbers"):
+        folder.from_options({"path": str(tmp_path / "g")}).open()
+
+
+def test_an_empty_or_missing_source_is_named(tmp_path: Path) -> None:
+    with pytest.raises(DeviceError, match="no picture in the folder"):
+        folder.from_options({"path": str(tmp_path)}).open()
+    with pytest.raises(DeviceError, match="There is no folder"):
+        folder.from_options({"path": str(tmp_path / "x")}).open()
+    with pytest.raises(DeviceError, match="There is no video file"):
+        opencv_camera.from_options({"source": str(tmp_path / "x.avi")}).open()
+    (tmp_path / "x.avi").write_bytes(bytes(1000))
+    with pytest.raises(DeviceError, match="cannot be played"):
+        opencv_camera.from_options({"source": str(tmp_path / "x.avi")}).open()
+    with pytest.raises(DeviceError, match="The camera 61 cannot be opened"):
+        opencv_camera.from_options({"source": 61}).open()
+    with pytest.raises(DeviceError, match=r"The video stream .* cannot be opened"):
+        opencv_camera.from_options({"source": "http://127.0.0.1:9/x"}).open()
+
+
+def test_a_size_is_not_set_of_a_file(tmp_path: Path) -> None:
+    write_video(tmp_path / "v.avi", "FFV1")
+    driver = opencv_camera.from_options({"source": str(tmp_path / "v.avi"), "width_px": 640})
+    with pytest.raises(DeviceError, match="width_px cannot be set of a video file"):
+        driver.open()
+
+
+def test_a_size_that_the_camera_has_not_is_refused() -> None:
+    server = MjpegServer()
+    driver = opencv_camera.from_options({"source": server.url, "width_px": 640})
+    with pytest.raises(DeviceError, match="cannot do width_px = 640; it offers 160"):
+        driver.open()
+    driver = opencv_camera.from_options({"source": server.url, "exposure_us": 2000.0})
+    with pytest.raises(DeviceError, match="does not take an exposure"):
+        driver.open()
+    server.unplug()
+
+
+def test_a_truncated_video_plays_to_its_cut(tmp_path: Path) -> None:
+    write_video(tmp_path / "whole.avi", "MJPG")
+    whole = (tmp_path / "whole.avi").read_bytes()
+    (tmp_path / "cut.avi").write_bytes(whole[: len(whole) // 2])
+    driver = opencv_camera.from_options({"source": str(tmp_path / "cut.avi")})
+    driver.open()
+    while driver.read(0.5) is not None:
+        pass
+    assert 0 < driver.health.received < PICTURES
+    driver.close()
+
+
+def test_every_layout_of_a_camera_gives_its_luma() -> None:
+    grey = picture(1)
+    chroma = np.full_like(grey, 128)
+    jpeg = cv2.imencode(".jpg", grey)[1].reshape(1, -1)
+    planar = np.vstack([grey, chroma[: HEIGHT // 2]])
+    for raw in (grey, np.dstack([grey, chroma]), np.dstack([grey] * 3), planar):
+        got = to_grey(raw, HEIGHT)
+        assert got is not None
+        assert got.dtype == np.uint8
+        np.testing.assert_array_equal(got, grey)
+    deep = grey.astype(np.uint16) * 257
+    got = to_grey(deep, HEIGHT)
+    assert got is not None
+    assert got.dtype == np.uint16
+    np.testing.assert_array_equal(got, deep)
+    got = to_grey(jpeg, HEIGHT)
+    assert got is not None
+    np.testing.assert_array_equal(got, cv2.imdecode(jpeg, cv2.IMREAD_GRAYSCALE))
+    assert to_grey(np.zeros((1, 50), np.uint8), HEIGHT) is None
+
+
+@pytest.mark.parametrize("exposure_us", [1.0, 149.0, 2000.0, 20_000.0])
+def test_exposures_are_set_in_the_systems_own_units(exposure_us: float) -> None:
+    steps, actual_us = opencv_camera.exposure_setting("V4L2", exposure_us)
+    assert actual_us == 100 * steps
+    assert abs(actual_us - exposure_us) <= 99
+    power, actual_us = opencv_camera.exposure_setting("MSMF", exposure_us)
+    assert actual_us == pytest.approx(1e6 * 2**power)
+    assert 0.70 < actual_us / exposure_us < 1.42
