@@ -1,11 +1,27 @@
 import type { FaceProgress } from "../api/types";
 import { CheckIcon } from "../parts/icons";
-import { figures } from "../parts/format";
+import { figures, plural } from "../parts/format";
 import styles from "./FaceChips.module.css";
 
 interface FaceChipsProps {
   faces: FaceProgress[];
   onSelect: (face: string) => void;
+}
+
+/** "Crests (top)": the hint in brackets gives way where there is no room. */
+function Name({ title }: { title: string }) {
+  const [name, hint] = title.split(" (");
+  return (
+    <span>
+      {name}
+      {hint && <span className={styles.hint}> ({hint}</span>}
+    </span>
+  );
+}
+
+function count({ taken, wanted }: FaceProgress): string {
+  if (wanted > 0) return `${taken} of ${wanted}`;
+  return taken > 0 ? plural(taken, "point") : "not needed";
 }
 
 /** The faces to touch, each with its count; the way to choose one by glove or by key. */
@@ -21,11 +37,11 @@ export function FaceChips({ faces, onSelect }: FaceChipsProps) {
           onClick={() => onSelect(face.face)}
         >
           <span className={styles.title}>
-            {face.title}
-            {face.taken >= face.wanted && <CheckIcon size="1rem" />}
+            <Name title={face.title} />
+            {face.wanted > 0 && face.taken >= face.wanted && <CheckIcon size="1rem" />}
           </span>
           <span className={styles.count}>
-            {face.taken} of {face.wanted}
+            {count(face)}
             {face.rms_um !== null && <span className={styles.rms}>{figures(face.rms_um)} µm rms</span>}
           </span>
         </button>

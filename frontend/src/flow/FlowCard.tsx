@@ -1,7 +1,7 @@
 import { useEffect, useRef } from "react";
 
 import { sendFlow } from "../api/commands";
-import type { FlowView } from "../api/types";
+import type { FlowView, LiveNumber, Picture } from "../api/types";
 import { Actions } from "../parts/Actions";
 import { BigNumber } from "../parts/BigNumber";
 import { CardHead } from "../parts/CardHead";
@@ -9,6 +9,12 @@ import { Findings } from "../parts/Findings";
 import { Busy, Progress } from "../parts/Progress";
 import { StepDots } from "./StepDots";
 import { Verdict } from "./Verdict";
+
+/** The verdict stands in its own place; the number does not repeat it. */
+function withoutEcho(number: LiveNumber, picture: Picture): LiveNumber {
+  const echo = picture.kind === "result" && number.note === picture.result.verdict_text;
+  return echo ? { ...number, note: "" } : number;
+}
 
 /** What to do in this step: the server's words, number, progress and allowed acts. */
 export function FlowCard({ view }: { view: FlowView }) {
@@ -27,7 +33,7 @@ export function FlowCard({ view }: { view: FlowView }) {
       <StepDots view={view} />
       <CardHead title={view.title} text={view.instruction} ref={heading} />
       {view.picture.kind === "result" && <Verdict result={view.picture.result} />}
-      {view.number && <BigNumber number={view.number} />}
+      {view.number && <BigNumber number={withoutEcho(view.number, view.picture)} />}
       {view.progress && <Progress {...view.progress} />}
       {view.busy && <Busy key={view.busy.text} {...view.busy} />}
       <Actions actions={view.actions} onAct={(action) => sendFlow(action.name, action.args)} />

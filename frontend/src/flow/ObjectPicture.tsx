@@ -1,7 +1,7 @@
 import { useState } from "react";
 
 import { sendFlow } from "../api/commands";
-import type { Picture, TouchedPoint } from "../api/types";
+import type { FaceProgress, Picture, TouchedPoint, Vec3 } from "../api/types";
 import { BlockDrawing } from "../object/BlockDrawing";
 import { scaleEnd } from "../object/residuals";
 import { Suggestions, Touches } from "../object/Touches";
@@ -11,6 +11,17 @@ import { PointPanel } from "./PointPanel";
 import { ResidualLegend } from "./ResidualLegend";
 
 type ObjectView = Extract<Picture, { kind: "object" }>;
+
+/** The suggested places without those that a point lies nearest to. */
+function stillToTouch(face: FaceProgress, points: TouchedPoint[]): Vec3[] {
+  const left = [...face.suggested_mm];
+  for (const { at_mm, face: touched, outlier } of points) {
+    if (!at_mm || outlier || touched !== face.face || left.length === 0) continue;
+    const far = left.map((place) => Math.hypot(...place.map((x, i) => x - (at_mm[i] ?? 0))));
+    left.splice(far.indexOf(Math.min(...far)), 1);
+  }
+  return left;
+}
 
 /** Where to touch, and how well each touch fits. */
 export function ObjectPicture({ picture }: { picture: ObjectView }) {
@@ -25,7 +36,7 @@ export function ObjectPicture({ picture }: { picture: ObjectView }) {
       <BlockDrawing block={block} face={selected?.face ?? null} onFace={select} label="The object">
         {(view) => (
           <>
-            {selected && <Suggestions view={view} face={selected.face} places={selected.suggested_mm} />}
+            {selected && <Suggestions view={view} face={selected.face} places={stillToTouch(selected, points)} />}
             <Touches
               view={view}
               block={block}

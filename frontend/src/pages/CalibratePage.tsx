@@ -10,7 +10,8 @@ import { useLive } from "../state/store";
 
 export function CalibratePage() {
   const view = useLive((s) => s.flow);
-  if (!view?.running) return <NotStarted />;
+  const over = view && !view.running && view.actions.length === 0;
+  if (!view || over) return <NotStarted />;
   return (
     <Layout
       picture={

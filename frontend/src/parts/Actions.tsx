@@ -1,31 +1,45 @@
-import { Modal } from "@mantine/core";
-import { useId, useState } from "react";
+import { useId } from "react";
 
 import type { Action } from "../api/types";
+import { ActionButton } from "./ActionButton";
 import styles from "./Actions.module.css";
-import { PressButton } from "./PressButton";
+import { bound } from "./format";
 
 interface ActionsProps {
   actions: Action[];
   onAct: (action: Action) => Promise<void>;
 }
 
-/** What may be done now: one primary act, the others below; a disabled one says why beside it. */
+/** What may be done now: one primary act, the others below; disabled ones say why beside them. */
 export function Actions({ actions, onAct }: ActionsProps) {
+  const id = useId();
   const primary = actions.filter((action) => action.primary);
   const others = actions.filter((action) => !action.primary);
+  const told = new Set(primary.map((action) => action.why_not));
+  const reasons = reasonsOf(others).filter(({ why }) => !told.has(why));
+  const idOf = (why: string) => {
+    const i = reasons.findIndex((reason) => reason.why === why);
+    return i < 0 ? undefined : `${id}${i}`;
+  };
   return (
     <div className={styles.actions}>
       {primary.map((action) => (
-        <ActionButton key={keyOf(action)} action={action} onAct={onAct} />
+        <div key={keyOf(action)} className={styles.primary}>
+          <ActionButton action={action} onAct={onAct} />
+        </div>
       ))}
       {others.length > 0 && (
         <div className={styles.others}>
           {others.map((action) => (
-            <ActionButton key={keyOf(action)} action={action} onAct={onAct} />
+            <ActionButton key={keyOf(action)} action={action} onAct={onAct} describedBy={idOf(action.why_not)} />
           ))}
         </div>
       )}
+      {reasons.map(({ why, labels }, i) => (
+        <p key={why} id={`${id}${i}`} className={styles.why}>
+          <strong>{labels.join(", ")}:</strong> {bound(why)}
+        </p>
+      ))}
     </div>
   );
 }
@@ -34,52 +48,16 @@ function keyOf(action: Action): string {
   return action.name + JSON.stringify(action.args);
 }
 
-function ActionButton({ action, onAct }: { action: Action; onAct: (action: Action) => Promise<void> }) {
-  const [asking, setAsking] = useState(false);
-  const whyId = useId();
-  const why = action.enabled ? "" : action.why_not;
-  return (
-    <div className={styles.action} data-primary={action.primary || undefined} data-why={why ? true : undefined}>
-      <PressButton
-        kind={action.primary ? "primary" : "secondary"}
-        disabled={!action.enabled}
-        describedBy={why ? whyId : undefined}
-        onPress={() => (action.confirm ? setAsking(true) : onAct(action))}
-      >
-        {action.label}
-      </PressButton>
-      {why && (
-        <p id={whyId} className={styles.why}>
-          {why}
-        </p>
-      )}
-      <Question action={action} opened={asking} onClose={() => setAsking(false)} onAct={onAct} />
-    </div>
-  );
+interface Reason {
+  why: string;
+  labels: string[];
 }
 
-interface QuestionProps {
-  action: Action;
-  opened: boolean;
-  onClose: () => void;
-  onAct: (action: Action) => Promise<void>;
-}
-
-/** Asked before the act, never after; the harmless answer has the focus. */
-function Question({ action, opened, onClose, onAct }: QuestionProps) {
-  const agree = async () => {
-    onClose();
-    await onAct(action);
-  };
-  return (
-    <Modal opened={opened} onClose={onClose} title={action.label} centered radius="md" size="md">
-      <p className={styles.question}>{action.confirm}</p>
-      <div className={styles.answers}>
-        <button type="button" className={styles.keep} data-autofocus onClick={onClose}>
-          No, keep it
-        </button>
-        <PressButton onPress={agree}>{action.label}</PressButton>
-      </div>
-    </Modal>
-  );
+/** Each reason once, with the acts that it holds back. */
+function reasonsOf(actions: Action[]): Reason[] {
+  const reasons = new Map<string, string[]>();
+  for (const { enabled, why_not, label } of actions) {
+    if (!enabled && why_not) reasons.set(why_not, [...(reasons.get(why_not) ?? []), label]);
+  }
+  return Array.from(reasons, ([why, labels]) => ({ why, labels }));
 }

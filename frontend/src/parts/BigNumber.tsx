@@ -16,7 +16,7 @@ export function BigNumber({ number }: { number: LiveNumber }) {
       </div>
       <div className={styles.value}>
         {shown}
-        <span className={styles.unit}>{number.unit}</span>
+        {number.value !== null && <span className={styles.unit}>{number.unit}</span>}
       </div>
       <div className={styles.note}>{live ? number.note : `${age(silent_s)} old`}</div>
     </div>

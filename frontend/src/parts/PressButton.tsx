@@ -1,14 +1,16 @@
-import { type ReactNode, useEffect, useRef, useState } from "react";
+import { type ReactNode, useEffect, useId, useRef, useState } from "react";
 
 import { useElapsed } from "../state/freshness";
-import { figures } from "./format";
+import { bound, figures } from "./format";
 import styles from "./PressButton.module.css";
 
 interface PressButtonProps {
   children: ReactNode;
   onPress: () => Promise<void> | void;
-  kind?: "primary" | "secondary";
+  kind?: "primary" | "secondary" | "quiet";
   disabled?: boolean;
+  /** Why it is disabled, said on the button itself. */
+  why?: string;
   describedBy?: string | undefined;
 }
 
@@ -22,7 +24,10 @@ const pause = (ms: number) => new Promise<void>((resolve) => setTimeout(resolve,
  * just come under the finger, silent under a held Enter, and counting the seconds while its
  * answer is awaited.
  */
-export function PressButton({ children, onPress, kind = "secondary", disabled = false, describedBy }: PressButtonProps) {
+export function PressButton(props: PressButtonProps) {
+  const { children, onPress, kind = "secondary", disabled = false, why = "", describedBy } = props;
+  const whyId = useId();
+  const labelId = useId();
   const [waiting, setWaiting] = useState(true);
   const [asked, setAsked] = useState(false);
   const busy = useRef(true);
@@ -54,11 +59,19 @@ export function PressButton({ children, onPress, kind = "secondary", disabled = 
       data-kind={kind}
       data-off={disabled || undefined}
       aria-disabled={disabled || waiting || undefined}
-      aria-describedby={describedBy}
+      aria-labelledby={why ? labelId : undefined}
+      aria-describedby={why ? whyId : describedBy}
       onClick={() => void press()}
       onKeyDown={(event) => event.repeat && event.preventDefault()}
     >
-      {children}
+      <span id={labelId} className={styles.label}>
+        {children}
+      </span>
+      {why && (
+        <span id={whyId} className={styles.why}>
+          {bound(why)}
+        </span>
+      )}
       {elapsed_s > 0.6 && <span className={styles.wait}>{figures(elapsed_s, 0)} s</span>}
     </button>
   );

@@ -1,0 +1,33 @@
+import { useState } from "react";
+
+import type { Action } from "../api/types";
+import { PressButton } from "./PressButton";
+import { Question } from "./Question";
+
+interface ActionButtonProps {
+  action: Action;
+  onAct: (action: Action) => Promise<void>;
+  describedBy?: string | undefined;
+}
+
+/** One act. A large one carries its own reason; one that asks first is drawn quietly. */
+export function ActionButton({ action, onAct, describedBy }: ActionButtonProps) {
+  const [asking, setAsking] = useState(false);
+  const quiet = action.confirm ? "quiet" : "secondary";
+  return (
+    <>
+      <PressButton
+        kind={action.primary ? "primary" : quiet}
+        disabled={!action.enabled}
+        why={action.primary && !action.enabled ? action.why_not : ""}
+        describedBy={describedBy}
+        onPress={() => (action.confirm ? setAsking(true) : onAct(action))}
+      >
+        {action.label}
+      </PressButton>
+      {action.confirm && (
+        <Question action={action} opened={asking} onClose={() => setAsking(false)} onAct={onAct} />
+      )}
+    </>
+  );
+}

@@ -1,0 +1,31 @@
+import { Modal } from "@mantine/core";
+
+import type { Action } from "../api/types";
+import { PressButton } from "./PressButton";
+import styles from "./Question.module.css";
+
+interface QuestionProps {
+  action: Action;
+  opened: boolean;
+  onClose: () => void;
+  onAct: (action: Action) => Promise<void>;
+}
+
+/** Asked before the act, never after; the harmless answer has the focus. */
+export function Question({ action, opened, onClose, onAct }: QuestionProps) {
+  const agree = async () => {
+    onClose();
+    await onAct(action);
+  };
+  return (
+    <Modal opened={opened} onClose={onClose} withCloseButton={false} centered radius="md" size="md" aria-label={action.label}>
+      <p className={styles.question}>{action.confirm}</p>
+      <div className={styles.answers}>
+        <button type="button" className={styles.no} data-autofocus onClick={onClose}>
+          No, go on
+        </button>
+        <PressButton onPress={agree}>{action.label}</PressButton>
+      </div>
+    </Modal>
+  );
+}
