@@ -2,15 +2,18 @@ import type { ReactNode } from "react";
 
 import styles from "./Layout.module.css";
 
-/** The picture says where, the card says what: two thirds and one third. */
+/**
+ * The picture says where, the card says what: two thirds and one third.
+ * The card comes first for the keyboard, so that its acts are not behind every dot.
+ */
 export function Layout({ picture, card }: { picture: ReactNode; card: ReactNode }) {
   return (
     <main className={styles.main}>
-      <section className={styles.picture} aria-label="Picture">
-        {picture}
-      </section>
       <section className={styles.card} aria-label="What to do">
         {card}
+      </section>
+      <section className={styles.picture} aria-label="Picture">
+        {picture}
       </section>
     </main>
   );

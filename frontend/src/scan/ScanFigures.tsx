@@ -1,12 +1,14 @@
 import type { ScanState } from "../api/types";
 import { QualityMark } from "../parts/QualityMark";
 import { duration, figures } from "../parts/format";
+import { useLive } from "../state/store";
 import styles from "./ScanFigures.module.css";
 
 /** How fast, how long, and what was lost. */
 export function ScanFigures({ scan }: { scan: ScanState }) {
+  const live = useLive((s) => s.connection === "live");
   return (
-    <dl className={styles.figures}>
+    <dl className={styles.figures} data-stale={!live || undefined}>
       <Figure label="Rate" value={`${figures(scan.rate_points_s)} points/s`} />
       <Figure label="Time" value={duration(scan.seconds)} />
       <Figure label="Pictures" value={figures(scan.frames)} />
