@@ -137,7 +137,7 @@ class _Camera(Source):
         self._latency_ns = round(options.latency_us * 1000)
         self._exposure_us = 0.0
         self._last_ns = 0
-        self.name = str(options.source)
+        self.name, self.serial_number = usb_identity(options.source)
         self._capture = _open_live(options.source, self._title)
         self._backend = self._capture.getBackendName()
         try:
@@ -223,6 +223,18 @@ def exposure_setting(backend: str, exposure_us: float) -> tuple[float, float]:
     return float(power), 1e6 * 2.0**power
 
 
+def usb_identity(
+    source: int | str, classes: Path = Path("/sys/class/video4linux")
+) -> tuple[str, str]:
+    """Name and serial number of a camera, where Linux knows them; else the source, and ""."""
+    node = f"video{source}" if isinstance(source, int) else Path(source).resolve().name
+    name, serial_number = classes / node / "name", classes / node / "device" / ".." / "serial"
+    return (
+        name.read_text().strip() if name.is_file() else str(source),
+        serial_number.read_text().strip() if serial_number.is_file() else "",
+    )
+
+
 def _is_file(source: int | str) -> bool:
     return isinstance(source, str) and "://" not in source and not source.startswith("/dev/")
 
@@ -235,6 +247,8 @@ def _title(source: int | str) -> str:
 
 
 def _open_live(source: int | str, title: str) -> cv2.VideoCapture:
+    # A camera that is away is tried again and again; OpenCV would warn each time.
+    cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_ERROR)
     if isinstance(source, str) and "://" in source:
         timeouts = [cv2.CAP_PROP_OPEN_TIMEOUT_MSEC, _OPEN_MS]
         timeouts += [cv2.CAP_PROP_READ_TIMEOUT_MSEC, _READ_MS]
