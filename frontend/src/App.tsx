@@ -17,9 +17,9 @@ export function App() {
   return (
     <div className={styles.frame}>
       <TopBar page={page} />
-      <Banners />
       <Rail page={page} />
       <Page />
+      <Banners />
       <StatusLine />
     </div>
   );
