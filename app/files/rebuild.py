@@ -142,10 +142,11 @@ class _Job:
             self._working.append(pool.submit(self._seen, number, record))
             if len(self._working) >= window:
                 self._waiting.append(self._working.popleft().result())
-                self._settle(SETTLED_AT_ONCE, self._track.last_ns)
+                if len(self._track) and len(self._waiting) >= SETTLED_AT_ONCE:
+                    self._settle(self._track.last_ns)
                 progress(self._recording.bytes_read / max(self._recording.size, 1), "")
         self._waiting.extend(future.result() for future in self._working)
-        self._settle(1, None)
+        self._settle(None)
         progress(1.0, "")
 
     def result(self) -> Rebuilt:
@@ -177,10 +178,8 @@ class _Job:
         points = sensor_points(self._calibration.camera, self._calibration.plane, uv_px)
         return _Seen(number, record.stamp_ns, points, stripe)
 
-    def _settle(self, least: int, up_to_ns: int | None) -> None:
+    def _settle(self, up_to_ns: int | None) -> None:
         """Places waiting frames once the joints reach past them; None: no more will come."""
-        if len(self._waiting) < least:
-            return
         placed: list[tuple[_Seen, Floats]] = []
         while self._waiting and (up_to_ns is None or self._waiting[0].stamp_ns <= up_to_ns):
             seen = self._waiting.popleft()

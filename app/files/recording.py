@@ -134,18 +134,19 @@ class Recording:
                 else:
                     yield record
                 self.bytes_read = file.tell()
-        except DAMAGE as error:
-            self.cut = self._cut_text(error)
+        except DAMAGE:
+            self.cut = self._cut_text()
 
     def _note_time(self, log_ns: int) -> None:
         self.first_ns = log_ns if self.first_ns is None else min(self.first_ns, log_ns)
         self.last_ns = log_ns if self.last_ns is None else max(self.last_ns, log_ns)
 
-    def _cut_text(self, error: Exception) -> str:
-        ended = isinstance(error, EndOfFile | struct.error)
-        why = "was cut off" if ended else "is damaged"
+    def _cut_text(self) -> str:
         share = 100 * self.bytes_read / max(self.size, 1)
-        text = f"{self.path} {why} after {self.bytes_read} of {self.size} bytes ({share:.0f} %)"
+        text = (
+            f"{self.path} is cut off or damaged after {self.bytes_read} of {self.size} bytes "
+            f"({share:.0f} %)"
+        )
         if self.first_ns is None or self.last_ns is None:
             return text + ", before its first message"
         return text + f"; read up to {(self.last_ns - self.first_ns) / 1e9:.3f} s from its start"

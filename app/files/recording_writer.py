@@ -41,7 +41,8 @@ class RecordingWriter:
         """
         self._names = tuple(joint_names)
         self._sink = _Sink(path)
-        context = Context()
+        # kept: its channels close with it
+        self._context = context = Context()
         options = MCAPWriteOptions(
             compression=MCAPCompression.Lz4, chunk_size=CHUNK_BYTES, profile="crenel"
         )
