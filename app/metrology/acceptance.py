@@ -5,7 +5,9 @@ from numpy.typing import NDArray
 
 from app.metrology.camera import project
 from app.metrology.crenellated import Crenellated
+from app.metrology.edge_strays import stray_edge
 from app.metrology.edge_survey import Survey
+from app.metrology.frames import Floats
 from app.metrology.locate import Search
 from app.metrology.picture import BLURRED, PictureFinding
 from app.metrology.refusal import Refusal
@@ -14,11 +16,17 @@ from app.metrology.visibility import seen
 # An edge that lies this many standard deviations off is not the certificate's.
 _SIGMAS = 5.0
 # What a camera model and an edge's finish may do to a whole edge, over the longer side.
-_MODEL = 0.1 / 1280
+_MODEL = 0.05 / 1280
+# All edges together may lie off by this many standard deviations, root mean square.
+_SIGMAS_TOGETHER = 1.5
+# Pixels of today's sensors are square; by how much a fitted camera may differ.
+_SQUARE = 0.005
 # Of the drawn edges' length, how much must show: faces of equal brightness hide some.
 _LEAST_SHOWN = 0.5
 # Of the points that show, how many must agree with the edge they were looked for on.
 _LEAST_AGREEING = 0.8
+# Share of the edges in the frame that makes the object whole.
+_WHOLE = 0.9
 # Below this support at the small scale nothing like the block was found.
 LEAST_SUPPORT = 0.45
 # Share of straight segments in three perpendicular directions that makes a block.
@@ -39,16 +47,19 @@ def refuse_unusable(findings: list[PictureFinding], clipped: NDArray[np.bool_]) 
             raise Refusal(finding.code, finding.text, "", finding.remedy)
 
 
-def refuse_unfound(found: Search, findings: list[PictureFinding], block: Crenellated) -> Refusal:
+def refuse_bad_picture(findings: list[PictureFinding], consequence: str) -> None:
+    """Refuses a picture that is overexposed or blurred, where that is why a step failed.
+
+    Raises:
+        Refusal: ``image-saturated``, ``image-blurred``.
+    """
+    for finding in findings:
+        if finding.code in ("image-saturated", "image-blurred"):
+            raise Refusal(finding.code, f"{finding.text}: {consequence}", "", finding.remedy)
+
+
+def unfound(found: Search, block: Crenellated) -> Refusal:
     """The refusal for a picture in which no placing of the block matched."""
-    serious = [one for one in findings if one.code != "image-dim"]
-    if serious:
-        return Refusal(
-            serious[0].code,
-            f"the object was not found, and {serious[0].text}",
-            "",
-            serious[0].remedy,
-        )
     if found.segment_count >= 12 and found.explained >= _BLOCK_LIKE:
         return mismatch(block, "no placing of its edges explains those in the picture")
     return Refusal(
@@ -71,8 +82,10 @@ def mismatch(block: Crenellated, why: str) -> Refusal:
     )
 
 
-def mirror_refusal(block: Crenellated) -> Refusal:
+def mirror_refusal(block: Crenellated, share: float) -> Refusal:
     """The refusal for a block that reads the wrong way round."""
+    if share < _WHOLE:
+        return cut_off(block, share, "what it shows reads rather like the object's mirror image")
     return Refusal(
         "object-mirrored",
         f"the merlons of {block.name} read in the mirrored order",
@@ -81,20 +94,25 @@ def mirror_refusal(block: Crenellated) -> Refusal:
     )
 
 
-def ambiguous(block: Crenellated, both_ways: bool, share: float) -> Refusal:
+def ambiguous(block: Crenellated, share: float) -> Refusal:
     """The refusal for a picture that more than one placing explains."""
-    if share < 0.9:
-        return Refusal(
-            "object-cut-off",
-            f"the frame shows only {100 * share:.0f} % of {block.name}'s visible edges",
-            "what it shows could be more than one part of the object",
-            "move the sensor until the whole object is in the picture",
-        )
+    if share < _WHOLE:
+        return cut_off(block, share, "what it shows could be more than one part of the object")
     return Refusal(
         "object-ambiguous",
         f"the picture of {block.name} can be read in more than one way",
-        "its merlons read alike from the front and from the back" if both_ways else "",
+        "its merlons read alike from either side",
         "use an object whose merlons differ in width",
+    )
+
+
+def cut_off(block: Crenellated, share: float, why: str) -> Refusal:
+    """The refusal for a block of which the frame shows too little."""
+    return Refusal(
+        "object-cut-off",
+        f"the frame shows only {100 * share:.0f} % of {block.name}'s visible edges",
+        why,
+        "move the sensor until the whole object is in the picture",
     )
 
 
@@ -123,12 +141,8 @@ def symmetric(block: Crenellated) -> bool:
     return bool(np.abs(there - back).max() < 10 * max(block.standard_uncertainty_mm, 0.001))
 
 
-def disagreement(found: Survey, certificate_mm: float) -> str:
-    """Why the measured edges are not those of the certificate; empty where they are.
-
-    Each edge's mean distance from where the fitted camera draws it is compared
-    with what certificate, image noise and camera model leave it.
-    """
+def disagreement(grey: Floats, found: Survey, certificate_mm: float) -> str:
+    """Why the measured edges are not those of the certificate; empty where they are."""
     at = found.at
     shown = float(at.length_px[found.shows].sum()) / max(float(at.length_px.sum()), 1e-9)
     if shown < _LEAST_SHOWN:
@@ -136,9 +150,25 @@ def disagreement(found: Survey, certificate_mm: float) -> str:
     agreeing = float(found.used.sum()) / max(int(found.shows.sum()), 1)
     if agreeing < _LEAST_AGREEING:
         return f"only {100 * agreeing:.0f} % of the edge points lie on its edges"
-    worst, worst_mm, name = 0.0, 0.0, ""
+    K = found.camera.matrix
+    if abs(K[1, 1] / K[0, 0] - 1) > _SQUARE:
+        return (
+            "its edges would fit only if the camera's pixels were"
+            f" {100 * abs(K[1, 1] / K[0, 0] - 1):.1f} % out of square"
+        )
+    return stray_edge(grey, found) or _displaced(found, certificate_mm)
+
+
+def _displaced(found: Survey, certificate_mm: float) -> str:
+    """Which edge lies too far from where the fitted camera draws it, if any.
+
+    The mean distance of each part of an edge is compared with what certificate,
+    image noise and camera model leave it; then all of them together.
+    """
+    at = found.at
     model_px = _MODEL * max(found.camera.width_px, found.camera.height_px)
     depth = (at.points_mm @ found.camera.rotation.T + found.camera.translation_mm)[:, 2]
+    ratios, names, distances_um = [], [], []
     for part in np.unique(at.part[found.used]):
         rows = np.flatnonzero(found.used & (at.part == part))
         if len(rows) < 4:
@@ -147,19 +177,25 @@ def disagreement(found: Survey, certificate_mm: float) -> str:
         off = float(np.median(found.off_px[rows]))
         own = 1.25 * float(np.median(found.sigma_px[rows])) / np.sqrt(len(rows))
         allowed = np.sqrt(own**2 + (certificate_mm / mm_per_px) ** 2 + model_px**2)
-        if abs(off) / allowed > worst:
-            worst = abs(off) / allowed
-            worst_mm, name = abs(off) * mm_per_px, found.frame.names[at.edge[rows[0]]]
-    if worst > _SIGMAS:
-        return f"its edge {name} lies {1000 * worst_mm:.0f} µm from where the certificate puts it"
+        ratios.append(abs(off) / allowed)
+        names.append(found.frame.names[at.edge[rows[0]]])
+        distances_um.append(1000 * abs(off) * mm_per_px)
+    if not ratios:
+        return "too few of its edges could be measured"
+    worst = int(np.argmax(ratios))
+    if ratios[worst] > _SIGMAS or float(np.mean(np.square(ratios))) > _SIGMAS_TOGETHER**2:
+        return (
+            f"its edge {names[worst]} lies {distances_um[worst]:.0f} µm from where the"
+            " certificate puts it"
+        )
     return ""
 
 
-def refuse_cut_off(found: Survey, block: Crenellated) -> None:
+def refuse_cut_off(found: Survey, block: Crenellated, share: float) -> None:
     """Refuses a picture whose frame leaves too little of the block.
 
     A camera needs both levels, and on the crests at least two merlons with both
-    their edges.
+    their edges. ``share``: of the visible edges in the frame.
 
     Raises:
         Refusal: ``object-cut-off``.
@@ -169,15 +205,8 @@ def refuse_cut_off(found: Survey, block: Crenellated) -> None:
         f"crest:{i}:L" in names and f"crest:{i}:R" in names for i in range(block.merlon_count)
     )
     level = any(name.startswith("floor:") for name in names)
-    share = in_frame(found)
-    if pairs >= 2 and level and share >= 0.4:
-        return
-    raise Refusal(
-        "object-cut-off",
-        f"the frame shows only {100 * share:.0f} % of {block.name}'s visible edges",
-        "a camera needs both levels and at least two whole merlons",
-        "move the sensor until the whole object is in the picture",
-    )
+    if pairs < 2 or not level or share < 0.4:
+        raise cut_off(block, share, "a camera needs both levels and at least two whole merlons")
 
 
 def in_frame(found: Survey) -> float:

@@ -121,50 +121,63 @@ def _accepted(
 ) -> ObjectDetection:
     """The one placing that every measured edge agrees with."""
     if not found.found or found.found[0].support < acceptance.LEAST_SUPPORT:
-        raise acceptance.refuse_unfound(found, findings, block)
+        acceptance.refuse_bad_picture(findings, "the object was not found")
+        raise acceptance.unfound(found, block)
+    good, why = _matching(grey, hidden, found, scale, block)
+    if not good:
+        acceptance.refuse_bad_picture(findings, "its edges cannot be measured")
+        raise acceptance.mismatch(block, why)
+    measured = good[0][1]
+    share = acceptance.in_frame(measured)
+    if len(good) > 1 or acceptance.symmetric(block):
+        raise acceptance.ambiguous(block, share)
+    if good[0][0].mirrored:
+        raise acceptance.mirror_refusal(block, share)
+    acceptance.refuse_blurred(measured)
+    acceptance.refuse_cut_off(measured, block, share)
+    return _detection(measured, block)
+
+
+def _matching(
+    grey: Floats, hidden: NDArray[np.bool_], found: Search, scale: float, block: Crenellated
+) -> tuple[list[tuple[Located, Survey]], str]:
+    """The different placings that all edges agree with, best first; if none, why not."""
     best = found.found[0].support
     good: list[tuple[Located, Survey]] = []
     why = ""
     for rival in found.found:
-        if rival.support < _RIVAL * best or any(_alike(rival, other) for other, _ in good):
+        start = _enlarged(rival.camera, scale, grey.shape)
+        if rival.support < _RIVAL * best or _known(start, rival.mirrored, good, block):
             continue
-        form = mirrored(block) if rival.mirrored else block
         measured = survey(
             grey,
             hidden,
-            wireframe(form),
-            _enlarged(rival.camera, scale, grey.shape),
+            wireframe(mirrored(block) if rival.mirrored else block),
+            start,
             max(3.0, 2.0 / scale),
             block.standard_uncertainty_mm,
         )
-        against = (
-            "too few of its edges could be measured"
-            if measured is None
-            else acceptance.disagreement(measured, block.standard_uncertainty_mm)
-        )
-        if measured is not None and not against:
-            good.append((rival, measured))
+        against = "too few of its edges could be measured"
+        if measured is not None:
+            against = acceptance.disagreement(grey, measured, block.standard_uncertainty_mm)
+            if not against and not _known(measured.camera, rival.mirrored, good, block):
+                good.append((rival, measured))
         why = why or against
-    if not good:
-        raise acceptance.mismatch(block, why)
-    readings = {rival.mirrored for rival, _ in good}
-    if acceptance.symmetric(block) or len(good) > 1:
-        raise acceptance.ambiguous(block, len(readings) > 1, acceptance.in_frame(good[0][1]))
-    if readings == {True}:
-        raise acceptance.mirror_refusal(block)
-    measured = good[0][1]
-    acceptance.refuse_blurred(measured)
-    acceptance.refuse_cut_off(measured, block)
-    return _detection(measured, block)
+    return good, why
 
 
-def _alike(one: Located, other: Located) -> bool:
-    """Whether two placings are one and the same."""
-    if one.mirrored != other.mirrored:
-        return False
-    apart = np.linalg.norm(one.camera.centre_mm - other.camera.centre_mm)
-    turned = np.trace(one.camera.rotation.T @ other.camera.rotation)
-    return bool(apart < 0.04 * np.linalg.norm(one.camera.centre_mm)) and bool(turned > 2.99)
+def _known(
+    camera: Camera, reverse: bool, good: list[tuple[Located, Survey]], block: Crenellated
+) -> bool:
+    """Whether a placing draws the crests where an accepted one does, to a hundredth."""
+    points = np.array([at for name, at in corners_of(block).items() if name.startswith("crest")])
+    for other, measured in good:
+        if other.mirrored != reverse:
+            continue
+        apart = project(camera, points) - project(measured.camera, points)
+        if np.hypot(*apart.T).max() < 0.01 * max(camera.width_px, camera.height_px):
+            return True
+    return False
 
 
 def _enlarged(camera: Camera, scale: float, shape: tuple[int, ...]) -> Camera:

@@ -1,6 +1,5 @@
 """Sub-pixel points on the block's edges in a picture, searched where a camera predicts them."""
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,9 +10,6 @@ from app.metrology.compiled import kernel
 from app.metrology.frames import Floats
 from app.metrology.visibility import Wireframe, seen
 
-# Half the length along the edge, in pixels, over which one point gathers light.
-HALF_LENGTH_PX = 2.5
-
 
 @dataclass(frozen=True)
 class Stations:
@@ -23,7 +19,8 @@ class Stations:
     ``points_mm`` (N, 3), ``uv_px`` (N, 2) where they are expected, ``normal`` (N, 2)
     unit, towards the part's first region, ``room_px`` (N, 2) distance along
     and against the normal to the next edge, ``length_px`` (N,) of edge each stands for.
-    ``regions`` (parts, 2): what adjoins each part.
+    ``regions`` (parts, 2): what adjoins each part. ``half_length_px``: how far along
+    the edge each gathers light to either side.
     """
 
     edge: NDArray[np.int64]
@@ -34,11 +31,12 @@ class Stations:
     room_px: Floats
     length_px: Floats
     regions: NDArray[np.int64]
+    half_length_px: float
 
 
 @kernel
 def _room(
-    uv: Floats, normal: Floats, part: NDArray[np.int64], ends: Floats
+    uv: Floats, normal: Floats, part: NDArray[np.int64], ends: Floats, half_length: float
 ) -> Floats:  # pragma: no cover - compiled
     """Distances (N, 2) along and against each normal to the nearest other part (P, 4)."""
     room = np.full((len(uv), 2), np.inf)
@@ -55,7 +53,7 @@ def _room(
                 continue
             ru, rv = row[0] - uv[i, 0], row[1] - uv[i, 1]
             along = (nv * ru - nu * rv) / det
-            reach = HALF_LENGTH_PX / length
+            reach = half_length / length
             if along < -reach or along > 1.0 + reach:
                 continue
             away = (ru * dv - rv * du) / det
@@ -89,10 +87,11 @@ def stations(frame: Wireframe, camera: Camera, spacing_px: float, margin_px: flo
     step = project(camera, points + 1e-3 * (last - first)[part]) - uv
     tangent = step / np.linalg.norm(step, axis=1, keepdims=True)
     normal = np.column_stack([-tangent[:, 1], tangent[:, 0]])
-    edge_of_frame = HALF_LENGTH_PX + 1
+    half_length = spacing_px / 2
+    edge_of_frame = half_length + 1
     limit = np.array([camera.width_px, camera.height_px]) - 1 - edge_of_frame
     inside = np.all((uv >= edge_of_frame) & (uv <= limit), axis=1)
-    room = _room(uv[inside], normal[inside], part[inside], ends)
+    room = _room(uv[inside], normal[inside], part[inside], ends, half_length)
     return Stations(
         parts.edge[part][inside],
         part[inside],
@@ -102,6 +101,7 @@ def stations(frame: Wireframe, camera: Camera, spacing_px: float, margin_px: flo
         room,
         (usable / np.maximum(count, 1))[part][inside],
         parts.regions,
+        half_length,
     )
 
 
@@ -167,143 +167,18 @@ def search(image: Floats, at: Stations, radius_px: float) -> tuple[Floats, Float
 
 
 @kernel
-def _erf_step(x: float) -> float:  # pragma: no cover - compiled
-    """The Gaussian's integral from minus infinity."""
-    return float(0.5 * math.erfc(-0.7071067811865476 * x))
-
-
-@kernel
-def _measure(
-    image: Floats, uv: Floats, normal: Floats, room: Floats, blur: Floats, free_blur: bool
-) -> Floats:  # pragma: no cover - compiled
-    """Per station: offset, its sd, step height, blur, noise; NaN where there is no sound edge.
-
-    Least squares on the pixels themselves (nothing is interpolated) of a blurred
-    step between two slopes: b + c x + (a + d x) F + d blur^2 f, F and f the Gaussian's
-    integral and density at the edge.
-    """
-    found = np.full((len(uv), 5), np.nan)
-    height, width = image.shape
-    size = 6 if free_blur else 5
-    J = np.empty(6)
+def _profiles(image: Floats, uv: Floats, normal: Floats, reach: int) -> Floats:
+    out = np.empty((len(uv), 2 * reach + 1))
     for i in range(len(uv)):
-        nu, nv = normal[i, 0], normal[i, 1]
-        sigma = blur[i]
-        half = max(3.0, 2.5 * sigma + 1.0)
-        # The neighbouring edge's blur must stay out of the window.
-        high = min(half, room[i, 0] - 2.0 * sigma)
-        low = min(half, room[i, 1] - 2.0 * sigma)
-        if min(high, low) < 1.5 * sigma + 0.5:
-            continue
-        reach = int(np.ceil(np.hypot(half, HALF_LENGTH_PX)))
-        row0, row1 = int(np.rint(uv[i, 1])) - reach, int(np.rint(uv[i, 1])) + reach
-        col0, col1 = int(np.rint(uv[i, 0])) - reach, int(np.rint(uv[i, 0])) + reach
-        if row0 < 0 or col0 < 0 or row1 >= height or col1 >= width:
-            continue
-        beta = np.zeros(6)
-        offset, sound, used, rest = 0.0, True, 0, 0.0
-        inverse = np.zeros((6, 6))
-        for turn in range(8):
-            A = np.zeros((size, size))
-            g = np.zeros(size)
-            used, rest, masked = 0, 0.0, False
-            for row in range(row0, row1 + 1):
-                line = image[row]
-                for col in range(col0, col1 + 1):
-                    du, dv = col - uv[i, 0], row - uv[i, 1]
-                    along = -du * nv + dv * nu
-                    across = du * nu + dv * nv
-                    if abs(along) > HALF_LENGTH_PX or across > high or across < -low:
-                        continue
-                    value = line[col]
-                    if np.isnan(value):
-                        masked = True
-                        break
-                    x = across - offset
-                    F = _erf_step(x / sigma)
-                    f = 0.3989422804014327 * np.exp(-0.5 * (x / sigma) ** 2) / sigma
-                    ramp = x * F + sigma * sigma * f
-                    J[0], J[1], J[2], J[3] = 1.0, F, x, ramp
-                    J[4] = -beta[1] * f - beta[2] - beta[3] * F
-                    J[5] = -beta[1] * f * x / sigma + beta[3] * sigma * f
-                    model = beta[0] + beta[1] * F + beta[2] * x + beta[3] * ramp
-                    off = value - model
-                    rest += off * off
-                    used += 1
-                    if turn == 0:
-                        J[4], J[5] = 0.0, 0.0
-                    for p in range(size):
-                        g[p] += J[p] * off
-                        for q in range(p + 1):
-                            A[p, q] += J[p] * J[q]
-                if masked:
-                    break
-            if masked or used < 4 * size:
-                sound = False
-                break
-            for p in range(size):
-                if turn == 0 and p >= 4:
-                    A[p, p] = 1.0
-                for q in range(p):
-                    A[q, p] = A[p, q]
-            # A weak hand on the two slopes keeps faint edges from going astray.
-            for p in range(size):
-                A[p, p] *= 1.0 + 1e-9
-            if np.linalg.cond(A) > 1e14:
-                sound = False
-                break
-            inverse_now = np.linalg.inv(A)
-            step = inverse_now @ g
-            for p in range(4):
-                beta[p] += step[p]
-            if turn > 0:
-                shift = min(max(step[4], -1.0), 1.0)
-                offset += shift
-                if free_blur:
-                    sigma = min(max(sigma + step[5], 0.6 * sigma), 1.6 * sigma)
-                for p in range(size):
-                    for q in range(size):
-                        inverse[p, q] = inverse_now[p, q]
-                if abs(offset) > 0.6 * half or sigma < 0.2:
-                    sound = False
-                    break
-                if abs(shift) < 1e-4 and (not free_blur or abs(step[5]) < 1e-3 * sigma):
-                    break
-        if not sound:
-            continue
-        variance = max(rest / (used - size), 0.05)
-        found[i, 0] = offset
-        found[i, 1] = np.sqrt(variance * inverse[4, 4])
-        found[i, 2] = beta[1]
-        found[i, 3] = sigma
-        found[i, 4] = np.sqrt(variance)
-    return found
+        for k in range(2 * reach + 1):
+            u, v = uv[i, 0] + (k - reach) * normal[i, 0], uv[i, 1] + (k - reach) * normal[i, 1]
+            out[i, k] = _bilinear(image, u, v)
+    return out
 
 
-@dataclass(frozen=True)
-class Measured:
-    """What ``measure`` gives per station, arrays (N,); NaN where there is no sound edge.
+def profiles(image: Floats, uv_px: Floats, normal: Floats, reach_px: int) -> Floats:
+    """The picture along the normals (N, 2) at places (N, 2), every pixel from -reach to reach.
 
-    ``offset_px`` along the normal and its ``sigma_px``; ``step``: height in grey levels
-    from the second region to the first; ``blur_px``: the blur's standard deviation;
-    ``noise``: the scatter of the pixels about the fit, grey levels.
+    (N, 2 reach + 1), NaN outside of the picture.
     """
-
-    offset_px: Floats
-    sigma_px: Floats
-    step: Floats
-    blur_px: Floats
-    noise: Floats
-
-
-def measure(
-    image: Floats, at: Stations, blur_px: float | Floats, free_blur: bool = False
-) -> Measured:
-    """Sub-pixel edges at stations that lie within a blur's width of them.
-
-    ``image`` (H, W) float64, NaN where it must not count. ``blur_px``: the standard
-    deviation of the picture's blur; ``free_blur`` fits it too.
-    """
-    blur = np.broadcast_to(np.asarray(blur_px, dtype=np.float64), (len(at.edge),)).copy()
-    found = _measure(image, at.uv_px, at.normal, at.room_px, blur, free_blur)
-    return Measured(found[:, 0], found[:, 1], found[:, 2], found[:, 3], found[:, 4])
+    return _profiles(image, uv_px, normal, reach_px)

@@ -8,7 +8,8 @@ from numpy.typing import NDArray
 
 from app.metrology.camera import Camera
 from app.metrology.edge_fit import NO_DISTORTION, WITH_K1, WITH_K2, fit_edges, residuals
-from app.metrology.edge_points import Measured, Stations, measure, search, stations
+from app.metrology.edge_points import Stations, search, stations
+from app.metrology.edge_step import measure, with_room
 from app.metrology.frames import Floats
 from app.metrology.visibility import Wireframe
 
@@ -19,6 +20,9 @@ _SHOWS = 6.0
 # A lens term is kept where it is this many times its standard deviation.
 _SIGNIFICANT = 3.0
 _BLUR_START_PX = 1.0
+# Steps over noise at which points every few pixels are good, and the most they may lengthen.
+_GOOD_CONTRAST, _LONGEST = 12.0, 5.0
+_NOISY_SPACING_PX = 20.0
 
 
 @dataclass(frozen=True)
@@ -27,7 +31,8 @@ class Survey:
 
     ``at``: the stations; ``uv_px`` (N, 2) where their edges lie; ``sigma_px`` (N,) standard
     deviations, scaled to the scatter along the edges; ``off_px`` (N,) distance from
-    the camera's edge along the normal; ``shows`` (N,) whether the picture shows an
+    the camera's edge along the normal; ``step`` (N,) its height in grey levels, from the
+    second region to the first; ``shows`` (N,) whether the picture shows an
     edge there; ``used`` (N,) whether it agrees with its neighbours; ``blur_px``:
     the standard deviation of the picture's blur.
     """
@@ -38,6 +43,7 @@ class Survey:
     uv_px: Floats
     sigma_px: Floats
     off_px: Floats
+    step: Floats
     shows: NDArray[np.bool_]
     used: NDArray[np.bool_]
     blur_px: float
@@ -73,19 +79,18 @@ def survey(
     if pulled is None:
         return None
     camera = pulled
-    blur = _blur(masked, frame, camera)
-    if blur is None:
+    seen = _blur(masked, frame, camera)
+    if seen is None:
         return None
-    found: Survey | None = None
-    for free in (WITH_K1, WITH_K1):
-        found = _measured(masked, frame, camera, blur)
-        fitted = _fitted(found, free, certificate_mm)
+    blur, contrast = seen
+    # In a noisy picture each point gathers light along more of its edge.
+    spacing = _SPACING_PX * float(np.clip((_GOOD_CONTRAST / contrast) ** 2, 1.0, _LONGEST))
+    for _ in range(2):
+        fitted = _fitted(_measured(masked, frame, camera, blur, spacing), WITH_K1, certificate_mm)
         if fitted is None:
             return None
-        found = fitted[0]
-        camera = found.camera
-    assert found is not None
-    return _with_significant_lens(_measured(masked, frame, camera, blur), certificate_mm)
+        camera = fitted[0].camera
+    return _with_significant_lens(_measured(masked, frame, camera, blur, spacing), certificate_mm)
 
 
 def _coarse(smooth: Floats, frame: Wireframe, camera: Camera, reach_px: float) -> Camera | None:
@@ -110,39 +115,37 @@ def _coarse(smooth: Floats, frame: Wireframe, camera: Camera, reach_px: float) -
     return camera
 
 
-def _blur(masked: Floats, frame: Wireframe, camera: Camera) -> float | None:
-    """The picture's blur, from a tenth of the stations, starting sharp and widening."""
+def _blur(masked: Floats, frame: Wireframe, camera: Camera) -> tuple[float, float] | None:
+    """The picture's blur and its steps over its noise, from some of the stations.
+
+    The search starts sharp and widens.
+    """
     blur = _BLUR_START_PX
-    at = stations(frame, camera, 8 * _SPACING_PX, 4.0)
-    for _ in range(6):
+    for _ in range(7):
+        at = with_room(stations(frame, camera, _NOISY_SPACING_PX, 4.0), blur)
         seen = measure(masked, at, blur, free_blur=True)
-        sound = np.isfinite(seen.offset_px) & (np.abs(seen.step) > 8 * seen.noise)
-        if sound.sum() < 12:
-            sound = np.isfinite(seen.offset_px) & (np.abs(seen.step) > 3 * seen.noise)
+        contrast = np.abs(seen.step) / seen.noise
+        sound = np.isfinite(seen.offset_px) & (np.abs(seen.step) > _SHOWS * seen.step_sigma)
         if sound.sum() < 12:
             return None
         last, blur = blur, float(np.median(seen.blur_px[sound]))
         if abs(blur / last - 1) < 0.1:
             break
-    return blur
+    return blur, float(np.median(contrast[sound]))
 
 
-def _measured(masked: Floats, frame: Wireframe, camera: Camera, blur: float) -> Survey:
-    at = stations(frame, camera, _SPACING_PX, max(4.0, 3.0 * blur))
+def _measured(
+    masked: Floats, frame: Wireframe, camera: Camera, blur: float, spacing: float
+) -> Survey:
+    at = with_room(stations(frame, camera, spacing, max(4.0, 3.0 * blur)), blur)
     seen = measure(masked, at, blur)
-    shows = np.isfinite(seen.offset_px) & (np.abs(seen.step) > _SHOWS * _step_sigma(seen))
+    shows = np.isfinite(seen.offset_px) & (np.abs(seen.step) > _SHOWS * seen.step_sigma)
     shows &= seen.sigma_px < 1.0
     uv = at.uv_px + np.nan_to_num(seen.offset_px)[:, None] * at.normal
     sigma = np.where(shows, seen.sigma_px, np.nan)
     off = np.where(shows, seen.offset_px, np.nan)
-    return Survey(frame, camera, at, uv, sigma, off, shows, shows.copy(), blur)
-
-
-def _step_sigma(seen: Measured) -> Floats:
-    """Standard deviation of a step's height: that of its place times its slope, or the noise."""
-    return np.asarray(
-        np.maximum(seen.sigma_px * np.abs(seen.step) / (2.5 * seen.blur_px), 0.25 * seen.noise)
-    )
+    step = np.where(shows, seen.step, 0.0)
+    return Survey(frame, camera, at, uv, sigma, off, step, shows, shows.copy(), blur)
 
 
 def _fitted(

@@ -168,7 +168,7 @@ def _agreeing(
         best = near_rad
         for p in range(len(points)):
             d0, d1 = points[p, 0] - c0, points[p, 1] - c1
-            off = abs(n[0] * d0 + n[1] * d1) / np.sqrt(d0 * d0 + d1 * d1)
+            off = abs(n[0] * d0 + n[1] * d1) / np.sqrt(d0 * d0 + d1 * d1 + 1e-12)
             best = min(best, off)
         total += weight[s] * (1.0 - (best / near_rad) ** 2)
     return total

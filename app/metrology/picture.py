@@ -51,8 +51,12 @@ def grey_picture(image: Image) -> tuple[Floats, NDArray[np.bool_]]:
             f"an image of shape {array.shape} and type {array.dtype}",
             "the object is looked for in grey images of 8 to 16 bits, at least 64 pixels each way",
         )
-    full = saturation_level(array)
-    return array.astype(np.float64) * (255.0 / full), array >= full
+    clipped = array >= saturation_level(array)
+    if array.dtype == np.uint8:
+        return array.astype(np.float64), clipped
+    # The fewest bits that a sensor of today has and that hold this picture.
+    bits = next(b for b in (8, 10, 12, 14, 16) if int(array.max()) < 2**b)
+    return array.astype(np.float64) * (255.0 / (2**bits - 1)), clipped
 
 
 def edge_blur_px(grey: NDArray[np.floating]) -> float:
@@ -142,8 +146,7 @@ def picture_findings(image: Image) -> list[PictureFinding]:
 def _sharpness(array: Image) -> list[PictureFinding]:
     longer = max(array.shape)
     shrink = min(1.0, 640 / longer)
-    full = saturation_level(array)
-    grey = array.astype(np.float32) * np.float32(255.0 / full)
+    grey = array.astype(np.float32)
     if shrink < 1.0:
         grey = np.asarray(
             cv2.resize(grey, None, fx=shrink, fy=shrink, interpolation=cv2.INTER_AREA), np.float32

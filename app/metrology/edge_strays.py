@@ -1,0 +1,114 @@
+"""Edges that the picture shows beside where the certificate puts them."""
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.edge_points import profiles
+from app.metrology.edge_survey import Survey
+from app.metrology.frames import Floats
+
+# An edge with at least so many points, at most this share of which show, is missing;
+_ENOUGH = 6
+_MISSING = 0.2
+# one of which at least this share shows is there.
+_PRESENT = 0.6
+# How far a stray is looked for, over the picture's longer side, and how far its points
+# may lie from a straight line.
+_FAR = 0.12
+_STRAIGHT_PX = 1.5
+# Of the missing edge's stations, how many must see the stray, and its step over the usual.
+_SEEN = 0.7
+_STEP = 0.5
+
+
+def stray_edge(grey: Floats, found: Survey) -> str:
+    """A missing edge whose like is seen elsewhere, in words; empty where there is none.
+
+    Faces of equal brightness hide the edge between them, which is no fault. But
+    where all others between the same kinds of face show, and a straight step of
+    their height runs beside the missing one where nothing should be, the block
+    has other measures.
+
+    Args:
+        grey: (H, W) the picture.
+        found: the edges measured in it.
+    """
+    smooth: Floats = np.asarray(
+        cv2.GaussianBlur(grey, (0, 0), max(1.0, found.blur_px)), dtype=np.float64
+    )
+    for part, step in _missing(found):
+        rows = np.flatnonzero(found.at.part == part)
+        away_px = _stray(smooth, found, rows, step)
+        if away_px is not None:
+            at = found.at.points_mm[rows] @ found.camera.rotation.T
+            depth = float(np.median((at + found.camera.translation_mm)[:, 2]))
+            away_mm = abs(away_px) * depth / found.camera.matrix[0, 0]
+            name = found.frame.names[found.at.edge[rows[0]]]
+            return (
+                f"its edge {name} seems to lie {away_mm:.2f} mm from where the certificate puts it"
+            )
+    return ""
+
+
+def _missing(found: Survey) -> list[tuple[int, float]]:
+    """Missing parts and the step, from second to first region, that their likes show."""
+    at = found.at
+    kinds = [_kind(name) for name in found.frame.regions]
+    alike: dict[tuple[str, str], list[tuple[int, int, int, float, float]]] = {}
+    for part in np.unique(at.part):
+        rows = at.part == part
+        one, other = (kinds[region] for region in at.regions[part])
+        sense = 1.0 if one <= other else -1.0
+        shown = rows & found.used
+        step = sense * float(np.median(found.step[shown])) if shown.any() else 0.0
+        key = (min(one, other), max(one, other))
+        alike.setdefault(key, []).append(
+            (int(part), int(rows.sum()), int(shown.sum()), step, sense)
+        )
+    missing = []
+    for group in alike.values():
+        there = [one for one in group if one[2] >= _PRESENT * one[1]]
+        steps = np.array([one[3] for one in there])
+        if sum(one[2] for one in there) < _ENOUGH or steps.min() * steps.max() <= 0:
+            continue
+        for part, count, shown_count, _, sense in group:
+            if count >= _ENOUGH and shown_count <= _MISSING * count:
+                missing.append((part, sense * float(np.median(steps))))
+    return missing
+
+
+def _kind(region: str) -> str:
+    """What a region is, without its number: ``wall:2:L`` is a ``wall:L``."""
+    words = region.split(":")
+    return f"wall:{words[2]}" if words[0] == "wall" else words[0]
+
+
+def _stray(smooth: Floats, found: Survey, rows: NDArray[np.int64], step: float) -> float | None:
+    """Mean distance in px, along the normals, of a straight step beside some stations."""
+    at = found.at
+    reach = int(_FAR * max(smooth.shape))
+    blur = float(np.hypot(found.blur_px, max(1.0, found.blur_px)))
+    slope = np.gradient(profiles(smooth, at.uv_px[rows], at.normal[rows], reach), axis=1)
+    least = _STEP * abs(step) / (2.5066 * blur)
+    size = slope * np.sign(step)
+    offset = np.arange(-reach, reach + 1)
+    # Near other drawn edges a step is theirs.
+    own = (offset < at.room_px[rows, :1] - 3 * blur - 2) & (
+        offset > -(at.room_px[rows, 1:] - 3 * blur - 2)
+    )
+    peak = (size >= least) & own
+    peak[:, 1:-1] &= (size[:, 1:-1] >= size[:, :-2]) & (size[:, 1:-1] >= size[:, 2:])
+    peak[:, [0, -1]] = False
+    station, column = np.nonzero(peak)
+    if len(np.unique(station)) < _SEEN * len(rows):
+        return None
+    away = offset[column].astype(np.float64)
+    third = len(rows) / 3
+    for a in np.flatnonzero(station < third)[:60]:
+        for b in np.flatnonzero(station > 2 * third)[:60]:
+            incline = (away[b] - away[a]) / (station[b] - station[a])
+            near = np.abs(away - away[a] - incline * (station - station[a])) < _STRAIGHT_PX
+            if len(np.unique(station[near])) >= _SEEN * len(rows):
+                return float(np.mean(away[near]))
+    return None
