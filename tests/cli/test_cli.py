@@ -1,0 +1,363 @@
+"""The command line: results, exit statuses, one line for each refusal, nothing half-written."""
+
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from typer.testing import CliRunner, Result
+
+from app.cli import cli
+from app.files.clouds import ply_writer, read_cloud
+from app.files.recording_writer import RecordingWriter
+from app.files.report import GaugeReport
+from tests.files.builders import ARM, edit_text, joints_every, write_session
+from tests.files.test_documents import calibration_file
+from tests.files.test_rebuild import MS, NAMES, record_stripe
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def crenel(*arguments: str | Path) -> Result:
+    return CliRunner().invoke(cli, [str(argument) for argument in arguments])
+
+
+def refused(*arguments: str | Path) -> str:
+    """The one line on stderr of a command that ends with status 1 and prints nothing else."""
+    result = crenel(*arguments)
+    assert result.exit_code == 1, result.output
+    assert result.stdout == ""
+    assert result.stderr.startswith("crenel: ")
+    assert result.stderr.count("\n") == 1
+    return str(result.stderr)
+
+
+def names_in(folder: Path) -> list[str]:
+    return sorted(str(path.relative_to(folder)) for path in folder.rglob("*"))
+
+
+@pytest.fixture
+def stripe_picture(tmp_path: Path) -> Path:
+    rows = np.arange(100)[:, None]
+    v = 40 + 0.1 * np.arange(200)
+    grey = 10 + 180 * np.exp(-((rows - v) ** 2) / 8)
+    noise = np.random.default_rng(0).normal(0, 1, grey.shape)
+    path = tmp_path / "stripe.png"
+    cv2.imwrite(str(path), np.clip(np.rint(grey + noise), 0, 255).astype(np.uint8))
+    return path
+
+
+@pytest.fixture
+def scan(tmp_path: Path) -> dict[str, Path]:
+    """A recording, its calibration and its arm."""
+    from app.files.arm import write_arm
+
+    paths = {name: tmp_path / name for name in ("scan.mcap", "calibration.json", "arm.json")}
+    with RecordingWriter(paths["scan.mcap"], NAMES) as writer:
+        joints_every(writer, 0, 200 * MS, 4 * MS)
+        for stamp in (50 * MS, 60 * MS, 500 * MS):
+            record_stripe(writer, stamp)
+    calibration_file().write(paths["calibration.json"])
+    write_arm(paths["arm.json"], ARM)
+    return paths
+
+
+def write_plane(path: Path, z_mm: float = 0.0) -> Path:
+    rng = np.random.default_rng(int(z_mm * 1000))
+    points = np.column_stack([rng.uniform(-20, 20, (500, 2)), rng.normal(z_mm, 0.01, 500)])
+    with ply_writer(path) as cloud:
+        cloud.write(points, np.zeros(500), np.zeros(500), 0)
+    return path
+
+
+def write_nominal(path: Path, shape: str) -> Path:
+    fields = {
+        "plane": {"point_mm": [0, 0, 0], "normal": [0, 0, 1]},
+        "sphere": {"centre_mm": [0, 0, 0], "radius_mm": 10},
+    }[shape]
+    path.write_text(
+        json.dumps({"format": "crenel/nominal", "version": 1, "shape": shape, **fields})
+    )
+    return path
+
+
+def test_extract_writes_the_columns_of_the_contract(tmp_path: Path, stripe_picture: Path) -> None:
+    out = tmp_path / "out.csv"
+    result = crenel("extract", stripe_picture, "-o", out)
+    assert result.exit_code == 0, result.output
+    lines = out.read_text().splitlines()
+    assert lines[0] == "u,v,intensity,sigma_px"
+    table = np.array([[float(cell) for cell in line.split(",")] for line in lines[1:]])
+    assert len(table) > 190
+    assert np.abs(table[:, 1] - (40 + 0.1 * table[:, 0])).max() < 0.2
+    assert str(out) in result.stdout
+
+
+def test_extract_tells_several_pictures_apart(tmp_path: Path, stripe_picture: Path) -> None:
+    other = tmp_path / "other.png"
+    other.write_bytes(stripe_picture.read_bytes())
+    out = tmp_path / "out.csv"
+    assert crenel("extract", stripe_picture, other, "-o", out).exit_code == 0
+    lines = out.read_text().splitlines()
+    assert lines[0] == "u,v,intensity,sigma_px,image"
+    assert {line.split(",")[4] for line in lines[1:]} == {str(stripe_picture), str(other)}
+
+
+def test_extract_along_rows_and_for_programs(tmp_path: Path, stripe_picture: Path) -> None:
+    turned = tmp_path / "turned.png"
+    cv2.imwrite(str(turned), cv2.imread(str(stripe_picture), cv2.IMREAD_UNCHANGED).T)
+    out = tmp_path / "out.csv"
+    along_u = json.loads(crenel("extract", stripe_picture, "-o", out, "--json").stdout)
+    along_v = json.loads(crenel("extract", turned, "-o", out, "--axis", "v", "--json").stdout)
+    assert along_u["images"][0]["u"] == along_v["images"][0]["v"]
+    assert along_u["images"][0]["v"] == along_v["images"][0]["u"]
+    assert along_u["file"] == str(out)
+
+
+def test_extract_refuses_bad_pictures(tmp_path: Path, stripe_picture: Path) -> None:
+    out = tmp_path / "out.csv"
+    black, colour = tmp_path / "black.png", tmp_path / "colour.png"
+    cv2.imwrite(str(black), np.zeros((100, 200), np.uint8))
+    cv2.imwrite(str(colour), np.zeros((100, 200, 3), np.uint8))
+    assert "no laser stripe" in refused("extract", black, "-o", out)
+    assert "3 channels" in refused("extract", colour, "-o", out)
+    assert "none.png" in refused("extract", tmp_path / "none.png", "-o", out)
+    assert "black.png" in refused("extract", stripe_picture, black, "-o", out)
+    assert not out.exists()
+
+
+def test_reconstruct_writes_a_cloud(tmp_path: Path, scan: dict[str, Path]) -> None:
+    out = tmp_path / "cloud.ply"
+    result = crenel(*reconstruct_arguments(scan), "-o", out)
+    assert result.exit_code == 0, result.output
+    assert len(read_cloud(out).points_mm) == 50
+    assert "1 of 3 frames left out: no joints" in result.stderr
+    assert str(out) in result.stdout
+
+
+def reconstruct_arguments(scan: dict[str, Path]) -> list[str | Path]:
+    calibration, arm = scan["calibration.json"], scan["arm.json"]
+    return ["reconstruct", scan["scan.mcap"], "--calibration", calibration, "--arm", arm]
+
+
+def test_reconstruct_for_programs(tmp_path: Path, scan: dict[str, Path]) -> None:
+    result = crenel(*reconstruct_arguments(scan), "-o", tmp_path / "cloud.ply", "--json")
+    fields = json.loads(result.stdout)
+    assert (fields["points"], fields["frames"], fields["frames_without_joints"]) == (50, 2, 1)
+    assert len(fields["warnings"]) == 1
+
+
+def test_reconstruct_of_a_cut_recording_says_so(tmp_path: Path, scan: dict[str, Path]) -> None:
+    path = scan["scan.mcap"]
+    path.unlink()
+    with RecordingWriter(path, NAMES) as writer:
+        for stamp in range(0, 2000 * MS, 4 * MS):
+            joints_every(writer, stamp, stamp, MS)
+            record_stripe(writer, stamp)
+            writer.image(stamp, np.random.default_rng(stamp).integers(0, 9, (99, 99), np.uint8))
+    whole = path.read_bytes()
+    path.write_bytes(whole[: int(len(whole) * 0.7)])
+    result = crenel(*reconstruct_arguments(scan), "-o", tmp_path / "cloud.ply")
+    assert result.exit_code == 0, result.output
+    assert "cut off" in result.stderr
+    assert len(read_cloud(tmp_path / "cloud.ply").points_mm) > 1000
+
+
+def test_reconstruct_refuses_what_does_not_fit(tmp_path: Path, scan: dict[str, Path]) -> None:
+    arguments = [*reconstruct_arguments(scan), "-o", tmp_path / "cloud.ply"]
+    before = names_in(tmp_path)
+    whole = scan["arm.json"].read_text()
+    edit_text(scan["arm.json"], '"A-1"', '"A-2"')
+    assert "A-2" in refused(*arguments)
+    scan["arm.json"].write_text(whole[: len(whole) // 2])
+    assert "arm.json" in refused(*arguments)
+    scan["arm.json"].unlink()
+    assert "arm.json" in refused(*arguments)
+    scan["arm.json"].write_text(whole)
+    scan["scan.mcap"].write_text("not a recording")
+    assert "no MCAP" in refused(*arguments)
+    assert names_in(tmp_path) == before
+
+
+def test_clouds_of_another_kind_are_wrong_usage(tmp_path: Path, scan: dict[str, Path]) -> None:
+    result = crenel(*reconstruct_arguments(scan), "-o", tmp_path / "cloud.las")
+    assert result.exit_code == 2
+    assert "PLY" in result.stderr
+
+
+def test_verify_a_plane(tmp_path: Path) -> None:
+    cloud, nominal = write_plane(tmp_path / "a.ply", 0.05), tmp_path / "n.json"
+    write_nominal(nominal, "plane")
+    report = tmp_path / "report.json"
+    result = crenel("verify", "plane", cloud, "--nominal", nominal, "-o", report, "--json")
+    assert result.exit_code == 0, result.output
+    fields = json.loads(result.stdout)
+    assert fields == GaugeReport.read(report).fields()
+    (found,) = fields["clouds"]
+    assert found["z_error_um"] == pytest.approx(-50, abs=3)
+    assert found["offset_error_um"] == pytest.approx(50, abs=3)
+    assert found["angle_arcsec"] < 60
+
+
+def test_verify_several_clouds_gives_their_spread(tmp_path: Path) -> None:
+    clouds = [write_plane(tmp_path / f"{i}.ply", 0.1 * i) for i in range(3)]
+    nominal = write_nominal(tmp_path / "n.json", "plane")
+    fields = json.loads(crenel("verify", "plane", *clouds, "--nominal", nominal, "--json").stdout)
+    errors = [cloud["z_error_um"] for cloud in fields["clouds"]]
+    assert fields["spread"]["z_error_um"]["range"] == pytest.approx(max(errors) - min(errors))
+    assert fields["spread"]["z_error_um"]["standard_deviation"] == pytest.approx(
+        np.std(errors, ddof=1)
+    )
+    shown = crenel("verify", "plane", *clouds, "--nominal", nominal).stdout
+    assert all(str(cloud) in shown for cloud in clouds)
+    assert "standard deviation" in shown
+
+
+def test_verify_a_sphere(tmp_path: Path) -> None:
+    directions = np.random.default_rng(0).normal(size=(800, 3))
+    directions /= np.linalg.norm(directions, axis=1)[:, None]
+    np.savetxt(tmp_path / "s.xyz", 10.02 * directions + [0, 0.03, 0])
+    nominal = write_nominal(tmp_path / "n.json", "sphere")
+    result = crenel("verify", "sphere", tmp_path / "s.xyz", "--nominal", nominal, "--json")
+    (found,) = json.loads(result.stdout)["clouds"]
+    assert found["radius_error_um"] == pytest.approx(-20, abs=0.1)
+    assert found["centre_error_um"] == pytest.approx(30, abs=0.1)
+
+
+def test_verify_without_a_nominal_tells_the_form(tmp_path: Path) -> None:
+    result = crenel("verify", "plane", write_plane(tmp_path / "a.ply"), "--json")
+    (found,) = json.loads(result.stdout)["clouds"]
+    assert found["rms_um"] == pytest.approx(10, abs=1)
+    assert "angle_arcsec" not in found
+
+
+def test_verify_refuses(tmp_path: Path) -> None:
+    cloud = write_plane(tmp_path / "a.ply")
+    sphere = write_nominal(tmp_path / "s.json", "sphere")
+    assert "of a sphere" in refused("verify", "plane", cloud, "--nominal", sphere)
+    (tmp_path / "few.xyz").write_text("1 2 3\n4 5 6\n")
+    assert "few.xyz" in refused("verify", "plane", tmp_path / "few.xyz")
+    assert "none.ply" in refused("verify", "plane", cloud, tmp_path / "none.ply")
+    assert "a.ply" in refused("verify", "sphere", write_flat(tmp_path / "a.ply"))
+    assert "report" in refused("verify", "plane", cloud, "-o", tmp_path / "no/report.json")
+
+
+def write_flat(path: Path) -> Path:
+    points = np.random.default_rng(0).uniform(-20, 20, (100, 3)) * [1, 1, 0]
+    with ply_writer(path) as cloud:
+        cloud.write(points, np.zeros(100), np.zeros(100), 0)
+    return path
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        [],
+        ["fly"],
+        ["extract"],
+        ["extract", "a.png", "--axis", "w"],
+        ["calibrate", "session", "--method", "joint"],
+        ["reconstruct", "scan.mcap"],
+        ["verify", "cone", "a.ply"],
+        ["verify", "plane"],
+        ["serve", "--port", "99999"],
+    ],
+)
+def test_wrong_usage_ends_with_two(arguments: list[str]) -> None:
+    assert crenel(*arguments).exit_code == 2
+
+
+def test_help_and_version() -> None:
+    shown = crenel("--help")
+    assert shown.exit_code == 0
+    for command in ("demo", "serve", "calibrate", "extract", "reconstruct", "verify"):
+        assert command in shown.stdout
+        assert crenel(command, "--help").exit_code == 0
+    assert re.fullmatch(r"crenel \S+\n", crenel("--version").stdout)
+
+
+def test_a_place_that_takes_no_file_is_refused_before_the_work(
+    tmp_path: Path, stripe_picture: Path
+) -> None:
+    (tmp_path / "folder").mkdir()
+    assert "folder" in refused("extract", stripe_picture, "-o", tmp_path / "folder")
+    assert "no folder" in refused("extract", stripe_picture, "-o", tmp_path / "none" / "a.csv")
+
+
+def test_calibrate_refuses_a_bad_session_and_leaves_nothing(tmp_path: Path) -> None:
+    folder = write_session(tmp_path / "s")
+    out = tmp_path / "c.json"
+    before = names_in(tmp_path)
+    assert "none" in refused("calibrate", tmp_path / "none", "-o", out)
+    line = refused("calibrate", folder, "-o", out)  # its pictures are black, its contacts few
+    assert "Traceback" not in line
+    assert names_in(tmp_path) == before
+    edit_text(folder / "probing.csv", "-84.5", "nan")
+    assert "probing.csv line 2" in refused("calibrate", folder, "-o", out)
+    assert names_in(tmp_path) == before
+
+
+def process(*arguments: str | Path, cwd: Path) -> subprocess.Popen[str]:
+    return subprocess.Popen(
+        [sys.executable, "-c", "from app.cli import main; main()", *map(str, arguments)],
+        cwd=cwd,
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+
+
+def test_a_real_process_refuses_on_one_line_with_status_one(tmp_path: Path) -> None:
+    with process("extract", "none.png", cwd=tmp_path) as run:
+        out, error = run.communicate(timeout=60)
+    assert (run.returncode, out) == (1, "")
+    assert error == "crenel: none.png: there is no such file or folder. Check the path.\n"
+
+
+def test_help_imports_nothing_heavy(tmp_path: Path) -> None:
+    code = (
+        "import sys\nfrom app.cli import cli\n"
+        "try:\n    cli(['--help'])\nexcept SystemExit:\n    pass\n"
+        "heavy = {'numba', 'cv2', 'scipy', 'fastapi', 'viser', 'foxglove', 'uvicorn', 'mcap'}\n"
+        "print(sorted(heavy & set(sys.modules)), file=sys.stderr)"
+    )
+    run = subprocess.run(
+        [sys.executable, "-c", code],
+        cwd=tmp_path,
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=True,
+    )
+    assert run.stderr.strip() == "[]"
+
+
+@pytest.mark.parametrize(("number", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
+def test_an_interrupted_job_leaves_nothing(
+    tmp_path: Path, scan: dict[str, Path], number: int, status: int
+) -> None:
+    scan["scan.mcap"].unlink()
+    with RecordingWriter(scan["scan.mcap"], NAMES) as writer:
+        for stamp in range(0, 20_000 * MS, MS):
+            writer.joints(stamp, [0.0] * 6)
+            writer.image(stamp, np.zeros((48, 64), np.uint8))
+    before = names_in(tmp_path)
+    with process(*reconstruct_arguments(scan), "-o", "cloud.ply", cwd=tmp_path) as run:
+        deadline = time.monotonic() + 60
+        while names_in(tmp_path) == before and time.monotonic() < deadline:
+            time.sleep(0.01)
+        run.send_signal(number)
+        out, error = run.communicate(timeout=60)
+    assert run.returncode == status
+    assert out == ""
+    assert "Traceback" not in error
+    assert names_in(tmp_path) == before
