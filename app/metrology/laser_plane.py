@@ -32,7 +32,8 @@ class LaserPlane:
 class LaserPlaneFit:
     """The plane, and what each stripe point (N,) had to do with it.
 
-    ``level`` is ``crest``, ``floor`` or empty where the point lies on neither;
+    ``level`` is ``crest``, ``floor`` or empty where the point lies on neither, and
+    ``points_mm`` (N, 3) is where on the level its ray ends, NaN elsewhere;
     ``used`` marks those of a level that agree with the plane; ``residuals_mm`` are
     their signed distances from it and ``sigma_mm`` the expected standard deviations
     of these, NaN off the levels; ``correlation`` is the number of neighbouring points
@@ -45,6 +46,7 @@ class LaserPlaneFit:
     rms_mm: float
     used: NDArray[np.bool_]
     level: NDArray[np.str_]
+    points_mm: Floats
     residuals_mm: Floats
     sigma_mm: Floats
     correlation: float
@@ -111,7 +113,9 @@ def _entry_x(block: Crenellated, origin: Floats, along: Floats) -> Floats:
     return np.asarray(origin[0] + np.fmax(to_top, to_side) * along[:, 0])
 
 
-def fit_laser_plane(camera: Camera, block: Crenellated, stripe: Stripe) -> LaserPlaneFit:
+def fit_laser_plane(
+    camera: Camera, block: Crenellated, stripe: Stripe, plane: LaserPlane | None = None
+) -> LaserPlaneFit:
     """The laser plane through the stripe's points on crests and floors.
 
     Each point's ray is met with the level that it hits; a plane is fitted to both
@@ -120,6 +124,8 @@ def fit_laser_plane(camera: Camera, block: Crenellated, stripe: Stripe) -> Laser
 
     Args:
         camera: with the sensor frame equal to the object frame.
+        plane: where it is known already (from ``fit_camera``), the points are judged
+            against it and it stays as it is.
 
     Raises:
         Refusal: too few points, only one level crossed, or a plane through the
@@ -130,7 +136,9 @@ def fit_laser_plane(camera: Camera, block: Crenellated, stripe: Stripe) -> Laser
     X, own = points[on], level[on]
     _require_both(own, len(on))
     per_sigma = _moves(camera, stripe, on, X) * stripe.sigma_px[on, None]
-    plane, kept = _refined(_least_median_plane(X, own, per_sigma), X, per_sigma)
+    if plane is None:
+        plane = _refined(_least_median_plane(X, own, per_sigma), X, per_sigma)
+    kept = _agreeing(plane, X, per_sigma)
     _require_both(own[kept], len(on))
     _refuse_edge_on(camera, plane, X[kept])
     residuals = X @ plane.normal - plane.offset_mm
@@ -146,6 +154,7 @@ def fit_laser_plane(camera: Camera, block: Crenellated, stripe: Stripe) -> Laser
         float(np.sqrt(np.mean(residuals[kept] ** 2))),
         used,
         level,
+        points,
         over_all[0],
         over_all[1],
         correlation,
@@ -213,26 +222,29 @@ def _least_median_plane(points: Floats, level: NDArray[np.str_], per_sigma: Floa
     return best
 
 
-def _refined(
-    plane: LaserPlane, points: Floats, per_sigma: Floats
-) -> tuple[LaserPlane, NDArray[np.bool_]]:
-    """Weighted least squares on the points that agree, and which (n,) those are."""
-    kept = np.zeros(len(points), dtype=np.bool_)
+def _agreeing(plane: LaserPlane, points: Floats, per_sigma: Floats) -> NDArray[np.bool_]:
+    """Points (n,) within the limit, measured by their own scatter where that is larger."""
+    off = points @ plane.normal - plane.offset_mm
+    off /= np.maximum(np.abs(per_sigma @ plane.normal), 1e-9)
+    spread = max(float(np.median(np.abs(off))) / 0.6745, 1.0)
+    return np.asarray(np.abs(off) < OUTLIER_SIGMAS * spread)
+
+
+def _refined(plane: LaserPlane, points: Floats, per_sigma: Floats) -> LaserPlane:
+    """Weighted least squares on the points that agree."""
+    before = np.zeros(len(points), dtype=np.bool_)
     for _ in range(20):
-        sigma = np.maximum(np.abs(per_sigma @ plane.normal), 1e-9)
-        off = (points @ plane.normal - plane.offset_mm) / sigma
-        spread = max(float(np.median(np.abs(off))) / 0.6745, 1.0)
-        agree = np.abs(off) < OUTLIER_SIGMAS * spread
-        if np.array_equal(agree, kept):
+        kept = _agreeing(plane, points, per_sigma)
+        if np.array_equal(kept, before):
             break
-        kept = agree
-        weight = sigma[kept] ** -2.0
+        before = kept
+        weight = np.maximum(np.abs(per_sigma[kept] @ plane.normal), 1e-9) ** -2.0
         centre = weight @ points[kept] / weight.sum()
         spread_out = (points[kept] - centre) * np.sqrt(weight)[:, None]
         normal = np.linalg.svd(spread_out, full_matrices=False)[2][2]
         normal *= np.sign(normal @ plane.normal)
         plane = LaserPlane(normal, float(normal @ centre))
-    return plane, kept
+    return plane
 
 
 def _refuse_edge_on(camera: Camera, plane: LaserPlane, points: Floats) -> None:

@@ -1,0 +1,259 @@
+"""Maximum-likelihood refinement: camera, lens, laser plane and the block itself, at once.
+
+After Faugeras' linear step, all that a picture pair shows goes into one adjustment:
+points on the block's straight edges (or its corners); the stripe, which runs along
+one straight line on all crests and along another on all floors; and the
+certificate, whose coordinates are known only to its standard uncertainty.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.camera import Camera
+from app.metrology.corners import Corner, EdgePoints
+from app.metrology.crenellated import Crenellated
+from app.metrology.frames import Floats
+from app.metrology.laser_plane import LaserPlane, LaserPlaneFit, neighbours_alike
+from app.metrology.projection import COUNT, LENS
+from app.metrology.refusal import Refusal
+from app.metrology.scene import (
+    BLOCK,
+    Rows,
+    Scene,
+    coordinates,
+    corner_rows,
+    edge_rows,
+    joined,
+    stripe_rows,
+)
+from app.metrology.stripe import Stripe
+
+# What any lens and sensor is like before it is measured; it counts only where the
+# picture says nothing: pixels square to this share, axis this share of the width off.
+ASPECT_SD = 0.002
+AXIS_SD_WIDTHS = 0.25
+LENS_SD = np.array([0.5, 2.0, 0.01, 0.01])  # k1, k2, p1, p2
+# Terms of the lens in the order tried, each kept where it exceeds its deviation so many
+# times: more for those that lenses seldom need.
+LENS_TERMS = (((0,), 2.0), ((1,), 3.0), ((2, 3), 4.0))
+OUTLIER_SIGMAS = 4.5
+
+
+@dataclass(frozen=True)
+class GroupFit:
+    """How well one kind of observation fits: rms in px, and which rows (N,) were kept.
+
+    ``inflation`` is the factor by which their deviations were raised, since they
+    scatter by more than they said or are alike from one to the next.
+    """
+
+    rms_px: float
+    residuals_px: Floats
+    kept: NDArray[np.bool_]
+    inflation: float
+
+
+@dataclass(frozen=True)
+class CameraFit:
+    """The adjusted scene and its covariance (P, P), parameters as in ``scene.names``.
+
+    ``sources`` splits the covariance by what caused it: ``edges``, ``stripe``,
+    ``certificate`` and ``distortion`` (what not knowing the lens costs).
+    ``by_certificate`` (P, B) is how the parameters answer to an error of each of the
+    certificate's coordinates.
+    """
+
+    scene: Scene
+    covariance: Floats
+    sources: dict[str, Floats]
+    by_certificate: Floats
+    edges: GroupFit
+    stripe: GroupFit
+
+    @property
+    def camera(self) -> Camera:
+        return self.scene.camera
+
+    @property
+    def plane(self) -> LaserPlane:
+        return self.scene.plane
+
+
+@dataclass(frozen=True)
+class Observations:
+    """What was seen: edge points, or corners where there are none, and the stripe."""
+
+    edges: Sequence[EdgePoints]
+    corners: Sequence[Corner]
+    stripe: Stripe
+    levels: LaserPlaneFit
+
+    def groups(self, scene: Scene) -> tuple[Rows, Rows]:
+        if self.edges:
+            shape = edge_rows(scene, self.edges)
+        elif self.corners:
+            shape = corner_rows(scene, self.corners)
+        else:
+            shape = joined((), len(scene.names))
+        return shape, stripe_rows(scene, self.stripe, self.levels)
+
+
+def fit_camera(camera: Camera, block: Crenellated, seen: Observations) -> CameraFit:
+    """The most likely camera, laser plane and block.
+
+    Args:
+        camera: a start within a few pixels, sensor frame = object frame.
+        block: the certificate.
+        seen: what the pictures show; edge points are preferred to corners, which
+            are drawn from them.
+
+    Raises:
+        Refusal: fewer observations than parameters, or no minimum found.
+    """
+    lens: tuple[int, ...] = ()
+    start = Scene(replace(camera, distortion=np.zeros(5)), seen.levels.plane, block)
+    best = _adjust(start, block, seen, lens)
+    for term, significant in LENS_TERMS:
+        tried = _adjust(best.scene, block, seen, (*lens, *term))
+        at = [LENS.start + k for k in term]
+        value = tried.camera.distortion[list(term)]
+        square = value @ np.linalg.solve(tried.covariance[np.ix_(at, at)], value)
+        if square > significant**2:
+            lens, best = (*lens, *term), tried
+    return best
+
+
+def _adjust(
+    scene: Scene, certificate: Crenellated, seen: Observations, lens: tuple[int, ...]
+) -> CameraFit:
+    """Gauss-Newton on all parameters but the lens terms that are held at zero."""
+    free = np.ones(len(scene.names), dtype=np.bool_)
+    free[LENS] = np.isin(np.arange(4), lens)
+    inflation = np.ones(2)
+    for _ in range(30):
+        groups = seen.groups(scene)
+        kept = [_agreeing(rows) for rows in groups]
+        if sum(int(mask.sum()) for mask in kept) < int(free[: BLOCK.start].sum()) + 4:
+            raise Refusal(
+                "too-few-edges",
+                f"{sum(int(mask.sum()) for mask in kept)} usable edge and stripe points",
+                "they do not determine the camera",
+                "bring more of the object into the picture, sharp and well lit",
+            )
+        normals = [
+            _normal(rows, mask, k) for rows, mask, k in zip(groups, kept, inflation, strict=True)
+        ]
+        prior = _prior(scene, certificate)
+        N = sum((n for n, _ in (*normals, prior)), np.zeros((len(free), len(free))))
+        g = sum((g for _, g in (*normals, prior)), np.zeros(len(free)))
+        step = np.zeros(len(free))
+        step[free] = -_inverse(N[np.ix_(free, free)]) @ g[free]
+        scene = scene.moved(step)
+        size = float(np.max(np.abs(step[free]) * np.sqrt(np.diag(N)[free])))
+        inflation = np.array([_inflation(r, m) for r, m in zip(groups, kept, strict=True)])
+        if size < 1e-3:
+            return _result(scene, groups, kept, inflation, [n for n, _ in (*normals, prior)], free)
+    raise Refusal(
+        "camera-fit-failed",
+        "the camera's parameters did not settle on the picture's edges",
+        "the picture and the object's certificate contradict each other",
+        "check that this is the object in the picture, and take the picture again",
+    )
+
+
+def _agreeing(rows: Rows) -> NDArray[np.bool_]:
+    """Rows (N,) within the limit, measured by their own scatter where that is larger."""
+    off = np.abs(rows.residuals / rows.sigma)
+    spread = max(float(np.median(off)) / 0.6745, 1.0) if len(off) else 1.0
+    return np.asarray(off < OUTLIER_SIGMAS * spread)
+
+
+def _inflation(rows: Rows, kept: NDArray[np.bool_]) -> float:
+    """Factor on the deviations: scatter beyond what they say, and likeness of neighbours."""
+    if kept.sum() < 10:
+        return 1.0
+    off = (rows.residuals / rows.sigma)[kept]
+    alike = neighbours_alike(rows.places[kept], off)
+    return float(np.sqrt(max(float(np.mean(off**2)), 1.0) * alike))
+
+
+def _normal(rows: Rows, kept: NDArray[np.bool_], inflation: float) -> tuple[Floats, Floats]:
+    weight = (rows.sigma[kept] * inflation) ** -2.0
+    J = rows.jacobian[kept]
+    return np.asarray((J * weight[:, None]).T @ J), np.asarray(
+        J.T @ (weight * rows.residuals[kept])
+    )
+
+
+def _prior(scene: Scene, certificate: Crenellated) -> tuple[Floats, Floats]:
+    """Certificate, square pixels, an axis near the middle, a mild lens: matrix and gradient."""
+    count = len(scene.names)
+    N, g = np.zeros((count, count)), np.zeros(count)
+    camera = scene.camera
+    K = camera.matrix
+    weight = max(certificate.standard_uncertainty_mm, 1e-6) ** -2.0
+    at = np.arange(count)[BLOCK]
+    N[at, at] = weight
+    g[at] = weight * (coordinates(scene.block) - coordinates(certificate))
+    aspect = np.zeros(count)
+    aspect[0], aspect[1] = -K[1, 1] / K[0, 0] ** 2, 1 / K[0, 0]
+    N += np.outer(aspect, aspect) / ASPECT_SD**2
+    g += aspect * (K[1, 1] / K[0, 0] - 1) / ASPECT_SD**2
+    middle = (np.array([camera.width_px, camera.height_px]) - 1) / 2
+    axis_weight = (AXIS_SD_WIDTHS * camera.width_px) ** -2.0
+    N[[2, 3], [2, 3]] += axis_weight
+    g[2:4] += axis_weight * (K[:2, 2] - middle)
+    lens = np.arange(LENS.start, COUNT)
+    N[lens, lens] += LENS_SD**-2.0
+    g[lens] += camera.distortion[:4] * LENS_SD**-2.0
+    return N, g
+
+
+def _inverse(N: Floats) -> Floats:
+    scale = 1 / np.sqrt(np.diag(N))
+    return np.asarray(np.linalg.inv(N * np.outer(scale, scale)) * np.outer(scale, scale))
+
+
+def _result(
+    scene: Scene,
+    groups: tuple[Rows, Rows],
+    kept: list[NDArray[np.bool_]],
+    inflation: Floats,
+    parts: list[Floats],
+    free: NDArray[np.bool_],
+) -> CameraFit:
+    """Covariance, and its split by source, from the normal matrices of the parts."""
+    shape, stripe, prior = parts
+    N = shape + stripe + prior
+    covariance = _embedded(N, free)
+    known_lens = free.copy()
+    known_lens[LENS] = False
+    C = _embedded(N, known_lens)
+    certificate = np.zeros_like(N)
+    at = np.arange(len(N))[BLOCK]
+    certificate[at, at] = prior[at, at]
+    sources = {
+        "edges": C @ (shape + prior - certificate) @ C,
+        "stripe": C @ stripe @ C,
+        "certificate": C @ certificate @ C,
+        "distortion": covariance - C,
+    }
+    fits = [
+        GroupFit(_rms(rows.residuals[mask]), rows.residuals, mask, float(k))
+        for rows, mask, k in zip(groups, kept, inflation, strict=True)
+    ]
+    return CameraFit(scene, covariance, sources, C @ certificate[:, BLOCK], *fits)
+
+
+def _embedded(N: Floats, free: NDArray[np.bool_]) -> Floats:
+    """The covariance of the free parameters, with zeros for those that are held."""
+    covariance = np.zeros_like(N)
+    covariance[np.ix_(free, free)] = _inverse(N[np.ix_(free, free)])
+    return covariance
+
+
+def _rms(values: Floats) -> float:
+    return float(np.sqrt(np.mean(values**2))) if len(values) else 0.0

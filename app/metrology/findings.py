@@ -1,0 +1,215 @@
+"""What a calibration shows about itself, in words: findings, and the worst points."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from app.metrology.alignment import Alignment
+from app.metrology.budget import Budget
+from app.metrology.camera_fit import CameraFit
+from app.metrology.corners import ObjectDetection
+from app.metrology.crenellated import Crenellated
+from app.metrology.faugeras import LARGEST_CONDITION, FaugerasSolution
+from app.metrology.frames import Floats
+from app.metrology.laser_plane import LaserPlaneFit
+from app.metrology.picture import PictureFinding
+from app.metrology.stripe import Stripe
+
+Quality = Literal["good", "attention", "bad"]
+
+# Uncertainty of a point, k = 1: good up to the first, not to be used beyond the second.
+GOOD_UM, USABLE_UM = 50.0, 150.0
+# The arm's contacts scatter by this factor beyond what its encoders explain.
+EXCESS = 5.0
+CONDITION = 15.0
+EDGE_RMS_PX = 0.3
+# Shares: of the stripe on the levels that agrees with the plane; of the block's width it spans.
+AGREEING, SPANNED = 0.85, 0.5
+WORST_OF_A_KIND = 3
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One sentence with the number and the limit, and what to do about it (may be empty)."""
+
+    quality: Quality
+    code: str
+    text: str
+    remedy: str = ""
+
+
+@dataclass(frozen=True)
+class WorstPoint:
+    """One of the points that fit worst: ``value`` in ``unit`` (µm or px)."""
+
+    kind: Literal["contact", "corner", "stripe"]
+    name: str
+    value: float
+    unit: str
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """All that a calibration can be judged by."""
+
+    block: Crenellated
+    alignment: Alignment
+    features: Sequence[str]
+    detection: ObjectDetection
+    picture: Sequence[PictureFinding]
+    faugeras: FaugerasSolution
+    fit: CameraFit
+    stripe: Stripe
+    laser: LaserPlaneFit
+    budget: Budget
+    arm_excess: float
+
+
+def findings_of(seen: Evidence) -> tuple[Finding, ...]:
+    """The verdict first, then every reason for or against it."""
+    return (
+        _verdict(seen.budget),
+        *_about_contacts(seen),
+        *_about_picture(seen),
+        *_about_stripe(seen),
+    )
+
+
+def _verdict(budget: Budget) -> Finding:
+    total = budget.total_um
+    known = f"A scanned point is known to {total:.0f} µm (k = 1) in the flange frame"
+    if total <= GOOD_UM:
+        return Finding("good", "uncertainty", f"{known}; up to {GOOD_UM:.0f} µm is good.")
+    largest = max(budget.rows, key=lambda row: row.value_um)
+    remedy = {
+        "contact points": "Touch more points, spread wide over all six faces.",
+        "arm encoders": "Have the arm's calibration checked; hold it in a compact posture.",
+        "object certificate": "Use a block with a better certificate.",
+        "edges and corners": "Light the block evenly, sharp and large in the picture.",
+        "stripe": "Set the exposure so that the stripe is bright but not clipped.",
+        "distortion": "Bring the block closer, so that it fills the picture.",
+    }[largest.source]
+    because = f"mostly by the {largest.source} ({largest.value_um:.0f} µm)"
+    quality: Quality = "attention" if total <= USABLE_UM else "bad"
+    limit = GOOD_UM if total <= USABLE_UM else USABLE_UM
+    return Finding(
+        quality, "uncertainty", f"{known}, {because}; the limit is {limit:.0f} µm.", remedy
+    )
+
+
+def _about_contacts(seen: Evidence) -> list[Finding]:
+    alignment = seen.alignment
+    left_out = np.flatnonzero(alignment.outliers)
+    found = [
+        Finding(
+            "good",
+            "contacts",
+            f"{len(alignment.outliers) - len(left_out)} contacts fit the block to "
+            f"{1e3 * alignment.rms_mm:.0f} µm rms.",
+        )
+    ]
+    if len(left_out):
+        named = ", ".join(
+            f"{i + 1} ({seen.features[i]}, {1e3 * alignment.residuals_mm[i]:+.0f} µm)"
+            for i in left_out[:4]
+        )
+        found.append(
+            Finding(
+                "attention",
+                "contact-outliers",
+                f"{len(left_out)} of {len(alignment.outliers)} contacts disagree with the "
+                f"others and were left out: {named}.",
+                "Take these points again.",
+            )
+        )
+    if seen.arm_excess > EXCESS:
+        found.append(
+            Finding(
+                "attention",
+                "arm-scatter",
+                f"The contacts scatter by {1e3 * alignment.sigma_mm:.0f} µm, "
+                f"{seen.arm_excess:.0f} times what the arm's encoders explain "
+                f"(limit {EXCESS:.0f}).",
+                "Check the tip for play and the faces for dirt; have the arm's model checked.",
+            )
+        )
+    return found
+
+
+def _about_picture(seen: Evidence) -> list[Finding]:
+    edges = seen.fit.edges
+    text = (
+        f"{int(edges.kept.sum())} points on {len(seen.detection.edges)} edges fit the camera to "
+        f"{edges.rms_px:.2f} px rms; the limit is {EDGE_RMS_PX:.1f} px."
+    )
+    good = edges.rms_px <= EDGE_RMS_PX
+    remedy = "" if good else "Clean the block's edges; check focus, lighting and certificate."
+    found = [Finding("good" if good else "attention", "edges", text, remedy)]
+    found += [Finding("attention", item.code, item.text, item.remedy) for item in seen.picture]
+    condition = seen.faugeras.condition_number
+    if condition > CONDITION:
+        found.append(
+            Finding(
+                "attention",
+                "condition",
+                f"The corners fix the camera weakly: condition number {condition:.0f} "
+                f"(good below {CONDITION:.0f}, refused above {LARGEST_CONDITION:.0f}).",
+                "Show more of the block, crests and floors, front and back.",
+            )
+        )
+    return found
+
+
+def _about_stripe(seen: Evidence) -> list[Finding]:
+    laser = seen.laser
+    on = laser.level != ""
+    share = float(laser.used.sum() / max(on.sum(), 1))
+    good = share >= AGREEING
+    text = (
+        f"{int(laser.used.sum())} stripe points on crests and floors fit one plane to "
+        f"{1e3 * laser.rms_mm:.1f} µm rms, {100 * share:.0f} % of those seen there "
+        f"(limit {100 * AGREEING:.0f} %)."
+    )
+    remedy = "" if good else "Keep reflections out of the grooves: matt spray, lower exposure."
+    found = [Finding("good" if good else "attention", "laser-plane", text, remedy)]
+    width = seen.block.edges_x_mm[-1] - seen.block.edges_x_mm[0]
+    for level in ("crest", "floor"):
+        x = laser.points_mm[laser.used & (laser.level == level), 0]
+        if np.ptp(x) < SPANNED * width:
+            found.append(
+                Finding(
+                    "attention",
+                    "stripe-span",
+                    f"On the {level}s the stripe spans {np.ptp(x):.0f} mm of the block's "
+                    f"{width:.0f} mm.",
+                    "Bring the block to the middle of the stripe.",
+                )
+            )
+    return found
+
+
+def worst_points(seen: Evidence, corner_residuals_px: Floats) -> tuple[WorstPoint, ...]:
+    """The few worst contacts, corners and stripe points."""
+    contacts = 1e3 * np.abs(seen.alignment.residuals_mm)
+    worst = [
+        WorstPoint("contact", f"{seen.features[i]} {i + 1}", float(contacts[i]), "µm")
+        for i in _largest(contacts)
+    ]
+    off = np.linalg.norm(corner_residuals_px, axis=1)
+    worst += [
+        WorstPoint("corner", seen.detection.corners[i].name, float(off[i]), "px")
+        for i in _largest(off)
+    ]
+    heights = 1e3 * np.abs(np.nan_to_num(seen.laser.residuals_mm))
+    along, place = (seen.stripe.u, "column") if seen.stripe.axis == "u" else (seen.stripe.v, "row")
+    worst += [
+        WorstPoint("stripe", f"{place} {along[i]:.0f}", float(heights[i]), "µm")
+        for i in _largest(heights)
+    ]
+    return tuple(worst)
+
+
+def _largest(values: Floats) -> list[int]:
+    return [int(i) for i in np.argsort(-values)[:WORST_OF_A_KIND]]
