@@ -19,7 +19,13 @@ from app.metrology.edge_survey import Survey, survey
 from app.metrology.frames import Floats
 from app.metrology.identify import mirrored
 from app.metrology.locate import Located, Search, locate, working_picture
-from app.metrology.picture import Image, PictureFinding, grey_picture, picture_findings
+from app.metrology.picture import (
+    Image,
+    PictureFinding,
+    edge_blur_px,
+    grey_picture,
+    picture_findings,
+)
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import Stripe
 from app.metrology.stripe_mask import stripe_mask
@@ -143,6 +149,7 @@ def _matching(
 ) -> tuple[list[tuple[Located, Survey]], str]:
     """The different placings that all edges agree with, best first; if none, why not."""
     best = found.found[0].support
+    blur_px = edge_blur_px(grey)
     good: list[tuple[Located, Survey]] = []
     why = ""
     for rival in found.found:
@@ -155,6 +162,7 @@ def _matching(
             wireframe(mirrored(block) if rival.mirrored else block),
             start,
             max(3.0, 2.0 / scale),
+            blur_px,
             block.standard_uncertainty_mm,
         )
         against = "too few of its edges could be measured"

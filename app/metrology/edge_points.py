@@ -64,10 +64,19 @@ def _room(
     return room
 
 
+def block_ahead(frame: Wireframe, camera: Camera) -> bool:
+    """Whether all of the block lies before the camera and within its half space of view."""
+    if not all(np.isfinite(one).all() for one in (camera.matrix, camera.translation_mm)):
+        return False
+    depth = frame.starts_mm @ camera.rotation[2] + camera.translation_mm[2]
+    return bool(depth.min() > 0.1 * depth.max() > 0)
+
+
 def stations(frame: Wireframe, camera: Camera, spacing_px: float, margin_px: float) -> Stations:
     """Stations every ``spacing_px`` along all edges that ``camera`` sees in its picture.
 
     They keep ``margin_px`` from the ends of each visible part, where other edges meet it.
+    The block lies before the camera (``block_ahead``).
     """
     parts = seen(frame, camera.centre_mm)
     begin, along = frame.starts_mm[parts.edge], (frame.ends_mm - frame.starts_mm)[parts.edge]
@@ -78,7 +87,6 @@ def stations(frame: Wireframe, camera: Camera, spacing_px: float, margin_px: flo
     length = np.hypot(ends[:, 2] - ends[:, 0], ends[:, 3] - ends[:, 1])
     usable = length - 2 * margin_px
     count = np.where(usable > 0, np.maximum(np.rint(usable / spacing_px), 1), 0).astype(np.int64)
-    count[~np.isfinite(length)] = 0
     part = np.repeat(np.arange(len(count)), count)
     within = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
     share = (margin_px + (within + 0.5) * (usable / np.maximum(count, 1))[part]) / length[part]
@@ -119,7 +127,7 @@ def _bilinear(image: Floats, u: float, v: float) -> float:  # pragma: no cover -
 
 @kernel
 def _search(
-    image: Floats, uv: Floats, normal: Floats, room: Floats, radius: float
+    image: Floats, uv: Floats, normal: Floats, room: Floats, radius: float, half: int
 ) -> Floats:  # pragma: no cover - compiled
     """Per station: offset along the normal and slope (grey levels per pixel) of the steepest place.
 
@@ -134,9 +142,9 @@ def _search(
         for k in range(2 * reach + 1):
             u, v = uv[i, 0] + (k - reach) * nu, uv[i, 1] + (k - reach) * nv
             total = 0.0
-            for j in range(-1, 2):
-                total += _bilinear(image, u - 1.5 * j * nv, v + 1.5 * j * nu)
-            profile[k] = total / 3.0
+            for j in range(-half, half + 1):
+                total += _bilinear(image, u - j * nv, v + j * nu)
+            profile[k] = total / (2 * half + 1)
         high = min(radius, max(0.5 * room[i, 0], 1.0))
         low = -min(radius, max(0.5 * room[i, 1], 1.0))
         best, at = -1.0, -1
@@ -162,7 +170,7 @@ def search(image: Floats, at: Stations, radius_px: float) -> tuple[Floats, Float
     The steepest place of the picture within ``radius_px`` of each station; NaN where
     there is none. Good to some tenths of a pixel: ``measure`` refines.
     """
-    found = _search(image, at.uv_px, at.normal, at.room_px, radius_px)
+    found = _search(image, at.uv_px, at.normal, at.room_px, radius_px, int(at.half_length_px))
     return found[:, 0], found[:, 1]
 
 

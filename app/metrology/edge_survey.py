@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from app.metrology.camera import Camera
 from app.metrology.edge_fit import NO_DISTORTION, WITH_K1, WITH_K2, fit_edges, residuals
-from app.metrology.edge_points import Stations, search, stations
+from app.metrology.edge_points import Stations, block_ahead, search, stations
 from app.metrology.edge_step import measure, with_room
 from app.metrology.frames import Floats
 from app.metrology.visibility import Wireframe
@@ -19,7 +19,6 @@ _SPACING_PX = 5.0
 _SHOWS = 6.0
 # A lens term is kept where it is this many times its standard deviation.
 _SIGNIFICANT = 3.0
-_BLUR_START_PX = 1.0
 # Steps over noise at which points every few pixels are good, and the most they may lengthen.
 _GOOD_CONTRAST, _LONGEST = 12.0, 5.0
 _NOISY_SPACING_PX = 20.0
@@ -55,6 +54,7 @@ def survey(
     frame: Wireframe,
     camera: Camera,
     coarse_px: float,
+    blur_px: float,
     certificate_mm: float,
 ) -> Survey | None:
     """Measures every visible edge of the block and fits the camera to them.
@@ -65,6 +65,7 @@ def survey(
         frame: the block.
         camera: a camera for this picture that draws the edges within ``coarse_px``.
         coarse_px: how far off it may be.
+        blur_px: about the standard deviation of the picture's blur.
         certificate_mm: standard uncertainty of the block's coordinates.
 
     Returns:
@@ -76,10 +77,10 @@ def survey(
         cv2.GaussianBlur(grey, (0, 0), max(0.8, coarse_px / 4)), dtype=np.float64
     )
     pulled = _coarse(smooth, frame, camera, coarse_px)
-    if pulled is None:
+    if pulled is None or not block_ahead(frame, pulled):
         return None
     camera = pulled
-    seen = _blur(masked, frame, camera)
+    seen = _blur(masked, frame, camera, blur_px)
     if seen is None:
         return None
     blur, contrast = seen
@@ -90,6 +91,8 @@ def survey(
         if fitted is None:
             return None
         camera = fitted[0].camera
+        if not block_ahead(frame, camera):
+            return None
     return _with_significant_lens(_measured(masked, frame, camera, blur, spacing), certificate_mm)
 
 
@@ -115,13 +118,11 @@ def _coarse(smooth: Floats, frame: Wireframe, camera: Camera, reach_px: float) -
     return camera
 
 
-def _blur(masked: Floats, frame: Wireframe, camera: Camera) -> tuple[float, float] | None:
-    """The picture's blur and its steps over its noise, from some of the stations.
-
-    The search starts sharp and widens.
-    """
-    blur = _BLUR_START_PX
-    for _ in range(7):
+def _blur(
+    masked: Floats, frame: Wireframe, camera: Camera, blur: float
+) -> tuple[float, float] | None:
+    """The picture's blur and its steps over its noise, from some of the stations."""
+    for _ in range(4):
         at = with_room(stations(frame, camera, _NOISY_SPACING_PX, 4.0), blur)
         seen = measure(masked, at, blur, free_blur=True)
         contrast = np.abs(seen.step) / seen.noise

@@ -10,7 +10,7 @@ from app.metrology.camera import Camera
 from app.metrology.crenellated import Crenellated
 from app.metrology.directions import perpendicular_directions, segments
 from app.metrology.edge_fit import FOCAL_AND_POSE, NO_DISTORTION, WITH_K1, fit_edges
-from app.metrology.edge_points import Stations, search, stations
+from app.metrology.edge_points import Stations, block_ahead, search, stations
 from app.metrology.frames import Floats
 from app.metrology.identify import Placing, mirrored, placings
 from app.metrology.visibility import Wireframe, wireframe
@@ -89,6 +89,8 @@ def locate(
     for guess in sorted(guesses, key=lambda one: -one.votes)[:24]:
         camera = _camera(guess, picture.shape)
         frame = forms[guess.mirrored]
+        if not block_ahead(frame, camera):
+            continue
         judged.append((_support(smooth, frame, camera, 6.0, noise, seen_px), guess, camera))
     judged.sort(key=lambda one: -one[0])
     found = []
@@ -142,6 +144,8 @@ def _pulled(smooth: Floats, frame: Wireframe, camera: Camera, noise: float) -> C
         if met.sum() < 3 * len(free):
             return None
         camera = _refit(camera, at, offset, met, free)
+        if not block_ahead(frame, camera):
+            return None
     return camera
 
 

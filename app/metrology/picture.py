@@ -22,6 +22,7 @@ CLIPPED = 0.03
 # Beyond the second, the two edges of a groove's wall run into one.
 SOFT = 0.0016
 BLURRED = 0.004
+_SMOOTH_PX = 0.7
 
 
 @dataclass(frozen=True)
@@ -60,33 +61,43 @@ def grey_picture(image: Image) -> tuple[Floats, NDArray[np.bool_]]:
 
 
 def edge_blur_px(grey: NDArray[np.floating]) -> float:
-    """Standard deviation, in px, of the blur at the sharpest edges of a picture (H, W).
+    """Standard deviation, in px, of the blur at the edges of a picture (H, W).
 
     A step of height a blurred by s is steepest by a / (s sqrt(2 pi)); height and
     steepness are taken where the picture is steepest. inf where there are no edges.
     """
-    for shrink in (1, 2, 4):
-        small = (
-            grey
-            if shrink == 1
-            else cv2.resize(grey, None, fx=1 / shrink, fy=1 / shrink, interpolation=cv2.INTER_AREA)
-        )
-        smooth = cv2.GaussianBlur(small, (0, 0), 0.7)
-        slope_u = cv2.Sobel(smooth, cv2.CV_32F, 1, 0, ksize=1) * 0.5
-        slope_v = cv2.Sobel(smooth, cv2.CV_32F, 0, 1, ksize=1) * 0.5
-        slope = cv2.magnitude(slope_u, slope_v)
-        box = np.ones((15, 15), np.uint8)
-        height = cv2.dilate(smooth, box) - cv2.erode(smooth, box)
-        noise = float(np.median(slope[::2, ::2])) / 1.1774
-        low, high = np.percentile(smooth[::4, ::4], (1.0, 99.0))
-        ridge = (slope > 6 * noise + 0.3) & (height > 0.3 * (high - low))
-        ridge &= slope >= cv2.dilate(slope, np.ones((3, 3), np.uint8))
-        if int(ridge.sum()) < 50:
-            continue
-        blur = float(np.median(height[ridge] / slope[ridge])) / np.sqrt(2 * np.pi)
-        if blur < 3.0 or shrink == 4:
-            return float(np.sqrt(max(blur**2 - 0.49, 0.05))) * shrink
-    return float("inf")
+    shrink = max(1, max(grey.shape) // 2000)
+    blur = float("inf")
+    while shrink <= 16:
+        size = (grey.shape[1] // shrink, grey.shape[0] // shrink)
+        small = np.asarray(grey, np.float32)
+        if shrink > 1:
+            small = np.asarray(cv2.resize(small, size, interpolation=cv2.INTER_AREA), np.float32)
+        found = _blur_of(small)
+        blur = found * shrink if np.isfinite(found) else blur
+        # Beyond this the window that takes the step's height no longer holds it.
+        if found < 3.0:
+            break
+        shrink *= 2
+    return blur
+
+
+def _blur_of(small: NDArray[np.float32]) -> float:
+    smooth = cv2.GaussianBlur(small, (0, 0), _SMOOTH_PX)
+    slope = cv2.magnitude(
+        cv2.Sobel(smooth, cv2.CV_32F, 1, 0, ksize=1) * 0.5,
+        cv2.Sobel(smooth, cv2.CV_32F, 0, 1, ksize=1) * 0.5,
+    )
+    box = np.ones((15, 15), np.uint8)
+    height = cv2.dilate(smooth, box) - cv2.erode(smooth, box)
+    noise = float(np.median(slope[::2, ::2])) / 1.1774
+    low, high = np.percentile(smooth[::4, ::4], (1.0, 99.0))
+    ridge = (slope > 6 * noise + 0.3) & (height > 0.3 * (high - low))
+    ridge &= slope >= cv2.dilate(slope, np.ones((3, 3), np.uint8))
+    if int(ridge.sum()) < 50:
+        return float("inf")
+    blur = float(np.median(height[ridge] / slope[ridge])) / np.sqrt(2 * np.pi)
+    return float(np.sqrt(max(blur**2 - _SMOOTH_PX**2, 0.05)))
 
 
 def picture_findings(image: Image) -> list[PictureFinding]:
