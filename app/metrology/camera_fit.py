@@ -38,22 +38,25 @@ AXIS_SD_WIDTHS = 0.25
 LENS_SD = np.array([0.5, 2.0, 0.01, 0.01])  # k1, k2, p1, p2
 # Terms of the lens in the order tried, each kept where it exceeds its deviation so many
 # times: more for those that lenses seldom need.
-LENS_TERMS = (((0,), 2.0), ((1,), 3.0), ((2, 3), 4.0))
+LENS_TERMS = (((0,), 2.0), ((1,), 3.0), ((2, 3), 5.0))
 OUTLIER_SIGMAS = 4.5
+FEWEST_TO_JUDGE = 12
+# Outliers and factors are judged anew in the first rounds only, so that the rest converge.
+ROUNDS_OF_JUDGING = 6
 
 
 @dataclass(frozen=True)
 class GroupFit:
     """How well one kind of observation fits: rms in px, and which rows (N,) were kept.
 
-    ``inflation`` is the factor by which their deviations were raised, since they
+    ``inflation`` (N,) are the factors by which their deviations were raised, where they
     scatter by more than they said or are alike from one to the next.
     """
 
     rms_px: float
     residuals_px: Floats
     kept: NDArray[np.bool_]
-    inflation: float
+    inflation: Floats
 
 
 @dataclass(frozen=True)
@@ -132,36 +135,45 @@ def _adjust(
     """Gauss-Newton on all parameters but the lens terms that are held at zero."""
     free = np.ones(len(scene.names), dtype=np.bool_)
     free[LENS] = np.isin(np.arange(4), lens)
-    inflation = np.ones(2)
-    for _ in range(30):
+    kept, inflation = _judged(seen.groups(scene))
+    for turn in range(40):
         groups = seen.groups(scene)
-        kept = [_agreeing(rows) for rows in groups]
-        if sum(int(mask.sum()) for mask in kept) < int(free[: BLOCK.start].sum()) + 4:
-            raise Refusal(
-                "too-few-edges",
-                f"{sum(int(mask.sum()) for mask in kept)} usable edge and stripe points",
-                "they do not determine the camera",
-                "bring more of the object into the picture, sharp and well lit",
-            )
-        normals = [
-            _normal(rows, mask, k) for rows, mask, k in zip(groups, kept, inflation, strict=True)
-        ]
-        prior = _prior(scene, certificate)
-        N = sum((n for n, _ in (*normals, prior)), np.zeros((len(free), len(free))))
-        g = sum((g for _, g in (*normals, prior)), np.zeros(len(free)))
+        if turn < ROUNDS_OF_JUDGING:
+            kept, inflation = _judged(groups)
+        _require_enough(kept, int(free[: BLOCK.start].sum()))
+        parts = [_normal(*group) for group in zip(groups, kept, inflation, strict=True)]
+        parts.append(_prior(scene, certificate))
+        N = np.sum([part for part, _ in parts], axis=0)
+        g = np.sum([gradient for _, gradient in parts], axis=0)
         step = np.zeros(len(free))
         step[free] = -_inverse(N[np.ix_(free, free)]) @ g[free]
         scene = scene.moved(step)
-        size = float(np.max(np.abs(step[free]) * np.sqrt(np.diag(N)[free])))
-        inflation = np.array([_inflation(r, m) for r, m in zip(groups, kept, strict=True)])
-        if size < 1e-3:
-            return _result(scene, groups, kept, inflation, [n for n, _ in (*normals, prior)], free)
+        if float(np.max(np.abs(step) * np.sqrt(np.diag(N)))) < 1e-3:
+            fits = [_group(*group) for group in zip(groups, kept, inflation, strict=True)]
+            return _result(scene, fits, [part for part, _ in parts], free)
     raise Refusal(
         "camera-fit-failed",
         "the camera's parameters did not settle on the picture's edges",
         "the picture and the object's certificate contradict each other",
         "check that this is the object in the picture, and take the picture again",
     )
+
+
+def _judged(groups: tuple[Rows, Rows]) -> tuple[list[NDArray[np.bool_]], list[Floats]]:
+    """Which rows of each group agree, and the factors on the deviations."""
+    kept = [_agreeing(rows) for rows in groups]
+    return kept, [_inflation(rows, mask) for rows, mask in zip(groups, kept, strict=True)]
+
+
+def _require_enough(kept: list[NDArray[np.bool_]], parameters: int) -> None:
+    found = sum(int(mask.sum()) for mask in kept)
+    if found < parameters + 4:
+        raise Refusal(
+            "too-few-edges",
+            f"{found} usable edge and stripe points",
+            "they do not determine the camera",
+            "bring more of the object into the picture, sharp and well lit",
+        )
 
 
 def _agreeing(rows: Rows) -> NDArray[np.bool_]:
@@ -171,17 +183,22 @@ def _agreeing(rows: Rows) -> NDArray[np.bool_]:
     return np.asarray(off < OUTLIER_SIGMAS * spread)
 
 
-def _inflation(rows: Rows, kept: NDArray[np.bool_]) -> float:
-    """Factor on the deviations: scatter beyond what they say, and likeness of neighbours."""
-    if kept.sum() < 10:
-        return 1.0
-    off = (rows.residuals / rows.sigma)[kept]
-    alike = neighbours_alike(rows.places[kept], off)
-    return float(np.sqrt(max(float(np.mean(off**2)), 1.0) * alike))
+def _inflation(rows: Rows, kept: NDArray[np.bool_]) -> Floats:
+    """Factors (N,) on the deviations, one for each line: scatter beyond what its points
+    say, and likeness of neighbours (speckle; an edge that runs along the pixels)."""
+    factor = np.ones(len(kept))
+    off = rows.residuals / rows.sigma
+    for number in np.unique(rows.line):
+        own = (rows.line == number) & kept
+        if own.sum() < FEWEST_TO_JUDGE:
+            continue
+        beyond = max(float(np.mean(off[own] ** 2)), 1.0)
+        factor[rows.line == number] = np.sqrt(beyond * neighbours_alike(rows.places[own], off[own]))
+    return factor
 
 
-def _normal(rows: Rows, kept: NDArray[np.bool_], inflation: float) -> tuple[Floats, Floats]:
-    weight = (rows.sigma[kept] * inflation) ** -2.0
+def _normal(rows: Rows, kept: NDArray[np.bool_], inflation: Floats) -> tuple[Floats, Floats]:
+    weight = (rows.sigma * inflation)[kept] ** -2.0
     J = rows.jacobian[kept]
     return np.asarray((J * weight[:, None]).T @ J), np.asarray(
         J.T @ (weight * rows.residuals[kept])
@@ -219,9 +236,7 @@ def _inverse(N: Floats) -> Floats:
 
 def _result(
     scene: Scene,
-    groups: tuple[Rows, Rows],
-    kept: list[NDArray[np.bool_]],
-    inflation: Floats,
+    fits: list[GroupFit],
     parts: list[Floats],
     free: NDArray[np.bool_],
 ) -> CameraFit:
@@ -241,11 +256,13 @@ def _result(
         "certificate": C @ certificate @ C,
         "distortion": covariance - C,
     }
-    fits = [
-        GroupFit(_rms(rows.residuals[mask]), rows.residuals, mask, float(k))
-        for rows, mask, k in zip(groups, kept, inflation, strict=True)
-    ]
     return CameraFit(scene, covariance, sources, C @ certificate[:, BLOCK], *fits)
+
+
+def _group(rows: Rows, kept: NDArray[np.bool_], inflation: Floats) -> GroupFit:
+    residuals = rows.residuals[kept]
+    rms = float(np.sqrt(np.mean(residuals**2))) if len(residuals) else 0.0
+    return GroupFit(rms, rows.residuals, kept, inflation)
 
 
 def _embedded(N: Floats, free: NDArray[np.bool_]) -> Floats:
@@ -253,7 +270,3 @@ def _embedded(N: Floats, free: NDArray[np.bool_]) -> Floats:
     covariance = np.zeros_like(N)
     covariance[np.ix_(free, free)] = _inverse(N[np.ix_(free, free)])
     return covariance
-
-
-def _rms(values: Floats) -> float:
-    return float(np.sqrt(np.mean(values**2))) if len(values) else 0.0

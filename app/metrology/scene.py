@@ -49,7 +49,7 @@ class Rows:
     """Observation equations of one kind: residuals (N,) over sigma (N,), by the parameters.
 
     ``places`` (N, 2) are the pixels they were observed at, ``line`` (N,) numbers the
-    straight line that each belongs to.
+    straight line that each belongs to (one number for all corners).
     """
 
     residuals: Floats
@@ -164,7 +164,7 @@ def corner_rows(scene: Scene, measured: Sequence[Corner]) -> Rows:
         np.sqrt(variance).ravel(),
         -(turned @ J).reshape(2 * len(seen), -1),
         np.repeat(seen, 2, axis=0),
-        np.repeat(np.arange(len(seen), dtype=np.float64), 2),
+        np.zeros(2 * len(seen)),
     )
 
 
