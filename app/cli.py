@@ -132,16 +132,19 @@ def calibrate(
     as_json: AsJson = False,
 ) -> None:
     """Calibrate from contact points and one picture: camera, laser plane, probe matrix."""
-    from app.calibrating import calibrate_session, calibration_figures
+    from app.files.calibrate import calibrate_session, figures_of
 
     began = time.perf_counter()
     with progress_bar("Calibrating", not as_json) as tell:
-        sheet = calibrate_session(session, output, tell)
+        sheet, warnings = calibrate_session(session, output, tell)
     seconds = time.perf_counter() - began
+    for text in warnings:
+        warn(text)
     if as_json:
-        print_json({**sheet.fields(), "file": str(output), "seconds": seconds})
+        told = {"file": str(output), "seconds": seconds, "warnings": warnings}
+        print_json({**sheet.fields(), **told})
         return
-    print_figures(f"Calibration of {session}", calibration_figures(sheet))
+    print_figures(f"Calibration of {session}", figures_of(sheet))
     print(f"{output} written in {seconds:.2f} s")
 
 
@@ -218,12 +221,11 @@ def reconstruct(
     with progress_bar("Reconstructing", not as_json) as tell:
         rebuilt = rebuild(recording, sensor, arm_model, output, tell)
     seconds = time.perf_counter() - began
-    warnings = rebuilt.warnings
-    for text in warnings:
+    for text in rebuilt.warnings:
         warn(text)
     if as_json:
-        result = {"file": str(output), "seconds": seconds, "warnings": warnings}
-        print_json({**result, **asdict(rebuilt)})
+        told = {"file": str(output), "seconds": seconds, "warnings": rebuilt.warnings}
+        print_json({**asdict(rebuilt), **told})
         return
     figures = (
         ("points", f"{rebuilt.points:,}".replace(",", " ")),

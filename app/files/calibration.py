@@ -20,6 +20,7 @@ from app.files.documents import (
 )
 from app.files.software import Software
 from app.metrology.camera import Camera
+from app.metrology.findings import Quality
 from app.metrology.frames import Floats
 from app.metrology.laser_plane import LaserPlane
 
@@ -77,6 +78,13 @@ class FacePart(Part):
     form_um: NotNegative
 
 
+class WorstPart(Part):
+    kind: Literal["contact", "corner", "stripe"]
+    name: str
+    value: NotNegative
+    unit: str
+
+
 class Residuals(Part):
     """What the measurements left over."""
 
@@ -91,6 +99,8 @@ class Residuals(Part):
     contacts_left_out: tuple[int, ...]
     """Index of each contact that was named an outlier."""
     faces: tuple[FacePart, ...]
+    worst: tuple[WorstPart, ...] = ()
+    """The few that fit worst of each kind."""
 
 
 class BudgetPart(Part):
@@ -104,13 +114,32 @@ class Uncertainty(Part):
     total_um: NotNegative
     budget: tuple[BudgetPart, ...]
     depth_range_mm: tuple[Number, Number]
-    """From the camera's centre along its axis: where the object was seen."""
+    """Nearest and furthest distance from the camera's centre that the object covered."""
+
+
+class FindingPart(Part):
+    quality: Quality
+    code: str
+    text: str
+    remedy: str = ""
 
 
 class Verdict(Part):
-    quality: Literal["good", "attention", "bad"]
+    """What is to be said of the calibration: as bad as the worst of its findings, and the
+    text of the first, which is about the uncertainty of a point."""
+
+    quality: Quality
     text: str
-    findings: tuple[str, ...] = ()
+    findings: tuple[FindingPart, ...] = ()
+
+
+class Covariance(Part):
+    """Of camera, laser plane and probe matrix together."""
+
+    parameters: tuple[str, ...]
+    matrix: tuple[tuple[Number, ...], ...]
+    pivot_mm: Vector3
+    """In the flange frame; the probe matrix' six are a left perturbation (rad, mm) about it."""
 
 
 class Input(Part):
@@ -137,7 +166,7 @@ class CalibrationFile(Document):
     residuals: Residuals | None = None
     condition_number: NotNegative | None = None
     orthogonality_defect: NotNegative | None = None
-    covariance: dict[str, tuple[tuple[Number, ...], ...]] | None = None
+    covariance: Covariance | None = None
     inputs: tuple[Input, ...] = ()
     software: Software | None = None
 

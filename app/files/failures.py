@@ -42,6 +42,16 @@ def files_refused(path: Path | str) -> Iterator[None]:
         raise refusal_of(error, path) from error
 
 
+@contextmanager
+def refusals_naming(path: Path | str) -> Iterator[None]:
+    """Puts a file's name before what the mathematics refuses of its content."""
+    try:
+        yield
+    except Refusal as refusal:
+        named = f"{path}: {refusal.what}"
+        raise Refusal(refusal.code, named, refusal.why, refusal.remedy) from refusal
+
+
 def refusal_of_invalid(path: Path | str, error: ValidationError) -> Refusal:
     """The refusal for a document whose fields are not as FORMATS.md has them."""
     problems = error.errors(include_url=False)

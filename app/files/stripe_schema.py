@@ -12,6 +12,7 @@ Protocol Buffers, as the schema in every recording has it::
       repeated double v = 5;                    // row
       repeated float intensity = 6;             // grey levels over the background
       repeated float sigma_px = 7;              // standard deviation across the stripe
+      string axis = 8;                          // "u": a point a column, "v": a point a row
     }
 
 The four lists are of one length. ``timestamp`` is on the clock of the recording's
@@ -50,6 +51,7 @@ class StripeMessage(Protocol):
     v: MutableSequence[float]
     intensity: MutableSequence[float]
     sigma_px: MutableSequence[float]
+    axis: str
 
     def SerializeToString(self) -> bytes: ...
 
@@ -69,6 +71,7 @@ def encode_stripe(stripe: Stripe, stamp_ns: int, width_px: int, height_px: int) 
     message.v.extend(stripe.v.tolist())
     message.intensity.extend(stripe.intensity.tolist())
     message.sigma_px.extend(stripe.sigma_px.tolist())
+    message.axis = stripe.axis
     return message.SerializeToString()
 
 
@@ -79,6 +82,7 @@ def stripe_of(message: StripeMessage) -> Stripe:
         np.array(message.v, dtype=np.float64),
         np.array(message.intensity, dtype=np.float64),
         np.array(message.sigma_px, dtype=np.float64),
+        message.axis or "u",
     )
     lengths = {len(stripe.u), len(stripe.v), len(stripe.intensity), len(stripe.sigma_px)}
     if len(lengths) > 1:
@@ -116,6 +120,7 @@ def _stripe_file() -> FileDescriptorProto:
         ("v", many, FieldDescriptorProto.TYPE_DOUBLE),
         ("intensity", many, FieldDescriptorProto.TYPE_FLOAT),
         ("sigma_px", many, FieldDescriptorProto.TYPE_FLOAT),
+        ("axis", one, FieldDescriptorProto.TYPE_STRING),
     )
     message = file.message_type.add(name="StripeProfile")
     for number, (name, label, kind) in enumerate(fields, start=1):

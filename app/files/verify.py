@@ -7,6 +7,7 @@ from typing import Literal
 import numpy as np
 
 from app.files.clouds import read_cloud
+from app.files.failures import refusals_naming
 from app.files.nominal import read_nominal
 from app.files.progress import Progress, no_progress
 from app.files.report import CloudReport, GaugeReport, SpreadReport
@@ -52,12 +53,8 @@ def verify(
     for done, path in enumerate(clouds):
         progress(done / len(clouds), path.name)
         points_mm = read_cloud(path).points_mm
-        try:
+        with refusals_naming(path):
             found.append(_checked(shape, path, points_mm, nominal))
-        except Refusal as refusal:
-            raise Refusal(
-                refusal.code, f"{path}: {refusal.what}", refusal.why, refusal.remedy
-            ) from refusal
     progress(1.0, "")
     return GaugeReport(
         shape=shape,

@@ -40,7 +40,7 @@ def stripe_of_length(count: int) -> Stripe:
     rng = np.random.default_rng(count)
     u, v = rng.uniform(0, 1280, (2, count))
     floats = rng.uniform(0, 255, (2, count)).astype(np.float32).astype(np.float64)
-    return Stripe(u, v, *floats)
+    return Stripe(u, v, *floats, axis="v" if count % 2 else "u")
 
 
 def read(path: Path) -> tuple[Recording, list[Record]]:
@@ -76,6 +76,7 @@ def test_what_was_written_reads_back(tmp_path: Path) -> None:
     for record, stripe in zip(found, stripes, strict=True):
         for name in ("u", "v", "intensity", "sigma_px"):
             np.testing.assert_array_equal(getattr(record.stripe, name), getattr(stripe, name))
+        assert record.stripe.axis == stripe.axis
     assert (found[3].stamp_ns, found[3].width_px, found[3].height_px) == (
         1_700_000_000_153_456_790,
         1280,
