@@ -1,0 +1,98 @@
+"""Long work, one job at a time, off the event loop, with its progress."""
+
+import logging
+import threading
+from collections.abc import Callable
+from typing import Generic, TypeVar
+
+from app.metrology.refusal import Refusal
+from app.station.bus import Bus
+
+log = logging.getLogger(__name__)
+
+T = TypeVar("T")
+Progress = Callable[[str, float], None]
+"""Called by the work with what it is doing, and its share done (0 to 1)."""
+
+
+class Job(Generic[T]):
+    """One piece of work: how far it is, and how it ended."""
+
+    def __init__(self, title: str) -> None:
+        self.title = title
+        self.text = ""
+        self.fraction: float | None = None
+        self.result: T | None = None
+        self.refusal: Refusal | None = None
+        """Why there is no result; an unexpected error is told as one, too."""
+        self.finished = False
+
+    def progress(self, text: str, fraction: float) -> None:
+        self.text, self.fraction = text, fraction
+
+
+class Jobs:
+    """Runs one job at a time on a thread of its own."""
+
+    def __init__(self, bus: Bus) -> None:
+        self._bus = bus
+        self._lock = threading.Lock()
+        self._current: Job[object] | None = None
+        self._thread: threading.Thread | None = None
+
+    @property
+    def current(self) -> Job[object] | None:
+        """The job that is running, if any."""
+        with self._lock:
+            return self._current
+
+    def start(
+        self, title: str, work: Callable[[Progress], T], done: Callable[[Job[T]], None]
+    ) -> Job[T]:
+        """Starts work on a thread; ``done`` runs on the event loop once it has ended.
+
+        Raises:
+            Refusal: ``busy`` while another job runs.
+        """
+        job: Job[T] = Job(title)
+        with self._lock:
+            if self._current is not None:
+                raise Refusal(
+                    "busy",
+                    f"{title} cannot start",
+                    f"{self._current.title} is still running",
+                    "wait until it has ended",
+                )
+            self._current = job  # type: ignore[assignment]  # read only as a job of anything
+        self._thread = threading.Thread(
+            target=self._run, args=(job, work, done), name=f"job-{title}", daemon=True
+        )
+        self._thread.start()
+        return job
+
+    def wait(self, timeout_s: float) -> None:
+        """Waits for the running job, if any, to end."""
+        thread = self._thread
+        if thread is not None:
+            thread.join(timeout_s)
+
+    def _run(
+        self, job: Job[T], work: Callable[[Progress], T], done: Callable[[Job[T]], None]
+    ) -> None:
+        try:
+            job.result = work(job.progress)
+        except Refusal as refusal:
+            job.refusal = refusal
+        except Exception as error:  # the operator is told, and the station lives on
+            log.exception("%s failed", job.title)
+            job.refusal = Refusal(
+                "failed",
+                f"{job.title} failed",
+                f"{type(error).__name__}: {error}",
+                "nothing was changed; the station's log has the details",
+            )
+        finally:
+            job.finished = True
+            with self._lock:
+                self._current = None
+        self._bus.call(done, job)
