@@ -44,6 +44,8 @@ __all__ = [
 _WORKING_PX = (640, 320)
 # A placing this much less supported than the best is no rival.
 _RIVAL = 0.85
+# Nor is one that explains less than this share of what the best does.
+_MORE = 0.88
 # Edges that cross at less than this make no corner.
 _FLATTEST_RAD = np.deg2rad(8.0)
 _WORST_CORNER_PX = 1.0
@@ -130,6 +132,7 @@ def _accepted(
         acceptance.refuse_bad_picture(findings, "the object was not found")
         raise acceptance.unfound(found, block)
     good, why = _matching(grey, hidden, found, scale, block)
+    good = [one for one in good if _explained(one[1]) > _MORE * _explained(good[0][1])]
     if not good:
         acceptance.refuse_bad_picture(findings, "its edges cannot be measured")
         raise acceptance.mismatch(block, why)
@@ -171,7 +174,12 @@ def _matching(
             if not against and not _known(measured.camera, rival.mirrored, good, block):
                 good.append((rival, measured))
         why = why or against
-    return good, why
+    return sorted(good, key=lambda one: -_explained(one[1])), why
+
+
+def _explained(measured: Survey) -> float:
+    """Length, px, of the edges that the picture shows where they are drawn."""
+    return float(measured.at.length_px[measured.used].sum())
 
 
 def _known(

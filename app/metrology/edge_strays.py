@@ -109,6 +109,8 @@ def _stray(smooth: Floats, found: Survey, rows: NDArray[np.int64], step: float) 
         for b in np.flatnonzero(station > 2 * third)[:60]:
             incline = (away[b] - away[a]) / (station[b] - station[a])
             near = np.abs(away - away[a] - incline * (station - station[a])) < _STRAIGHT_PX
-            if len(np.unique(station[near])) >= _SEEN * len(rows):
+            seen = len(np.unique(station[near])) >= _SEEN * len(rows)
+            # What runs along the drawn edge itself is that edge, only too faint to measure.
+            if seen and abs(np.mean(away[near])) > _STRAIGHT_PX:
                 return float(np.mean(away[near]))
     return None

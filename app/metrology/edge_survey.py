@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from app.metrology.camera import Camera
 from app.metrology.edge_fit import NO_DISTORTION, WITH_K1, WITH_K2, fit_edges, residuals
 from app.metrology.edge_points import Stations, block_ahead, search, stations
-from app.metrology.edge_step import measure, with_room
+from app.metrology.edge_step import Measured, measure, with_room
 from app.metrology.frames import Floats
 from app.metrology.visibility import Wireframe
 
@@ -17,6 +17,10 @@ from app.metrology.visibility import Wireframe
 _SPACING_PX = 5.0
 # A step this many times its own standard deviation is an edge that shows.
 _SHOWS = 6.0
+# In noise a part of an edge may show as a whole, and then its points if they agree.
+_PART_SHOWS, _IN_PART = 12.0, 2.5
+# Points less certain than this are of no use.
+_WORST_PX = 1.0
 # A lens term is kept where it is this many times its standard deviation.
 _SIGNIFICANT = 3.0
 # Steps over noise at which points every few pixels are good, and the most they may lengthen.
@@ -80,10 +84,7 @@ def survey(
     if pulled is None or not block_ahead(frame, pulled):
         return None
     camera = pulled
-    seen = _blur(masked, frame, camera, blur_px)
-    if seen is None:
-        return None
-    blur, contrast = seen
+    blur, contrast = _blur(masked, frame, camera, blur_px)
     # In a noisy picture each point gathers light along more of its edge.
     spacing = _SPACING_PX * float(np.clip((_GOOD_CONTRAST / contrast) ** 2, 1.0, _LONGEST))
     for _ in range(2):
@@ -118,21 +119,20 @@ def _coarse(smooth: Floats, frame: Wireframe, camera: Camera, reach_px: float) -
     return camera
 
 
-def _blur(
-    masked: Floats, frame: Wireframe, camera: Camera, blur: float
-) -> tuple[float, float] | None:
+def _blur(masked: Floats, frame: Wireframe, camera: Camera, blur: float) -> tuple[float, float]:
     """The picture's blur and its steps over its noise, from some of the stations."""
+    contrast = 1.0
     for _ in range(4):
         at = with_room(stations(frame, camera, _NOISY_SPACING_PX, 4.0), blur)
         seen = measure(masked, at, blur, free_blur=True)
-        contrast = np.abs(seen.step) / seen.noise
         sound = np.isfinite(seen.offset_px) & (np.abs(seen.step) > _SHOWS * seen.step_sigma)
         if sound.sum() < 12:
-            return None
+            break
+        contrast = float(np.median(np.abs(seen.step[sound]) / seen.noise[sound]))
         last, blur = blur, float(np.median(seen.blur_px[sound]))
         if abs(blur / last - 1) < 0.1:
             break
-    return blur, float(np.median(contrast[sound]))
+    return blur, contrast
 
 
 def _measured(
@@ -140,13 +140,25 @@ def _measured(
 ) -> Survey:
     at = with_room(stations(frame, camera, spacing, max(4.0, 3.0 * blur)), blur)
     seen = measure(masked, at, blur)
-    shows = np.isfinite(seen.offset_px) & (np.abs(seen.step) > _SHOWS * seen.step_sigma)
-    shows &= seen.sigma_px < 1.0
+    shows = _showing(at, seen)
     uv = at.uv_px + np.nan_to_num(seen.offset_px)[:, None] * at.normal
     sigma = np.where(shows, seen.sigma_px, np.nan)
     off = np.where(shows, seen.offset_px, np.nan)
     step = np.where(shows, seen.step, 0.0)
     return Survey(frame, camera, at, uv, sigma, off, step, shows, shows.copy(), blur)
+
+
+def _showing(at: Stations, seen: Measured) -> NDArray[np.bool_]:
+    """Where the picture shows an edge: by itself, or as one of a part that does."""
+    there = np.isfinite(seen.offset_px) & (seen.sigma_px < _WORST_PX)
+    ratio = np.where(there, seen.step / seen.step_sigma, 0.0)
+    weight = np.where(there, 1 / np.maximum(seen.step_sigma, 1e-6) ** 2, 0.0)
+    parts = int(at.part.max()) + 1 if len(at.part) else 0
+    total = np.bincount(at.part, weight, parts)
+    mean = np.bincount(at.part, weight * np.nan_to_num(seen.step), parts)
+    together = (mean / np.sqrt(np.maximum(total, 1e-12)))[at.part]
+    as_part = (np.abs(together) > _PART_SHOWS) & (ratio * np.sign(together) > _IN_PART)
+    return there & ((np.abs(ratio) > _SHOWS) | as_part)
 
 
 def _fitted(
