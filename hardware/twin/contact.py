@@ -95,26 +95,29 @@ def contact_pose(
     spot_mm: Floats,
     gap_mm: float,
     rng: np.random.Generator,
+    flange_x: Floats | None = None,
+    sway_rad: float = 0.18,
 ) -> Floats:
     """``T_arm_flange`` (4, 4) with the ball's centre ``gap_mm`` off a spot of a face.
 
-    The stylus comes from above and from outside of the face, turned a little
-    differently each time, as a hand does.
+    The stylus comes from above and from outside of the face, turned by ``sway_rad`` or
+    so differently each time, as a hand does. ``flange_x`` (3,): where the flange's x
+    axis points about, in the arm frame; along the block's x where not given.
     """
     up, normal = np.array([0.0, 0.0, 1.0]), outward(face)
-    lean = up + 0.55 * (normal if face not in ("crest", "floor") else np.zeros(3))
-    sway = rng.normal(0.0, 0.18, 3)
+    lean = up + 0.4 * (normal if face not in ("crest", "floor") else np.zeros(3))
+    sway = rng.normal(0.0, sway_rad, 3)
     if face == "floor":
         sway[0] = 0.0
     away = lean + sway
     away /= np.linalg.norm(away)
     z = -(T_arm_obj[:3, :3] @ away)
-    x = T_arm_obj[:3, :3] @ np.array([1.0, 0.0, 0.0])
+    x = T_arm_obj[:3, 0] if flange_x is None else flange_x
     x = x - (x @ z) * z
     x /= np.linalg.norm(x)
     T = np.eye(4)
     T[:3, :3] = np.column_stack([x, np.cross(z, x), z])
-    T = T @ rotation_about("z", float(rng.normal(0.0, 0.35)))
+    T = T @ rotation_about("z", float(rng.normal(0.0, 2 * sway_rad)))
     centre = T_arm_obj[:3, :3] @ (spot_mm + gap_mm * normal) + T_arm_obj[:3, 3]
     T[:3, 3] = centre - T[:3, :3] @ np.array(arm.tip_mm)
     return T

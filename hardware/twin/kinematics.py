@@ -16,6 +16,8 @@ Floats = NDArray[np.float64]
 ROTATION_LEVER_MM = 200.0
 """One radian of orientation weighs as much as this length when poses are compared."""
 REACHED_MM = 1e-7
+JUMP_RAD = 0.6
+"""No joint turns so far between neighbours of a path; it would be another posture."""
 
 
 class UnreachableError(ValueError):
@@ -207,9 +209,12 @@ def follow(arm: ArmModel, targets: Floats, start_rad: Floats) -> Floats:
     q = np.asarray(start_rad, dtype=np.float64)
     path = np.empty((len(targets), arm.joint_count))
     for i, target in enumerate(targets):
+        before = q
         q, misfit = _descend(dh, errors, limits, q, np.ascontiguousarray(target), 60)
         if misfit > REACHED_MM:
             raise UnreachableError(f"point {i} of the path misses by {misfit:.3g} mm")
+        if np.max(np.abs(q - before)) > JUMP_RAD:
+            raise UnreachableError(f"the arm would have to flip over at point {i} of the path")
         path[i] = q
     return path
 
@@ -259,13 +264,18 @@ def imperfect(arm: ArmModel, rms_um: float, rng: np.random.Generator) -> ArmMode
         T = flange_poses(model, probe)
         return np.asarray(T[:, :3, :3] @ np.array(arm.tip_mm) + T[:, :3, 3])
 
-    rms_mm = _rms_after_rigid_fit(tips(arm), tips(with_errors(1.0)))
-    return with_errors(rms_um * 1e-3 / rms_mm)
+    ideal, off = tips(arm), tips(with_errors(1.0))
+    T = rigid_fit(ideal, off)
+    left = ideal @ T[:3, :3].T + T[:3, 3] - off
+    return with_errors(rms_um * 1e-3 / float(np.sqrt(np.mean(np.sum(left**2, axis=1)))))
 
 
-def _rms_after_rigid_fit(a: Floats, b: Floats) -> float:
-    """Rms distance between two sets (N, 3) once one is laid on the other."""
-    a, b = a - a.mean(axis=0), b - b.mean(axis=0)
-    U, _, Vt = np.linalg.svd(a.T @ b)
+def rigid_fit(a: Floats, b: Floats) -> Floats:
+    """``T_ba`` (4, 4) that lays points ``a`` (N, 3) best on their partners ``b`` (N, 3)."""
+    ca, cb = a.mean(axis=0), b.mean(axis=0)
+    U, _, Vt = np.linalg.svd((a - ca).T @ (b - cb))
     flip = np.diag([1.0, 1.0, np.sign(np.linalg.det(U @ Vt))])
-    return float(np.sqrt(np.mean(np.sum((a @ (U @ flip @ Vt) - b) ** 2, axis=1))))
+    T = np.eye(4)
+    T[:3, :3] = (U @ flip @ Vt).T
+    T[:3, 3] = cb - T[:3, :3] @ ca
+    return T

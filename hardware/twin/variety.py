@@ -68,7 +68,7 @@ def demo_arm() -> ArmModel:
             Link(32.0, -RIGHT_ANGLE, 0.0, 0.0, 1, _pair(np.radians(155.0))),
             Link(0.0, RIGHT_ANGLE, 540.0, 0.0, 1, _pair(np.radians(175.0))),
             Link(0.0, -RIGHT_ANGLE, 0.0, 0.0, -1, _pair(np.radians(125.0))),
-            Link(0.0, 0.0, 82.0, np.pi, 1, _pair(np.radians(175.0))),
+            Link(0.0, 0.0, 82.0, 0.0, 1, _pair(np.radians(175.0))),
         ),
         tip_mm=(0.0, -12.0, 165.0),
         tip_diameter_mm=3.0,

@@ -1,0 +1,299 @@
+"""The scripted hand: it moves the true arm as an operator would, touches, holds and scans.
+
+Moves block until they are done. Any other thread may read ``state`` and ``cancel``.
+"""
+
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+
+import numpy as np
+
+from hardware.clock import now_ns
+from hardware.interfaces import Button
+from hardware.twin.contact import contact_pose, contact_spot, outward, reachable_faces
+from hardware.twin.kinematics import (
+    ArmModel,
+    Floats,
+    UnreachableError,
+    flange_pose,
+    reach,
+    rotation_about,
+    translation,
+)
+from hardware.twin.motion import HALT_S, JointPath, Motion, path_over, reaching_path, smooth
+from hardware.twin.world import Ball, Box, Comb, Scene, Shell, Thing
+
+LEAD_NS = 4_000_000
+CLEAR_MM = 3.0
+"""From here the tip goes straight to the face, and back."""
+SETTLE_S, PRESS_S = 0.24, 0.05
+APPROACH_S, RETRACT_S = 0.09, 0.06
+HAND_MM_S, HAND_RAD_S = 260.0, 2.2
+SCAN_MM_S = 16.0
+TRIES = 12
+SWAY_RAD = 0.1
+
+
+@dataclass(frozen=True)
+class HandState:
+    """What the hand does now; ``progress`` is from 0 to 1."""
+
+    activity: str = ""
+    progress: float = 0.0
+
+    @property
+    def busy(self) -> bool:
+        return self.activity != ""
+
+
+class _CancelledError(Exception):
+    """The move under way was cancelled."""
+
+
+@dataclass(frozen=True)
+class _Sweep:
+    """One pass of the sensor over a part: sensor poses in the part's frame, from and to."""
+
+    start: Floats
+    end: Floats
+
+
+class Hand:
+    """Moves one station's arm.
+
+    Args:
+        press: called with a button, whether it goes down, and when.
+        pace: 1 is an operator's speed; 2 is twice as fast.
+    """
+
+    def __init__(
+        self,
+        arm: ArmModel,
+        motion: Motion,
+        scene: Scene,
+        T_flange_sensor: Floats,
+        press: Callable[[Button, bool, int], None],
+        contact_sd_mm: float = 0.006,
+        pace: float = 1.0,
+        seed: int = 0,
+    ) -> None:
+        self._arm, self._motion, self._scene, self._press = arm, motion, scene, press
+        self._T_sensor_flange = np.linalg.inv(T_flange_sensor)
+        self._contact_sd_mm, self._pace = contact_sd_mm, pace
+        self._rng = np.random.default_rng(seed)
+        self._moving = threading.Lock()
+        self._cancelled = threading.Event()
+        self._touched: str | None = None
+        self._flange_x = flange_pose(arm, motion.at(now_ns()))[:3, 0]
+        self._state = HandState()
+        block = scene.thing("block")
+        assert isinstance(block.shape, Comb)
+        self._block, self._T_arm_block = block.shape, block.T_arm_obj
+        self.faces = reachable_faces(self._block, arm.tip_diameter_mm / 2)
+        """Faces that ``touch`` takes."""
+        self.parts = tuple(
+            thing.name for thing in scene.things if _sweeps(thing) and thing.name != "block"
+        )
+        """Parts that ``scan_part`` takes."""
+
+    @property
+    def state(self) -> HandState:
+        return self._state
+
+    def cancel(self) -> None:
+        """Makes the move under way stop smoothly and end; later moves are not affected."""
+        self._cancelled.set()
+
+    def touch(self, face: str, index: int) -> bool:
+        """Touches the ``index``-th place of a face and presses the primary button.
+
+        Returns False when cancelled. Raises KeyError for a face that is not in
+        ``faces``, UnreachableError where the arm cannot get there.
+        """
+        if face not in self.faces:
+            raise KeyError(f"the hand cannot touch {face!r}; it can touch {', '.join(self.faces)}")
+        with self._move(f"touching the {face} face"):
+            radius = self._arm.tip_diameter_mm / 2
+            spot = contact_spot(self._block, face, index, radius, self._rng)
+            away = self._T_arm_block[:3, :3] @ outward(face)
+            deep = self._block.crest_z_mm - self._block.floor_z_mm if face == "floor" else 0.0
+            clear = (CLEAR_MM + deep) * away
+            to_spot, contact = self._path_to_touch(face, spot, clear)
+            self._run(to_spot, 0.0, 0.4)
+            slower = 1.5 if face == "floor" else 1.0
+            self._run(self._straight(contact, slower * APPROACH_S), 0.4, 0.5)
+            self._pause(SETTLE_S)
+            pressed_ns = now_ns()
+            self._press(Button.PRIMARY, True, pressed_ns)
+            self._press(Button.PRIMARY, False, pressed_ns + round(PRESS_S * 0.8e9))
+            self._pause(PRESS_S)
+            lifted = translation(*clear.tolist()) @ contact
+            self._run(self._straight(lifted, slower * RETRACT_S), 0.9, 1.0)
+            self._touched = face
+            return True
+        return False
+
+    def hold_over_object(self) -> bool:
+        """Holds the sensor where the camera frames the block; False when cancelled."""
+        with self._move("placing the sensor"):
+            middle = (self._block.crest_z_mm + self._block.floor_z_mm) / 2
+            for _ in range(TRIES):
+                T = self._T_arm_block @ translation(0.0, 0.0, middle)
+                T = T @ translation(*self._rng.normal(0.0, 0.4, 3).tolist())
+                for axis in "xyz":
+                    T = T @ rotation_about(axis, float(self._rng.normal(0.0, 0.015)))
+                try:
+                    path = self._path_to(T @ self._T_sensor_flange, 60.0)
+                except UnreachableError:
+                    continue
+                self._run(path, 0.0, 1.0, trembles=True)
+                return True
+            raise UnreachableError("the arm cannot hold the sensor over the block")
+        return False
+
+    def scan_part(self, name: str) -> bool:
+        """Sweeps the sensor over one of ``parts``; False when cancelled. Raises KeyError."""
+        if name not in self.parts:
+            raise KeyError(f"there is no part {name!r}; there are {', '.join(self.parts)}")
+        thing = self._scene.thing(name)
+        with self._move(f"scanning the {name}"):
+            sweeps = _sweeps(thing)
+            for i, sweep in enumerate(sweeps):
+                begin, share = i / len(sweeps), 1 / len(sweeps)
+                start = thing.T_arm_obj @ sweep.start @ self._T_sensor_flange
+                self._run(self._path_to(start, 50.0), begin, begin + 0.25 * share)
+                path = self._swept(thing.T_arm_obj, sweep)
+                self._run(path, begin + 0.25 * share, begin + share)
+            return True
+        return False
+
+    @contextmanager
+    def _move(self, activity: str) -> Iterator[None]:
+        with self._moving:
+            self._cancelled.clear()
+            self._state = HandState(activity)
+            try:
+                yield
+            except _CancelledError:
+                self._motion.halt(now_ns())
+                self._touched = None
+                threading.Event().wait(HALT_S)
+            finally:
+                self._state = HandState()
+
+    def _now(self) -> Floats:
+        return self._motion.at(now_ns())
+
+    def _path_to_touch(self, face: str, spot: Floats, clear: Floats) -> tuple[JointPath, Floats]:
+        """The way to a place in front of the contact, and the flange's pose in contact."""
+        q, tip = self._now(), np.array(self._arm.tip_mm)
+        up = self._T_arm_block[:3, 2]
+        if self._touched == face:
+            lifts = (0.3 * clear, 0.3 * clear)
+        else:
+            leave = np.zeros(3)
+            if self._touched is not None:
+                leave = 20.0 * (self._T_arm_block[:3, :3] @ outward(self._touched))
+            lifts = (30.0 * up + leave, 30.0 * up + 5.0 * clear)
+        gap = self._arm.tip_diameter_mm / 2 + float(self._rng.normal(0.0, self._contact_sd_mm))
+        best: tuple[JointPath, Floats] | None = None
+        for _ in range(TRIES):
+            contact = contact_pose(
+                self._arm, self._T_arm_block, face, spot, gap, self._rng, self._flange_x, SWAY_RAD
+            )
+            before = translation(*clear.tolist()) @ contact
+            wanted_s = self._seconds(q, before, tip)
+            try:
+                path = reaching_path(self._arm, q, before, tip, lifts, wanted_s)
+                path_over(self._arm, np.stack([before, contact]), path.q_rad[-1], 1.0)
+            except UnreachableError:
+                continue
+            if best is None or path.duration_s < best[0].duration_s:
+                best = path, contact
+            if path.duration_s < 1.2 * wanted_s:
+                break
+        return best or (self._detour(q, before), contact)
+
+    def _path_to(self, target: Floats, lift_mm: float) -> JointPath:
+        q, tip = self._now(), np.array(self._arm.tip_mm)
+        up = np.array([0.0, 0.0, lift_mm])
+        try:
+            return reaching_path(self._arm, q, target, tip, (up, up), self._seconds(q, target, tip))
+        except UnreachableError:
+            return self._detour(q, target)
+
+    def _detour(self, q: Floats, target: Floats) -> JointPath:
+        """Straight in the joints, where the arm cannot follow a straight way in space."""
+        goal = reach(self._arm, target, q, self._rng)
+        share = smooth(np.linspace(0.0, 1.0, 24))[:, None]
+        seconds = 2.0 * float(np.max(np.abs(goal - q))) / HAND_RAD_S / self._pace
+        return JointPath(np.linspace(0.0, max(seconds, 0.3), 24), q + share * (goal - q))
+
+    def _straight(self, target: Floats, seconds: float) -> JointPath:
+        q = self._now()
+        zero = np.zeros(3)
+        tip = np.array(self._arm.tip_mm)
+        return reaching_path(self._arm, q, target, tip, (zero, zero), seconds / self._pace)
+
+    def _swept(self, T_arm_part: Floats, sweep: _Sweep) -> JointPath:
+        """A pass at even speed, with a short run-up and run-out."""
+        speed = np.minimum(1.0, np.minimum(np.arange(1, 61), np.arange(60, 0, -1)) / 6.0)
+        share = np.concatenate([[0.0], np.cumsum(speed)]) / speed.sum()
+        poses = []
+        for s in share:
+            T = sweep.start.copy()
+            T[:3, 3] = (1 - s) * sweep.start[:3, 3] + s * sweep.end[:3, 3]
+            poses.append(T_arm_part @ T @ self._T_sensor_flange)
+        length = float(np.linalg.norm(sweep.end[:3, 3] - sweep.start[:3, 3]))
+        return path_over(self._arm, np.stack(poses), self._now(), length / SCAN_MM_S / self._pace)
+
+    def _seconds(self, q: Floats, target: Floats, tool: Floats) -> float:
+        """How long a hand takes from here to a flange pose."""
+        start = flange_pose(self._arm, q)
+        way = target[:3, :3] @ tool + target[:3, 3] - start[:3, :3] @ tool - start[:3, 3]
+        turn = start[:3, :3].T @ target[:3, :3]
+        angle = float(np.arccos(np.clip((np.trace(turn) - 1) / 2, -1.0, 1.0)))
+        seconds = 0.08 + float(np.linalg.norm(way)) / HAND_MM_S + 0.4 * angle / HAND_RAD_S
+        return max(seconds, 0.16) / self._pace
+
+    def _run(self, path: JointPath, begin: float, end: float, trembles: bool = False) -> None:
+        """Plays a path and waits for its end, telling progress from ``begin`` to ``end``."""
+        if self._cancelled.is_set():
+            raise _CancelledError
+        start_ns = now_ns() + LEAD_NS
+        end_ns = self._motion.play(path, start_ns, trembles)
+        while (left_s := (end_ns - now_ns()) / 1e9) > 0:
+            done = 1 - min(left_s / path.duration_s, 1.0)
+            self._state = HandState(self._state.activity, begin + done * (end - begin))
+            if self._cancelled.wait(min(left_s, 0.05)):
+                raise _CancelledError
+
+    def _pause(self, seconds: float) -> None:
+        if self._cancelled.wait(seconds):
+            raise _CancelledError
+
+
+def _sweeps(thing: Thing) -> list[_Sweep]:
+    """How a part is scanned; empty for what is no part."""
+    shape = thing.shape
+
+    def across(half_y: float, z: float, tilt_rad: float = 0.0, x: float = 0.0) -> _Sweep:
+        turn = rotation_about("x", tilt_rad)
+        ends = [translation(x, y, z) @ turn for y in (-half_y, half_y)]
+        return _Sweep(*ends)
+
+    def back(sweep: _Sweep) -> _Sweep:
+        return _Sweep(sweep.end, sweep.start)
+
+    if isinstance(shape, Ball):
+        top, r = 0.75 * shape.radius_mm, 1.05 * shape.radius_mm
+        return [across(r, top), back(across(r, top, 0.3)), across(r, top, -0.3)]
+    if isinstance(shape, Shell):
+        z, half = 0.6 * shape.height_mm, 1.02 * shape.half_depth_mm
+        return [across(half, z), back(across(half, z, 0.2)), across(half, z, -0.2)]
+    if isinstance(shape, Box) and thing.name == "plate":
+        half = 0.9 * shape.high_mm[1]
+        return [across(half, 0.0), back(across(half, 4.0))]
+    return []

@@ -1,0 +1,180 @@
+"""The simulated sensor: a camera with a laser line, as a driver.
+
+Frames show the scene as it was at the middle of their exposure, the arm where it
+truly was then. Rendering takes its time; a frame that is not ready when the next is
+due delays it, as a camera that is read out slowly would.
+"""
+
+import threading
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from hardware.clock import now_ns
+from hardware.errors import DeviceError
+from hardware.interfaces import Frame, LinkHealth, SensorInfo
+from hardware.twin.faults import Faults
+from hardware.twin.kinematics import Floats
+from hardware.twin.noise import Digits
+from hardware.twin.render import COARSE, FINE, Renderer
+
+EXPOSURE_RANGE_US = (50.0, 20_000.0)
+READOUT_NS = 3_000_000
+HELD_RAYS = 34
+WAKE_S = 0.05
+STALE_NS = 300_000_000
+"""Frames that nobody asked for this long are forgotten, as in a camera's ring of buffers."""
+FIRST_EXPOSURE_US = 5000.0
+
+
+@dataclass
+class Lamps:
+    """The light that falls on the scene; set at any time."""
+
+    room: float = 1.0
+    """The room's light; 0 is dark, 1 is what the nominal exposure is made for."""
+    room_with_laser: bool = False
+    """False: the sensor shuts the room's light out while its laser is on (a pair of
+    pictures); True: pictures with the laser show both."""
+
+
+class Studio:
+    """The one renderer of a station, and where its sensor is; drivers take turns."""
+
+    def __init__(
+        self,
+        make: Callable[[], Renderer],
+        sensor_pose: Callable[[int], Floats],
+        resting: Callable[[int], bool],
+        lamps: Lamps,
+        faults: Faults,
+    ) -> None:
+        self._make, self._sensor_pose, self._resting = make, sensor_pose, resting
+        self.lamps, self.faults = lamps, faults
+        self._lock = threading.Lock()
+        self._renderer: Renderer | None = None
+        self._last: Floats | None = None
+
+    def prepare(self) -> None:
+        """Builds the renderer and takes a first picture, which are slow the first time."""
+        with self._lock:
+            if self._renderer is None:
+                self._renderer = self._make()
+                self._renderer.picture(self._sensor_pose(now_ns()), 1.0, 1.0, COARSE)
+
+    def expose(self, mid_ns: int, exposure_us: float, laser_on: bool) -> Digits:
+        """What the camera sees; ``mid_ns`` is the middle of the exposure."""
+        with self._lock:
+            renderer = self._renderer
+            assert renderer is not None, "prepare comes first"
+            share = exposure_us / renderer.detector.nominal_exposure_us
+            lit = self.lamps.room if self.lamps.room_with_laser or not laser_on else 0.0
+            T = self._sensor_pose(mid_ns)
+            if self._last is not None and np.array_equal(T, self._last):
+                rays = FINE
+            else:
+                rays = HELD_RAYS if self._resting(mid_ns) else COARSE
+            self._last = T
+            return renderer.picture(T, lit * share, share if laser_on else 0.0, rays)
+
+
+class TwinSensor:
+    """Meets ``SensorDriver``."""
+
+    def __init__(self, studio: Studio, info: SensorInfo, rate_hz: float, seed: int = 0) -> None:
+        self._studio, self._info, self._period_ns = studio, info, 1e9 / rate_hz
+        self._rng = np.random.default_rng(seed)
+        self._health = LinkHealth()
+        self._state = threading.Condition()
+        self._open = False
+        self._exposure_us = FIRST_EXPOSURE_US
+        self._laser_on = False
+        self._sequence = 0
+        self._due_ns = 0.0
+
+    @property
+    def health(self) -> LinkHealth:
+        return self._health
+
+    def open(self) -> SensorInfo:
+        with self._state:
+            self._check_camera()
+        self._studio.prepare()
+        with self._state:
+            self._check_camera()
+            if not self._open:
+                self._open = True
+                self._health = LinkHealth()
+                self._sequence = 0
+                self._due_ns = float(now_ns())
+            return self._info
+
+    def read(self, timeout_s: float) -> Frame | None:
+        deadline_ns = now_ns() + round(timeout_s * 1e9)
+        while True:
+            with self._state:
+                if not self._wait_for_readout(deadline_ns):
+                    return None
+                mid_ns, sequence = round(self._due_ns), self._sequence
+                exposure_us, laser_on = self._exposure_us, self._laser_on
+                self._sequence += 1
+            image = self._studio.expose(mid_ns, exposure_us, laser_on)
+            with self._state:
+                self._check_open()
+                late_ns = now_ns() - mid_ns - exposure_us * 500 - READOUT_NS - self._period_ns
+                self._due_ns = max(self._due_ns, mid_ns + self._period_ns + max(0.0, late_ns))
+                if self._rng.random() < self._studio.faults.frame_drop_rate:
+                    self._health.lost += 1
+                    continue
+                self._health.received += 1
+            return Frame(sequence, mid_ns, image, exposure_us, laser_on)
+
+    def _wait_for_readout(self, deadline_ns: int) -> bool:
+        """Until the frame that is due has been exposed and read out; False at the deadline."""
+        if now_ns() - self._due_ns > STALE_NS:
+            self._due_ns = float(now_ns())
+        while True:
+            self._check_open()
+            now = now_ns()
+            ready_ns = self._due_ns + self._exposure_us * 500 + READOUT_NS
+            if now >= ready_ns:
+                return True
+            if now >= deadline_ns:
+                return False
+            self._state.wait(min((min(ready_ns, deadline_ns) - now) / 1e9, WAKE_S))
+
+    def set_exposure_us(self, exposure_us: float) -> None:
+        low, high = EXPOSURE_RANGE_US
+        with self._state:
+            self._exposure_us = float(min(max(exposure_us, low), high))
+            self._expose_afresh()
+
+    def set_laser(self, on: bool) -> None:
+        with self._state:
+            if self._laser_on != on:
+                self._laser_on = on
+                self._expose_afresh()
+
+    def _expose_afresh(self) -> None:
+        """The next frame's exposure lies wholly behind a change of its settings."""
+        self._due_ns = max(self._due_ns, now_ns() + self._exposure_us * 500)
+        self._state.notify_all()
+
+    def close(self) -> None:
+        with self._state:
+            self._open = False
+            self._laser_on = False
+            self._state.notify_all()
+
+    def _check_camera(self) -> None:
+        if self._studio.faults.camera_lost:
+            self._open = False
+            raise DeviceError(
+                "The simulated camera is lost", "Its fault switch camera_lost is on; turn it off."
+            )
+
+    def _check_open(self) -> None:
+        if not self._open:
+            raise DeviceError("The simulated sensor is not open")
+        self._check_camera()
