@@ -1,3 +1,5 @@
+import { useEffect } from "react";
+
 import styles from "./App.module.css";
 import { Banners } from "./frame/Banners";
 import { Rail } from "./frame/Rail";
@@ -7,13 +9,16 @@ import { CalibratePage } from "./pages/CalibratePage";
 import { HomePage } from "./pages/HomePage";
 import { RecordsPage } from "./pages/RecordsPage";
 import { ScanPage } from "./pages/ScanPage";
-import { usePage } from "./state/router";
+import { TITLES, usePage } from "./state/router";
 
 const PAGE = { home: HomePage, calibrate: CalibratePage, scan: ScanPage, records: RecordsPage };
 
 export function App() {
   const page = usePage();
   const Page = PAGE[page];
+  useEffect(() => {
+    document.title = `${TITLES[page]} · Crenel`;
+  }, [page]);
   return (
     <div className={styles.frame}>
       <TopBar page={page} />

@@ -1,16 +1,11 @@
 import type { MouseEvent } from "react";
 
 import { CalibrateIcon, HomeIcon, RecordsIcon, ScanIcon } from "../parts/icons";
-import { go, type Page, PAGES, pathOf } from "../state/router";
+import { go, type Page, PAGES, pathOf, TITLES } from "../state/router";
 import styles from "./Rail.module.css";
 import { StepList } from "./StepList";
 
-const LINKS = {
-  home: { label: "Home", Icon: HomeIcon },
-  calibrate: { label: "Calibrate", Icon: CalibrateIcon },
-  scan: { label: "Scan", Icon: ScanIcon },
-  records: { label: "Records", Icon: RecordsIcon },
-};
+const ICONS = { home: HomeIcon, calibrate: CalibrateIcon, scan: ScanIcon, records: RecordsIcon };
 
 /** Pages, and under them the steps of the flow while it is on. */
 export function Rail({ page }: { page: Page }) {
@@ -27,7 +22,7 @@ export function Rail({ page }: { page: Page }) {
 }
 
 function PageLink({ to, current }: { to: Page; current: boolean }) {
-  const { label, Icon } = LINKS[to];
+  const Icon = ICONS[to];
   const follow = (event: MouseEvent) => {
     if (event.metaKey || event.ctrlKey || event.shiftKey) return;
     event.preventDefault();
@@ -36,7 +31,7 @@ function PageLink({ to, current }: { to: Page; current: boolean }) {
   return (
     <a href={pathOf(to)} className={styles.page} aria-current={current ? "page" : undefined} onClick={follow}>
       <Icon />
-      <span>{label}</span>
+      <span>{TITLES[to]}</span>
     </a>
   );
 }

@@ -1,16 +1,9 @@
 import { Mark } from "../parts/icons";
-import type { Page } from "../state/router";
+import { type Page, TITLES } from "../state/router";
 import { useLive } from "../state/store";
 import { SafetyControls } from "./SafetyControls";
 import { Toggles } from "./Toggles";
 import styles from "./TopBar.module.css";
-
-const TITLES: Record<Page, string> = {
-  home: "Home",
-  calibrate: "Calibrate",
-  scan: "Scan",
-  records: "Records",
-};
 
 export function TopBar({ page }: { page: Page }) {
   const station = useLive((s) => s.station);

@@ -3,6 +3,13 @@ import { useSyncExternalStore } from "react";
 export const PAGES = ["home", "calibrate", "scan", "records"] as const;
 export type Page = (typeof PAGES)[number];
 
+export const TITLES: Record<Page, string> = {
+  home: "Home",
+  calibrate: "Calibrate",
+  scan: "Scan",
+  records: "Records",
+};
+
 const listeners = new Set<() => void>();
 
 function current(): Page {
