@@ -1,6 +1,7 @@
 """From a session's folder to its calibration file."""
 
 import getpass
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from datetime import UTC, datetime
 from pathlib import Path
@@ -206,8 +207,16 @@ def _verdict(result: OnePoseCalibration) -> Verdict:
         )
         for finding in result.findings
     )
-    quality = max((finding.quality for finding in findings), key=QUALITIES.index)
-    return Verdict(quality=quality, text=findings[0].text, findings=findings)
+    return Verdict(
+        quality=worst_of([finding.quality for finding in findings]),
+        text=findings[0].text.rstrip("."),
+        findings=findings,
+    )
+
+
+def worst_of(qualities: Sequence[Quality]) -> Quality:
+    """The worst of some qualities; good where there are none."""
+    return max(qualities, key=QUALITIES.index, default="good")
 
 
 def _user() -> str:

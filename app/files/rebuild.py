@@ -227,38 +227,40 @@ class _Job:
     def _refuse_nothing(self) -> None:
         if self._cloud.points:
             return
-        recording, path = self._recording, self._recording.path
-        ended = f" ({recording.cut})" if recording.cut else ""
-        if not {JOINTS_TOPIC, IMAGE_TOPIC, STRIPE_TOPIC} & recording.topics and not ended:
+        topics = self._recording.topics
+        named = self._recording.cut or str(self._recording.path)
+        if not self._recording.cut and not {JOINTS_TOPIC, IMAGE_TOPIC, STRIPE_TOPIC} & topics:
             raise Refusal(
                 "recording-foreign",
-                f"{path} holds {', '.join(sorted(recording.topics)) or 'no topics'}",
+                f"{named} holds {', '.join(sorted(topics)) or 'no topics'}",
                 f"a scan has {JOINTS_TOPIC} and {IMAGE_TOPIC} or {STRIPE_TOPIC}",
             )
         if not self._stamps:
-            raise Refusal("recording-without-frames", f"{path} holds no frames{ended}")
+            raise Refusal("recording-without-frames", f"{named}: no frames")
         if not len(self._track):
-            raise Refusal("recording-without-joints", f"{path} holds no joint angles{ended}")
+            raise Refusal("recording-without-joints", f"{named}: no joint angles")
         if self._unplaced_ns:
-            raise self._no_joints_around()
+            raise self._no_joints_around(named)
         raise Refusal(
             "recording-without-stripes",
-            f"{path}: no frame of {len(self._stamps)} shows a laser stripe in front of the sensor",
+            f"{named}: no laser stripe in front of the sensor in any frame of {len(self._stamps)}",
             "the laser was off, too weak, or the part out of range",
             "Scan again",
         )
 
-    def _no_joints_around(self) -> Refusal:
+    def _no_joints_around(self, named: str) -> Refusal:
         start_ns, track = self._recording.first_ns or 0, self._track
-        first_ns, last_ns = track.first_ns or 0, track.last_ns or 0
+
+        def span(first_ns: int, last_ns: int) -> str:
+            return f"from {(first_ns - start_ns) / 1e9:.3f} to {(last_ns - start_ns) / 1e9:.3f} s"
+
         return Refusal(
             "no-joints-around-frames",
-            f"{self._recording.path}: no joints around any frame's stamp",
-            f"{len(self._unplaced_ns)} frames from {(self._unplaced_ns[0] - start_ns) / 1e9:.3f} s "
-            f"to {(self._unplaced_ns[-1] - start_ns) / 1e9:.3f} s, {len(track)} joint samples from "
-            f"{(first_ns - start_ns) / 1e9:.3f} s to {(last_ns - start_ns) / 1e9:.3f} s, "
-            f"at most {track.gap_limit_ns / 1e6:.0f} ms apart to be used",
-            "Put arm and camera on one clock and scan again",
+            f"{named}: no joints around any frame's stamp",
+            f"frames {span(self._unplaced_ns[0], self._unplaced_ns[-1])}, joint samples "
+            f"{span(track.first_ns or 0, track.last_ns or 0)}, of which neighbours up to "
+            f"{track.gap_limit_ns / 1e6:.0f} ms apart are used",
+            "Scan again, with arm and camera on one clock",
         )
 
 
