@@ -102,7 +102,7 @@ class ArmDevice:
         if self._thread is not None:
             self._thread.join()
             self._thread = None
-        self._line.unplug()
+        self._line.release()
 
     def press(self, button: Button, pressed: bool, at_ns: int | None = None) -> None:
         """A button goes down or up, now or at a moment to come (none may be earlier)."""

@@ -22,6 +22,9 @@ class Line(Protocol):
     def unplug(self) -> None:
         """Cuts every connection and makes the address vanish; idempotent."""
 
+    def release(self) -> None:
+        """Unplugs for good and leaves nothing behind; idempotent."""
+
     def poll(self) -> bytes:
         """Takes in new clients; what any of them said since."""
 
@@ -64,6 +67,9 @@ class TcpLine:
             client.close()
         self._clients.clear()
 
+    def release(self) -> None:
+        self.unplug()
+
     def poll(self) -> bytes:
         if self._listener is None:
             return b""
@@ -98,8 +104,7 @@ class PtyLine:
     """A pseudo-terminal behind a path that stays the same when plugged in again."""
 
     def __init__(self) -> None:
-        self._folder = tempfile.TemporaryDirectory(prefix="crenel-twin-")
-        self._path = Path(self._folder.name) / "arm"
+        self._path = Path(tempfile.mkdtemp(prefix="crenel-twin-")) / "arm"
         self.url = str(self._path)
         self._ends: tuple[int, int] | None = None
         self._waiting = bytearray()
@@ -124,6 +129,11 @@ class PtyLine:
             os.close(end)
         self._ends = None
         self._waiting.clear()
+
+    def release(self) -> None:
+        self.unplug()
+        with contextlib.suppress(FileNotFoundError):
+            self._path.parent.rmdir()
 
     def poll(self) -> bytes:
         if self._ends is None:
