@@ -1,0 +1,163 @@
+"""The laser plane from stripes on a block of known place."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from app.metrology.camera import Camera, project, rays
+from app.metrology.frames import Floats
+from app.metrology.laser_plane import (
+    LaserPlane,
+    LaserPlaneFit,
+    fit_laser_plane,
+    levels_of,
+    neighbours_alike,
+    tangents,
+)
+from app.metrology.refusal import Refusal
+from app.metrology.stripe import Stripe
+from tests.metrology.builders import BLOCK
+from tests.metrology.seen_block import camera_over, laser_plane, stripe_on
+
+
+def tilt_rad(found: LaserPlane, true: LaserPlane) -> float:
+    return float(np.linalg.norm(np.cross(found.normal, true.normal)))
+
+
+def appended(stripe: Stripe, uv: Floats) -> Stripe:
+    """The stripe with further points (N, 2) of the same deviation."""
+    more = np.full(len(uv), stripe.sigma_px[0])
+    return replace(
+        stripe,
+        u=np.append(stripe.u, uv[:, 0]),
+        v=np.append(stripe.v, uv[:, 1]),
+        intensity=np.append(stripe.intensity, np.full(len(uv), 100.0)),
+        sigma_px=np.append(stripe.sigma_px, more),
+    )
+
+
+def normalised_error(fit: LaserPlaneFit, true: LaserPlane) -> float:
+    """Squared error of the three parameters by their covariance; 3 on average."""
+    sign = np.sign(fit.plane.normal @ true.normal)
+    tilt = tangents(fit.plane.normal) @ (sign * true.normal - fit.plane.normal)
+    offset = sign * (true.offset_mm - true.normal @ fit.centroid_mm) - (
+        fit.plane.offset_mm - fit.plane.normal @ fit.centroid_mm
+    )
+    error = np.array([*tilt, offset])
+    return float(error @ np.linalg.solve(fit.covariance, error))
+
+
+@pytest.mark.parametrize("azimuth", [-0.3, 0.0, 0.3])
+@pytest.mark.parametrize("tilt", [-0.2, 0.02, 0.2])
+def test_a_plane_without_noise_is_found_exactly(azimuth: float, tilt: float) -> None:
+    camera, plane = camera_over(BLOCK, azimuth), laser_plane(tilt)
+    stripe = stripe_on(camera, BLOCK, plane, np.random.default_rng(0), 0.0)
+    exact = replace(stripe, sigma_px=np.full(len(stripe.u), 0.05))
+    fit = fit_laser_plane(camera, BLOCK, exact)
+    assert tilt_rad(fit.plane, plane) < 2e-6
+    assert fit.rms_mm < 2e-5
+    assert {"crest", "floor"} <= set(fit.level[fit.used])
+
+
+def test_the_covariance_is_that_of_many_fits() -> None:
+    camera, plane = camera_over(BLOCK), laser_plane()
+    squares = []
+    for seed in range(40):
+        stripe = stripe_on(camera, BLOCK, plane, np.random.default_rng(seed), 0.15)
+        fit = fit_laser_plane(camera, BLOCK, stripe)
+        assert fit.correlation < 1.6
+        squares.append(normalised_error(fit, plane))
+    assert 2.0 < np.mean(squares) < 4.2
+
+
+def test_streaks_on_walls_the_table_and_reflections_do_not_pull_the_plane() -> None:
+    camera, plane = camera_over(BLOCK, 0.25), laser_plane()
+    rng = np.random.default_rng(3)
+    clean = stripe_on(camera, BLOCK, plane, rng, 0.1)
+    wall_x, y = BLOCK.edges_x_mm[3], plane.offset_mm
+    wall = np.column_stack([np.full(60, wall_x), np.full(60, y), np.linspace(1, 15, 60)])
+    table = np.column_stack([np.linspace(26, 40, 80), np.full(80, y), np.full(80, -11.0)])
+    reflected = np.column_stack([np.linspace(4.6, 7.4, 60), np.full(60, y + 1.2), np.zeros(60)])
+    spoiled = appended(clean, project(camera, np.vstack([wall, table, reflected])))
+    fit = fit_laser_plane(camera, BLOCK, spoiled)
+    alone = fit_laser_plane(camera, BLOCK, clean)
+    assert not fit.used[len(clean.u) :].any()
+    assert tilt_rad(fit.plane, alone.plane) < 1e-9
+    assert np.all(fit.level[len(clean.u) + 60 : len(clean.u) + 140] == "")
+
+
+def first_met(camera: Camera, uv: Floats) -> list[str]:
+    """What each pixel's ray meets first, found by walking along it in small steps."""
+    origin, along = rays(camera, uv)
+    met = []
+    for ray in along:
+        depth = (BLOCK.crest_z_mm + 0.5 - origin[2]) / ray[2] + np.arange(0.0, 40.0, 2e-3)
+        x, y, z = (origin + depth[:, None] * ray).T
+        below_crest = (z < BLOCK.crest_z_mm) & (y > BLOCK.front_y_mm) & (y < BLOCK.back_y_mm)
+        merlon = np.searchsorted(BLOCK.edges_x_mm, x) % 2 == 1
+        inside = (x > BLOCK.edges_x_mm[0]) & (x < BLOCK.edges_x_mm[-1])
+        solid = below_crest & inside & (merlon | (z < BLOCK.floor_z_mm))
+        first = int(np.argmax(solid))
+        heights = {"crest": BLOCK.crest_z_mm, "floor": BLOCK.floor_z_mm}
+        on = [name for name, height in heights.items() if abs(z[first] - height) < 5e-3]
+        met.append(on[0] if solid.any() and on else "")
+    return met
+
+
+@pytest.mark.parametrize(("azimuth", "elevation"), [(0.0, 1.0), (0.45, 0.8), (-0.4, 1.3)])
+def test_each_pixel_is_given_the_level_that_its_ray_meets_first(
+    azimuth: float, elevation: float
+) -> None:
+    camera = camera_over(BLOCK, azimuth, elevation)
+    uv = np.random.default_rng(2).uniform([150, 150], [1150, 900], (500, 2))
+    level, points = levels_of(camera, BLOCK, uv)
+    met = np.array(first_met(camera, uv))
+    assert np.sum(level == "crest") > 60
+    assert np.sum(level == "floor") > 30
+    np.testing.assert_array_equal(level[level != ""], met[level != ""])
+    # nothing is missed but what lies near an edge
+    assert np.sum((level == "") & (met != "")) < 0.25 * np.sum(met != "")
+    np.testing.assert_allclose(project(camera, points[level != ""]), uv[level != ""], atol=1e-6)
+
+
+def refusal_of(camera: Camera, stripe: Stripe) -> str:
+    with pytest.raises(Refusal) as refusal:
+        fit_laser_plane(camera, BLOCK, stripe)
+    return refusal.value.code
+
+
+def test_too_little_stripe_is_refused() -> None:
+    camera = camera_over(BLOCK)
+    stripe = stripe_on(camera, BLOCK, laser_plane(), np.random.default_rng(0), 0.1)
+    level, _ = levels_of(camera, BLOCK, stripe.uv_px)
+
+    def only(chosen: np.ndarray[tuple[int, ...], np.dtype[np.bool_]]) -> Stripe:
+        return Stripe(
+            stripe.u[chosen], stripe.v[chosen], stripe.intensity[chosen], stripe.sigma_px[chosen]
+        )
+
+    assert refusal_of(camera, only(level == "crest")) == "laser-one-level"
+    assert refusal_of(camera, only(level == "floor")) == "laser-one-level"
+    assert refusal_of(camera, only(np.arange(len(level)) % 60 == 0)) == "stripe-too-short"
+    assert refusal_of(camera, only(np.zeros(len(level), dtype=np.bool_))) == "stripe-too-short"
+
+
+def test_a_plane_through_the_camera_is_refused() -> None:
+    camera = camera_over(BLOCK, azimuth=0.0, elevation=1.45)
+    toward = camera.centre_mm - np.array([0.0, 0.5, 8.0])
+    normal = np.cross(toward, [1.0, 0.0, 0.0])
+    normal /= np.linalg.norm(normal)
+    plane = LaserPlane(normal, float(normal @ np.array([0.0, 0.5, 8.0])))
+    stripe = stripe_on(camera, BLOCK, plane, np.random.default_rng(0), 0.05)
+    assert refusal_of(camera, stripe) == "laser-through-camera"
+
+
+def test_likeness_of_neighbours_is_measured() -> None:
+    rng = np.random.default_rng(1)
+    white = rng.normal(0, 1, 3000)
+    uv = np.column_stack([np.arange(3000.0), np.zeros(3000)])
+    assert neighbours_alike(uv, white) < 1.2
+    smooth = np.convolve(white, np.ones(4) / 2, mode="same")
+    # the sum of the correlations of a moving mean of four is four
+    assert neighbours_alike(uv, smooth) == pytest.approx(4, rel=0.2)
