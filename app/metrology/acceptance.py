@@ -22,7 +22,7 @@ _SIGMAS_TOGETHER = 1.5
 # Pixels of today's sensors are square; by how much a fitted camera may differ.
 _SQUARE = 0.005
 # Of the drawn edges' length, how much must show: faces of equal brightness hide some.
-_LEAST_SHOWN = 0.5
+_LEAST_SHOWN = 0.35
 # Of the points that show, how many must agree with the edge they were looked for on.
 _LEAST_AGREEING = 0.8
 # Share of the edges in the frame that makes the object whole.
@@ -205,7 +205,7 @@ def refuse_cut_off(found: Survey, block: Crenellated, share: float) -> None:
         f"crest:{i}:L" in names and f"crest:{i}:R" in names for i in range(block.merlon_count)
     )
     level = any(name.startswith("floor:") for name in names)
-    if pairs < 2 or not level or share < 0.4:
+    if share < _WHOLE and (pairs < 2 or not level or share < 0.4):
         raise cut_off(block, share, "a camera needs both levels and at least two whole merlons")
 
 

@@ -40,8 +40,9 @@ __all__ = [
     "picture_findings",
 ]
 
-# Longer sides, in pixels, at which the object is looked for: the second for soft or noisy pictures.
-_WORKING_PX = (640, 320)
+# Longer sides, in pixels, at which the object is looked for: small objects want a larger
+# picture, soft and noisy pictures a smaller one.
+_WORKING_PX = (640, 1280, 320)
 # A placing this much less supported than the best is no rival.
 _RIVAL = 0.85
 # Nor is one that explains less than this share of what the best does.

@@ -21,6 +21,8 @@ from app.metrology.frames import Floats
 
 # How far a segment may lie from the edge it votes for, over the picture's longer side.
 _NEAR = 0.008
+# Segments longer than this, over the picture's longer side, count as this long.
+_LONG = 0.15
 
 
 @dataclass(frozen=True)
@@ -54,7 +56,8 @@ def placings(
         most: how many to return.
     """
     normals = plane_normals(lines, directions.focal)
-    weight = lengths(lines)
+    # A long edge of a table has no more to say than one of the block's.
+    weight = np.minimum(lengths(lines), _LONG)
     middle = (lines[:, :2] + lines[:, 2:]) / 2
     followed = directions.family >= 0
     view = np.append(np.average(middle[followed], axis=0, weights=weight[followed]), 1.0)

@@ -22,7 +22,7 @@ def stripe_mask(grey: Floats, stripe: Stripe) -> NDArray[np.bool_]:
     if len(column) == 0:
         return mask > 0
     mask[row, column] = 1
-    reach = _half_width(grey, column, row, by_column=_counted(stripe.u, stripe.v)) + 3
+    reach = _half_width(grey, column, row, by_column=_counted(stripe.u, stripe.v)) + 1
     disc = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * reach + 1, 2 * reach + 1))
     # Along the stripe its points may miss where it is faint or crosses an edge.
     bridged = cv2.morphologyEx(mask, cv2.MORPH_CLOSE, np.ones((3, 3), np.uint8))
@@ -37,7 +37,7 @@ def _counted(u: Floats, v: Floats) -> bool:
 def _half_width(
     grey: Floats, column: NDArray[np.int64], row: NDArray[np.int64], by_column: bool
 ) -> int:
-    """Pixels from the stripe's centre to where its median profile has fallen to a twentieth."""
+    """Three standard deviations, in px, of the stripe's median profile."""
     pick = np.linspace(0, len(column) - 1, min(len(column), _PROBED)).astype(np.int64)
     offsets = np.arange(-_WIDEST_PX, _WIDEST_PX + 1)
     du, dv = (0, 1) if by_column else (1, 0)
@@ -46,5 +46,9 @@ def _half_width(
     values = grey[at_row, at_column]
     profile = np.median(values - values.min(axis=1, keepdims=True), axis=0)
     profile = np.maximum(profile, profile[::-1]) - profile.min()
-    wide = np.flatnonzero(profile > 0.05 * profile.max())
-    return int(max(2, np.abs(offsets[wide]).max())) if profile.max() > 0 else 2
+    if profile.max() <= 0:
+        return 2
+    # Outwards from the centre, where a Gaussian stripe of sd s has fallen to e^-2 at 2 s.
+    below = profile[_WIDEST_PX:] < np.exp(-2) * profile.max()
+    two_sigma = int(np.argmax(below)) if below.any() else _WIDEST_PX
+    return max(2, int(np.ceil(1.5 * two_sigma)))
