@@ -135,7 +135,9 @@ class ArmSide:
 
     def _connected(self, driver: ArmDriver, info: ArmInfo) -> None:
         self._newest = None
-        self._ring = JointRing(info.joint_count, info.rate_hz)
+        # one ring over reconnections: a recording goes on where it was
+        if self._ring is None or self._ring.joint_count != info.joint_count:
+            self._ring = JointRing(info.joint_count, info.rate_hz)
 
     def _read(self, driver: ArmDriver) -> int:
         records = driver.read(READ_TIMEOUT_S)

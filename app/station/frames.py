@@ -21,6 +21,12 @@ class FrameTap:
         """Frames that gave way because the consumer was slow."""
         return self._dropped
 
+    @property
+    def finished(self) -> bool:
+        """True once it is closed and every frame was taken."""
+        with self._arrived:
+            return self._closed and not self._frames
+
     def put(self, frame: Frame) -> None:
         with self._arrived:
             if self._closed:

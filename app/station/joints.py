@@ -6,14 +6,15 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from app.files.joint_track import (
+    GAP_LIMIT_PERIODS,
+    LONGEST_GAP_LIMIT_NS,
+    SHORTEST_GAP_LIMIT_NS,
+)
 from app.metrology.frames import Floats
 from hardware.interfaces import JointSample
 
 KEPT_SAMPLES = 16_384
-# An interpolation over a longer gap would invent the arm's path: the limit is a few
-# sample periods, and never below this.
-SHORTEST_GAP_LIMIT_NS = 5_000_000
-GAP_LIMIT_PERIODS = 3.5
 
 Stamps = NDArray[np.int64]
 
@@ -38,8 +39,13 @@ class JointRing:
 
     def __init__(self, joint_count: int, rate_hz: float) -> None:
         self.joint_count = joint_count
+        # as when a recording is rebuilt: both keep the same frames
         self.gap_limit_ns = int(
-            max(SHORTEST_GAP_LIMIT_NS, GAP_LIMIT_PERIODS * 1e9 / max(rate_hz, 1.0))
+            np.clip(
+                GAP_LIMIT_PERIODS * 1e9 / max(rate_hz, 1.0),
+                SHORTEST_GAP_LIMIT_NS,
+                LONGEST_GAP_LIMIT_NS,
+            )
         )
         self._stamps: Stamps = np.zeros(KEPT_SAMPLES, dtype=np.int64)
         self._q: Floats = np.zeros((KEPT_SAMPLES, joint_count))

@@ -1,0 +1,202 @@
+"""A running scan: frames to stripes, stripes to the recording, to points, to the display."""
+
+import logging
+import queue
+import threading
+import time
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+
+from app.files.clouds import PlyWriter, ply_writer
+from app.files.failures import refusal_of
+from app.metrology.arm import Arm, flange_pose
+from app.metrology.camera import Camera
+from app.metrology.frames import Floats
+from app.metrology.laser_plane import LaserPlane
+from app.metrology.reconstruct import arm_points
+from app.metrology.refusal import Refusal
+from app.metrology.stripe import extract_stripe
+from app.station.arm_side import LATE_S, ArmSide
+from app.station.recorder import Recorder, StripeFrame
+from app.station.sensor_side import SensorSide
+from hardware.interfaces import Frame
+
+log = logging.getLogger(__name__)
+
+TAP_FRAMES = 64
+POINTS_QUEUE_FRAMES = 256
+POLL_S = 0.1
+RATE_WINDOW_S = 1.0
+Show = Callable[[Floats, Floats], None]
+
+
+@dataclass(frozen=True)
+class ScanCalibration:
+    """What a scan needs of a calibration, and whose it is."""
+
+    id: str
+    name: str
+    arm: Arm
+    camera: Camera
+    plane: LaserPlane
+    T_flange_sensor: Floats
+    stripe_axis: Literal["u", "v"]
+    arm_serial: str
+    sensor_serial: str
+    depth_range_mm: tuple[float, float]
+
+
+@dataclass(slots=True)
+class Counts:
+    """What a scan has got so far."""
+
+    frames: int = 0
+    points: int = 0
+    frames_without_joints: int = 0
+    frames_without_laser: int = 0
+    frames_without_stripe: int = 0
+
+
+class ScanPipeline:
+    """Three stages on three threads, with bounded queues between them.
+
+    The recording comes first and drops nothing: when the disk is slow the frames
+    wait, and those that then find the tap full are counted as lost. Points are
+    written to ``cloud.ply`` as they come, so that memory does not grow with the scan.
+    """
+
+    def __init__(
+        self,
+        arm: ArmSide,
+        sensor: SensorSide,
+        calibration: ScanCalibration,
+        folder: Path,
+        show: Show,
+    ) -> None:
+        self.counts = Counts()
+        self.failure: Refusal | None = None
+        self._arm = arm
+        self._sensor = sensor
+        self._calibration = calibration
+        self._cloud_path = folder / "cloud.ply"
+        self._show = show
+        self._made: deque[tuple[float, int]] = deque()
+        self._stripes: queue.Queue[StripeFrame | None] = queue.Queue(POINTS_QUEUE_FRAMES)
+        self._lost_before = sensor.reader.link().lost
+        self._recorder = Recorder(
+            folder / "scan.mcap",
+            tuple(joint.name for joint in calibration.arm.joints),
+            {"arm_serial": calibration.arm_serial, "sensor_serial": calibration.sensor_serial},
+            arm,
+        )
+        self._tap = sensor.frames.tap(TAP_FRAMES)
+        self._threads = [
+            threading.Thread(target=self._extract_all, name="scan-extract", daemon=True),
+            threading.Thread(target=self._make_cloud, name="scan-points", daemon=True),
+        ]
+        for thread in self._threads:
+            thread.start()
+
+    @property
+    def lost_frames(self) -> int:
+        """Frames that the sensor lost, and those that found no room here."""
+        return self._tap.dropped + self._sensor.reader.link().lost - self._lost_before
+
+    @property
+    def backlog(self) -> float:
+        """How far the slowest stage is behind, 0 to 1 (frames are lost beyond)."""
+        return max(self._recorder.backlog, self._stripes.qsize() / POINTS_QUEUE_FRAMES)
+
+    @property
+    def rate_points_s(self) -> float:
+        """Points of the last second."""
+        now = time.monotonic()
+        return sum(count for at, count in tuple(self._made) if now - at <= RATE_WINDOW_S)
+
+    @property
+    def trouble(self) -> Refusal | None:
+        """Why the scan cannot go on: the disk, most likely."""
+        return self.failure or self._recorder.failure
+
+    def stop(self) -> None:
+        """Takes no more frames, finishes those taken, and completes both files."""
+        self._sensor.frames.untap(self._tap)
+        for thread in self._threads:
+            thread.join()
+        self._recorder.close()
+
+    def _extract_all(self) -> None:
+        while True:
+            frame = self._tap.get(POLL_S)
+            if frame is not None:
+                self._extract(frame)
+            elif self._tap.finished:
+                self._stripes.put(None)
+                return
+
+    def _extract(self, frame: Frame) -> None:
+        if not frame.laser_on:
+            self.counts.frames_without_laser += 1
+            return
+        try:
+            stripe = extract_stripe(frame.image, self._calibration.stripe_axis)
+        except Refusal as refusal:
+            self.failure = self.failure or refusal
+            return
+        self.counts.frames += 1
+        height, width = frame.image.shape
+        taken = StripeFrame(self.counts.frames - 1, frame.mid_exposure_ns, stripe, width, height)
+        if not len(stripe.u):
+            self.counts.frames_without_stripe += 1
+        if self._recorder.put(taken):
+            self._stripes.put(taken)
+
+    def _make_cloud(self) -> None:
+        """Writes the cloud; goes on showing points where the disk fails."""
+        try:
+            with ply_writer(self._cloud_path) as cloud:
+                self._points_of_all(cloud)
+        except Refusal as refusal:
+            self.failure = self.failure or refusal
+        except OSError as error:
+            self.failure = self.failure or refusal_of(error, self._cloud_path)
+        except Exception as error:  # the scan ends with a reason, the station lives
+            log.exception("the points of a scan could not be made")
+            self.failure = Refusal("failed", "the scan stopped", f"{error}", "start it again")
+        if self.failure is not None:
+            self._drain()
+
+    def _points_of_all(self, cloud: PlyWriter) -> None:
+        while (taken := self._stripes.get()) is not None:
+            q_rad = self._arm.at(taken.stamp_ns, LATE_S if self._arm.fresh else 0.0)
+            if q_rad is None:
+                self.counts.frames_without_joints += 1
+                continue
+            points = self._points(taken, q_rad)
+            cloud.write(points, taken.stripe.intensity, taken.stripe.sigma_px, taken.number)
+            self.counts.points = cloud.points
+            self._note(len(points))
+            self._show(points, taken.stripe.intensity)
+
+    def _points(self, taken: StripeFrame, q_rad: Floats) -> Floats:
+        use = self._calibration
+        uv = np.column_stack([taken.stripe.u, taken.stripe.v])
+        return arm_points(
+            use.camera, use.plane, use.T_flange_sensor, uv, flange_pose(use.arm, q_rad)
+        )
+
+    def _note(self, count: int) -> None:
+        now = time.monotonic()
+        self._made.append((now, count))
+        while self._made and now - self._made[0][0] > RATE_WINDOW_S:
+            self._made.popleft()
+
+    def _drain(self) -> None:
+        """Lets the stage before end: its queue must not fill up."""
+        while self._stripes.get() is not None:
+            continue

@@ -1,0 +1,119 @@
+"""Why a scan cannot start, and what the operator should know while it runs."""
+
+from app.metrology.refusal import Refusal
+from app.station.findings import Finding
+from app.station.pipeline import ScanCalibration, ScanPipeline
+from app.station.rig import Rig
+
+# Below these shares nothing is said: a frame now and then does no harm.
+SAY_SHARE = 0.01
+BEHIND = 0.5
+
+
+def blocked(calibration: ScanCalibration | None, rig: Rig) -> Refusal | None:
+    """Why a scan with this calibration cannot start on these devices; None when it can."""
+    if calibration is None:
+        return Refusal(
+            "no-calibration",
+            "there is no valid calibration",
+            "without one pixels cannot become points",
+            "calibrate first",
+        )
+    return _arm_blocked(calibration, rig) or _sensor_blocked(calibration, rig)
+
+
+def _arm_blocked(calibration: ScanCalibration, rig: Rig) -> Refusal | None:
+    info = rig.arm.info
+    if info is None or not rig.arm.fresh:
+        return Refusal("arm-lost", "the arm is not connected", remedy="wait until it is")
+    if info.joint_count != calibration.arm.joint_count:
+        return Refusal(
+            "wrong-arm",
+            f"the connected arm has {info.joint_count} joints",
+            f"the calibration is for one with {calibration.arm.joint_count}",
+            "connect that arm, or calibrate with this one",
+        )
+    return _other_serial("arm", info.serial_number, calibration.arm_serial)
+
+
+def _sensor_blocked(calibration: ScanCalibration, rig: Rig) -> Refusal | None:
+    info = rig.sensor.info
+    if info is None or not rig.sensor.fresh:
+        return Refusal("sensor-lost", "the sensor is not connected", remedy="wait until it is")
+    size = (info.width_px, info.height_px)
+    wanted = (calibration.camera.width_px, calibration.camera.height_px)
+    if size != wanted:
+        return Refusal(
+            "wrong-image-size",
+            f"the sensor's image has {size[0]} × {size[1]} pixels",
+            f"the calibration is for {wanted[0]} × {wanted[1]}",
+            "set the sensor back, or calibrate again",
+        )
+    return _other_serial("sensor", info.serial_number, calibration.sensor_serial)
+
+
+def _other_serial(device: str, connected: str, calibrated: str) -> Refusal | None:
+    """A device that tells no serial number cannot contradict the calibration."""
+    if connected == calibrated or not connected or not calibrated:
+        return None
+    return Refusal(
+        f"wrong-{device}",
+        f"the connected {device} has the serial number {connected}",
+        f"the calibration is for {calibrated}",
+        f"connect that {device}, or calibrate with this one",
+    )
+
+
+def findings_of(pipeline: ScanPipeline, rig: Rig, running: bool) -> tuple[Finding, ...]:
+    """What is amiss, the gravest first."""
+    found = []
+    if pipeline.trouble is not None:
+        text = pipeline.trouble.line
+        found.append(Finding("bad", f"The scan stopped: {text}", "What was recorded is kept."))
+    if running:
+        found += _live(pipeline, rig)
+    return (*found, *_counted(pipeline))
+
+
+def _live(pipeline: ScanPipeline, rig: Rig) -> list[Finding]:
+    found = []
+    if not rig.arm.fresh:
+        found.append(Finding("bad", rig.arm.link().text, "The scan goes on when it is back."))
+    if not rig.sensor.fresh:
+        found.append(Finding("bad", rig.sensor.link().text, "The scan goes on when it is back."))
+    elif not rig.sensor.laser_on:
+        found.append(Finding("attention", "The laser is off", "Switch it on, or stop the scan."))
+    if pipeline.backlog > BEHIND:
+        share = 100 * pipeline.backlog
+        found.append(
+            Finding(
+                "attention",
+                f"The computer is behind: its queue is {share:.0f} % full",
+                "Frames are lost when it is full; scan more slowly or close other programs.",
+            )
+        )
+    return found
+
+
+def _counted(pipeline: ScanPipeline) -> list[Finding]:
+    counts = pipeline.counts
+    arrived = counts.frames + pipeline.lost_frames
+    found = []
+    if pipeline.lost_frames > SAY_SHARE * arrived:
+        found.append(
+            Finding(
+                "attention",
+                f"{pipeline.lost_frames} of {arrived} frames were lost",
+                "Check the sensor's cable, or close other programs.",
+            )
+        )
+    if counts.frames_without_joints > SAY_SHARE * counts.frames:
+        found.append(
+            Finding(
+                "attention",
+                f"{counts.frames_without_joints} of {counts.frames} frames came without joint "
+                "angles",
+                "They are in the recording, but gave no points; check the arm's cable.",
+            )
+        )
+    return found

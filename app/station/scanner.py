@@ -1,0 +1,275 @@
+"""Starting, watching and stopping a scan."""
+
+import contextlib
+import shutil
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Literal
+
+from app.files.failures import files_refused
+from app.metrology.refusal import Refusal
+from app.station.bus import Bus
+from app.station.findings import Finding
+from app.station.pipeline import ScanCalibration, ScanPipeline
+from app.station.rig import Rig
+from app.station.scan_words import blocked, findings_of
+from app.station.scene import Scene
+
+PUBLISH_S = 0.2
+# A scan does not start with less, and stops before the disk is so full that it
+# could not complete its files.
+START_FREE_BYTES = 500_000_000
+STOP_FREE_BYTES = 100_000_000
+
+State = Literal["idle", "running", "stopping", "blocked"]
+
+
+@dataclass(frozen=True)
+class ScanState:
+    """A scan as the browser shows it; the numbers of the last one stay until the next."""
+
+    state: State
+    why_not: str
+    scan_id: str | None
+    points: int
+    points_shown: int
+    rate_points_s: float
+    frames: int
+    lost_frames: int
+    frames_without_joints: int
+    seconds: float
+    findings: tuple[Finding, ...]
+
+
+@dataclass(frozen=True)
+class ScanResult:
+    """A finished scan; its folder holds ``scan.mcap`` and mostly ``cloud.ply``."""
+
+    id: str
+    name: str
+    folder: Path
+    started_at: str
+    points: int
+    frames: int
+    seconds: float
+    calibration_id: str
+
+
+@dataclass
+class _Running:
+    """The present or last scan."""
+
+    id: str
+    name: str
+    folder: Path
+    started_at: str
+    started_s: float
+    calibration: ScanCalibration
+    pipeline: ScanPipeline
+    stopping: bool = False
+    ended_s: float | None = None
+
+    @property
+    def seconds(self) -> float:
+        return (self.ended_s or time.monotonic()) - self.started_s
+
+
+class Scanner:
+    """Runs one scan at a time; every method may be called from any thread.
+
+    ``on_finished`` is called on the event loop with every scan that ended, also
+    one that a full disk ended.
+    """
+
+    def __init__(self, bus: Bus, rig: Rig, scene: Scene, scans_dir: Path) -> None:
+        self.on_finished: Callable[[ScanResult], None] | None = None
+        self._bus = bus
+        self._rig = rig
+        self._scene = scene
+        self._scans_dir = scans_dir
+        self._lock = threading.RLock()
+        self._calibration: ScanCalibration | None = None
+        self._scan: _Running | None = None
+        self._closing = threading.Event()
+        self._watcher = threading.Thread(target=self._watch, name="scan-state", daemon=True)
+        self._watcher.start()
+
+    def close(self) -> None:
+        """Stops a running scan, and the watch over it."""
+        self._closing.set()
+        self._watcher.join(5.0)
+        self.stop()
+
+    def set_calibration(self, calibration: ScanCalibration | None) -> None:
+        """The calibration to scan with; a running scan keeps the one it started with."""
+        with self._lock:
+            self._calibration = calibration
+        if calibration is None:
+            self._scene.clear_sensor()
+        else:
+            self._scene.set_arm_model(calibration.arm)
+            self._scene.set_sensor(
+                calibration.T_flange_sensor,
+                calibration.camera,
+                calibration.plane,
+                calibration.depth_range_mm,
+            )
+        self._publish()
+
+    def why_not(self) -> Refusal | None:
+        """Why a scan cannot start now; None when it can."""
+        with self._lock:
+            if self._is_running():
+                return Refusal(
+                    "busy", "a scan is running already", remedy="stop it before the next"
+                )
+            return blocked(self._calibration, self._rig)
+
+    def start(self, name: str) -> str:
+        """Starts a scan and switches the laser on; its id.
+
+        Raises:
+            Refusal: no valid calibration for these devices, a device lost, another
+                scan running, or no room on the disk.
+        """
+        with self._lock:
+            refusal = self.why_not() or self._no_room(START_FREE_BYTES)
+            if refusal is not None:
+                raise refusal
+            calibration = self._calibration
+            assert calibration is not None
+            started = datetime.now(UTC)
+            folder = self._new_folder(started)
+            self._scene.clear()
+            info = self._rig.sensor.info
+            if info is not None and info.has_laser_switch:
+                self._rig.sensor.set_laser(True)
+            try:
+                pipeline = ScanPipeline(
+                    self._rig.arm, self._rig.sensor, calibration, folder, self._scene.add_points
+                )
+            except Refusal:
+                self._rig.sensor.laser_off()
+                raise
+            self._scan = _Running(
+                folder.name,
+                name.strip() or f"Scan {started:%Y-%m-%d %H:%M}",
+                folder,
+                started.isoformat(timespec="seconds"),
+                time.monotonic(),
+                calibration,
+                pipeline,
+            )
+        self._publish()
+        return folder.name
+
+    def stop(self) -> ScanResult | None:
+        """Laser off, what was taken finished and saved; None when no scan was running."""
+        with self._lock:
+            scan = self._scan
+            if scan is None or not self._is_running() or scan.stopping:
+                return None
+            scan.stopping = True
+            scan.ended_s = time.monotonic()
+        self._rig.sensor.laser_off()
+        self._publish()
+        scan.pipeline.stop()
+        result = self._result(scan)
+        with self._lock:
+            scan.stopping = False
+        if scan.pipeline.trouble is not None:
+            self._bus.event("scan-failed", scan.pipeline.trouble.line, "bad")
+        else:
+            self._bus.event("scan-saved", f"{result.name}: {result.points} points saved", "good")
+        self._publish()
+        if self.on_finished is not None:
+            self._bus.call(self.on_finished, result)
+        return result
+
+    def state(self) -> ScanState:
+        """The scan as of now."""
+        refusal = self.why_not()
+        with self._lock:
+            scan = self._scan
+            running = self._is_running()
+        why_not = "" if refusal is None or running else refusal.line
+        state: State = "blocked" if why_not else "idle"
+        if scan is None:
+            return ScanState(state, why_not, None, 0, 0, 0.0, 0, 0, 0, 0.0, ())
+        if running:
+            state = "stopping" if scan.stopping else "running"
+        counts = scan.pipeline.counts
+        return ScanState(
+            state=state,
+            why_not=why_not,
+            scan_id=scan.id,
+            points=counts.points,
+            points_shown=self._scene.points_shown,
+            rate_points_s=scan.pipeline.rate_points_s if running else 0.0,
+            frames=counts.frames,
+            lost_frames=scan.pipeline.lost_frames,
+            frames_without_joints=counts.frames_without_joints,
+            seconds=scan.seconds,
+            findings=findings_of(scan.pipeline, self._rig, running),
+        )
+
+    def _is_running(self) -> bool:
+        scan = self._scan
+        return scan is not None and (scan.ended_s is None or scan.stopping)
+
+    def _no_room(self, needed: int) -> Refusal | None:
+        with files_refused(self._scans_dir):
+            self._scans_dir.mkdir(parents=True, exist_ok=True)
+            free = shutil.disk_usage(self._scans_dir).free
+        if free >= needed:
+            return None
+        return Refusal(
+            "disk-full",
+            f"only {free / 1e9:.2f} GB are free on the disk of {self._scans_dir}",
+            f"a scan needs {needed / 1e9:.1f} GB",
+            "free some space",
+        )
+
+    def _new_folder(self, started: datetime) -> Path:
+        stem = f"{started:%Y%m%d-%H%M%S}"
+        names = (stem if n == 1 else f"{stem}-{n}" for n in range(1, 1000))
+        with files_refused(self._scans_dir):
+            for name in names:
+                with contextlib.suppress(FileExistsError):
+                    (self._scans_dir / name).mkdir()
+                    return self._scans_dir / name
+        raise Refusal("folder-taken", f"no free name for a scan in {self._scans_dir}")
+
+    def _result(self, scan: _Running) -> ScanResult:
+        counts = scan.pipeline.counts
+        return ScanResult(
+            scan.id,
+            scan.name,
+            scan.folder,
+            scan.started_at,
+            counts.points,
+            counts.frames,
+            scan.seconds,
+            scan.calibration.id,
+        )
+
+    def _watch(self) -> None:
+        """Publishes the state, and stops a scan that the disk does not let go on."""
+        while not self._closing.wait(PUBLISH_S):
+            sample = self._rig.arm.latest()
+            if sample is not None:
+                self._scene.set_arm(sample.joints_rad)
+            self._scene.set_laser(self._rig.sensor.laser_on)
+            scan = self._scan
+            if scan is not None and scan.ended_s is None:
+                scan.pipeline.failure = scan.pipeline.failure or self._no_room(STOP_FREE_BYTES)
+                if scan.pipeline.trouble is not None:
+                    self.stop()
+            self._publish()
+
+    def _publish(self) -> None:
+        self._bus.publish("scan", self.state())

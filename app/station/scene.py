@@ -1,0 +1,206 @@
+"""The 3D view: a viser server on the loopback, showing arm, sensor, block and cloud.
+
+It has no authentication of its own and shows whatever it is told, so it is
+reached only through the station's own server. It is a preview, never the record.
+"""
+
+import threading
+from collections.abc import Callable, Sequence
+
+import numpy as np
+import rich
+import viser
+
+from app.metrology.arm import Arm, link_transforms
+from app.metrology.camera import Camera
+from app.metrology.crenellated import Crenellated
+from app.metrology.frames import Floats
+from app.metrology.laser_plane import LaserPlane
+from app.station.arm_view import ArmView
+from app.station.cloud_view import CloudView
+from app.station.shapes import block_mesh, reach_mm
+from app.station.views import M_PER_MM, add_mesh, pose_of
+
+POINT_BUDGET = 3_000_000
+FLUSH_S = 0.1
+# Nodes that go out in one message: a late joiner on a slow line gets the first of them
+# before its connection is given up (viser merges up to 128 by itself).
+WINDOW_MESSAGES = 4
+WAITING_POINTS = 2_000_000
+FIELD_OF_VIEW_RAD = np.radians(42.0)
+BLOCK_COLOUR = (176, 182, 190)
+
+
+class Scene:
+    """Everything that is drawn; methods may be called from any thread and do not wait.
+
+    Points are taken at once and shown each 100 ms by the scene's own thread.
+    """
+
+    def __init__(self, point_budget: int = POINT_BUDGET, label: str = "Crenel") -> None:
+        self._server = _quiet(lambda: viser.ViserServer(host="127.0.0.1", port=0, label=label))
+        self._server._websock_server._broadcast_buffer.max_window_size = WINDOW_MESSAGES
+        self._lock = threading.RLock()
+        self._waiting: list[tuple[Floats, Floats]] = []
+        self._waiting_points = 0
+        self._q_rad: Sequence[float] | None = None
+        self._laser_on = False
+        self._cloud = CloudView(self._server, point_budget)
+        self._arm: ArmView | None = None
+        self._arm_model: Arm | None = None
+        self._block: viser.MeshHandle | None = None
+        self._prepare()
+        self._stopping = threading.Event()
+        self._thread = threading.Thread(target=self._run, name="scene", daemon=True)
+        self._thread.start()
+
+    @property
+    def port(self) -> int:
+        """The loopback port that the station's server forwards to."""
+        return int(self._server.get_port())
+
+    @property
+    def points_shown(self) -> int:
+        return self._cloud.shown
+
+    def close(self) -> None:
+        self._stopping.set()
+        self._thread.join(5.0)
+        self._server.stop()
+
+    def clear(self) -> None:
+        """Removes the cloud; arm, sensor and block stay."""
+        with self._lock:
+            self._waiting, self._waiting_points = [], 0
+            self._cloud.clear()
+
+    def add_points(self, xyz_mm: Floats, intensity: Floats) -> None:
+        """Adds points (N, 3) of the arm frame with the stripe's intensity (N,).
+
+        When the display is behind, points are left out of it: it is a preview.
+        """
+        with self._lock:
+            if self._waiting_points < WAITING_POINTS:
+                self._waiting.append((xyz_mm, intensity))
+                self._waiting_points += len(xyz_mm)
+
+    def set_arm_model(self, arm: Arm | None) -> None:
+        """Draws this arm from now on, by its own kinematics."""
+        with self._lock:
+            if arm == self._arm_model:
+                return
+            if self._arm is not None:
+                self._arm.remove()
+            self._arm_model = arm
+            self._arm = None if arm is None else ArmView(self._server, arm)
+            self._q_rad = None
+            if arm is not None:
+                self._aim(arm)
+
+    def set_arm(self, q_rad: Sequence[float]) -> None:
+        """The arm's encoder angles (n,); drawn at most ten times a second."""
+        self._q_rad = q_rad
+
+    def set_sensor(
+        self,
+        T_flange_sensor: Floats,
+        camera: Camera,
+        plane: LaserPlane,
+        depth_range_mm: tuple[float, float],
+    ) -> None:
+        """Draws the sensor at the flange, and the field in which its laser measures."""
+        with self._lock:
+            if self._arm is not None:
+                self._arm.set_sensor(T_flange_sensor, camera, plane, depth_range_mm)
+
+    def clear_sensor(self) -> None:
+        with self._lock:
+            if self._arm is not None:
+                self._arm.clear_sensor()
+
+    def set_laser(self, on: bool) -> None:
+        """Shows the measuring field in the laser's colour while it is on."""
+        self._laser_on = on
+
+    def set_block(self, T_arm_obj: Floats, block: Crenellated) -> None:
+        """Draws the probed block where it lies."""
+        with self._lock:
+            position, wxyz = pose_of(T_arm_obj)
+            self._block = add_mesh(
+                self._server, "/block", block_mesh(block), BLOCK_COLOUR, flat_shading=True
+            )
+            self._block.position, self._block.wxyz = position, wxyz
+
+    def clear_block(self) -> None:
+        with self._lock:
+            if self._block is not None:
+                self._block.remove()
+                self._block = None
+
+    def _prepare(self) -> None:
+        server = self._server
+        server.gui.configure_theme(
+            show_logo=False, show_share_button=False, brand_color=(38, 132, 190)
+        )
+        server.gui.main_panel.minimize()
+        server.scene.configure_default_lights(enabled=True, cast_shadow=False)
+        server.scene.add_grid(
+            "/table",
+            width=3.0,
+            height=3.0,
+            cell_size=0.05,
+            cell_thickness=0.6,
+            cell_color=(128, 134, 142),
+            section_size=0.25,
+            section_thickness=1.0,
+            section_color=(110, 116, 124),
+            fade_distance=6.0,
+            shadow_opacity=0.0,
+        )
+        server.scene.add_frame("/axes", axes_length=0.12, axes_radius=0.003, origin_radius=0.006)
+        server.initial_camera.fov = float(FIELD_OF_VIEW_RAD)
+        server.initial_camera.near = 0.005
+        server.initial_camera.far = 50.0
+        self._look(np.array([0.3, 0.0, 0.15]), 1.6)
+
+    def _aim(self, arm: Arm) -> None:
+        """The first look of a new tab: the arm and the place where its work is."""
+        reach = reach_mm(arm) * M_PER_MM
+        self._look(np.array([0.3 * reach, 0.0, 0.22 * reach]), 1.25 * reach)
+
+    def _look(self, at_m: Floats, distance_m: float) -> None:
+        direction = np.array([0.62, -0.68, 0.42])
+        direction /= np.linalg.norm(direction)
+        self._server.initial_camera.look_at = at_m
+        self._server.initial_camera.position = at_m + distance_m * direction
+
+    def _run(self) -> None:
+        while not self._stopping.wait(FLUSH_S):
+            with self._lock:
+                self._show_waiting()
+                self._show_arm()
+
+    def _show_waiting(self) -> None:
+        waiting, self._waiting, self._waiting_points = self._waiting, [], 0
+        if waiting:
+            points = np.concatenate([points for points, _ in waiting])
+            self._cloud.add(points, np.concatenate([intensity for _, intensity in waiting]))
+
+    def _show_arm(self) -> None:
+        arm, q_rad = self._arm, self._q_rad
+        if arm is None or self._arm_model is None:
+            return
+        arm.set_laser(self._laser_on)
+        if q_rad is not None and len(q_rad) == self._arm_model.joint_count:
+            self._q_rad = None
+            arm.pose(link_transforms(self._arm_model, np.array([q_rad]))[:, 0])
+
+
+def _quiet(make: Callable[[], viser.ViserServer]) -> viser.ViserServer:
+    """viser prints its address, which is of no use to anybody: it is reached elsewhere."""
+    console = rich.get_console()
+    before, console.quiet = console.quiet, True
+    try:
+        return make()
+    finally:
+        console.quiet = before

@@ -1,0 +1,161 @@
+"""Meshes for the 3D view, made of numbers: tubes, the block, the sensor's field. Pure."""
+
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import ConvexHull, QhullError
+
+from app.metrology.arm import Arm, Joint
+from app.metrology.camera import Camera
+from app.metrology.crenellated import Crenellated
+from app.metrology.frames import Floats
+from app.metrology.laser_plane import LaserPlane
+from app.metrology.reconstruct import sensor_points
+
+Faces = NDArray[np.uint32]
+SIDES = 28
+FIELD_SAMPLES = 33
+
+
+@dataclass(frozen=True)
+class Mesh:
+    """Vertices (N, 3) in mm and triangles (M, 3)."""
+
+    vertices_mm: Floats
+    faces: Faces
+
+
+def joined(*meshes: Mesh) -> Mesh:
+    """Several meshes as one."""
+    offsets = np.cumsum([0] + [len(mesh.vertices_mm) for mesh in meshes[:-1]])
+    return Mesh(
+        np.concatenate([mesh.vertices_mm for mesh in meshes]),
+        np.concatenate(
+            [mesh.faces + np.uint32(o) for mesh, o in zip(meshes, offsets, strict=True)]
+        ),
+    )
+
+
+def tube(start_mm: Floats, end_mm: Floats, start_radius_mm: float, end_radius_mm: float) -> Mesh:
+    """A closed, possibly tapered tube between two points (3,)."""
+    start, end = np.asarray(start_mm, dtype=float), np.asarray(end_mm, dtype=float)
+    axis = (end - start) / np.linalg.norm(end - start)
+    aside = np.cross(axis, np.eye(3)[np.argmin(np.abs(axis))])
+    aside /= np.linalg.norm(aside)
+    turns = np.linspace(0, 2 * np.pi, SIDES, endpoint=False)
+    ring = np.outer(np.cos(turns), aside) + np.outer(np.sin(turns), np.cross(axis, aside))
+    # the ends have rings of their own, so that they are shaded flat
+    rings = [start + start_radius_mm * ring, end + end_radius_mm * ring]
+    vertices = np.concatenate([*rings, *rings, start[None], end[None]])
+    k = np.arange(SIDES)
+    after = (k + 1) % SIDES
+    first_cap, last_cap = 2 * SIDES + k, 3 * SIDES + k
+    hub = np.full(SIDES, 4 * SIDES)
+    faces = np.concatenate(
+        [
+            np.column_stack([k, after, SIDES + k]),
+            np.column_stack([after, SIDES + after, SIDES + k]),
+            np.column_stack([hub, 2 * SIDES + after, first_cap]),
+            np.column_stack([hub + 1, last_cap, 3 * SIDES + after]),
+        ]
+    )
+    return Mesh(vertices, faces.astype(np.uint32))
+
+
+def box(low_mm: Floats, high_mm: Floats) -> Mesh:
+    """A box with its edges along the axes, each face with corners of its own."""
+    low, high = np.asarray(low_mm, dtype=float), np.asarray(high_mm, dtype=float)
+    vertices: list[Floats] = []
+    faces: list[list[int]] = []
+    for axis in range(3):
+        for outward in (0, 1):
+            b, c = (axis + 1) % 3, (axis + 2) % 3
+            corners = np.empty((4, 3))
+            corners[:, axis] = high[axis] if outward else low[axis]
+            corners[:, b] = [low[b], high[b], high[b], low[b]]
+            corners[:, c] = [low[c], low[c], high[c], high[c]]
+            n = 4 * len(vertices)
+            quad = [[n, n + 1, n + 2], [n, n + 2, n + 3]]
+            vertices.append(corners)
+            faces += quad if outward else [triangle[::-1] for triangle in quad]
+    return Mesh(np.concatenate(vertices), np.array(faces, dtype=np.uint32))
+
+
+def block_mesh(block: Crenellated) -> Mesh:
+    """The crenellated object in its own frame: a body and its merlons."""
+    x, front, back = block.edges_x_mm, block.front_y_mm, block.back_y_mm
+    body = box(np.array([x[0], front, block.base_z_mm]), np.array([x[-1], back, block.floor_z_mm]))
+    merlons = [
+        box(
+            np.array([x[2 * i], front, block.floor_z_mm]),
+            np.array([x[2 * i + 1], back, block.crest_z_mm]),
+        )
+        for i in range(block.merlon_count)
+    ]
+    return joined(body, *merlons)
+
+
+def reach_mm(arm: Arm) -> float:
+    """Length of the arm stretched out."""
+    return float(sum(np.hypot(joint.a_mm, joint.d_mm) for joint in arm.joints))
+
+
+def link_path(joint: Joint) -> Floats:
+    """The link's centre line (3, 3) in its own frame: along the joint's axis, then the normal.
+
+    From the frame before (Eq. 2): ``d`` along its z axis, then ``a`` along x.
+    """
+    corner = np.array([-joint.a_mm, 0.0, 0.0])
+    axis = joint_axis(joint)
+    return np.array([corner - joint.d_mm * axis, corner, np.zeros(3)])
+
+
+def joint_axis(joint: Joint) -> Floats:
+    """The joint's axis (3,), z of the frame before, in the link's own frame."""
+    return np.array([0.0, np.sin(joint.alpha_rad), np.cos(joint.alpha_rad)])
+
+
+def link_meshes(joint: Joint, radius_mm: float, end_radius_mm: float) -> tuple[Mesh | None, Mesh]:
+    """A link's tubes (None where it has no length) and its joint's hub, in the link's frame."""
+    path = link_path(joint)
+    tubes = [
+        tube(a, b, radius_mm, end_radius_mm)
+        for a, b in pairwise(path)
+        if np.linalg.norm(b - a) > radius_mm
+    ]
+    half = 1.25 * radius_mm * joint_axis(joint)
+    hub = tube(path[0] - half, path[0] + half, 1.3 * radius_mm, 1.3 * radius_mm)
+    return (joined(*tubes) if tubes else None), hub
+
+
+def measuring_field(
+    camera: Camera, plane: LaserPlane, depth_range_mm: tuple[float, float]
+) -> Floats:
+    """Outline (K, 3) in the sensor frame of what the camera sees of the laser plane.
+
+    Within the calibrated distances from the camera; empty where it sees none of it.
+    """
+    u = np.linspace(0, camera.width_px - 1, FIELD_SAMPLES)
+    v = np.linspace(0, camera.height_px - 1, 4 * FIELD_SAMPLES)
+    uv = np.stack(np.meshgrid(u, v), axis=-1).reshape(-1, 2)
+    points = sensor_points(camera, plane, uv)
+    points = points[np.isfinite(points).all(axis=1)]
+    depth = np.linalg.norm(points - camera.centre_mm, axis=1)
+    points = points[(depth >= depth_range_mm[0]) & (depth <= depth_range_mm[1])]
+    if len(points) < 3:
+        return np.zeros((0, 3))
+    aside = np.cross(plane.normal, np.eye(3)[np.argmin(np.abs(plane.normal))])
+    aside /= np.linalg.norm(aside)
+    flat = points @ np.column_stack([aside, np.cross(plane.normal, aside)])
+    try:
+        return np.asarray(points[ConvexHull(flat).vertices])
+    except QhullError:
+        return np.zeros((0, 3))
+
+
+def fan_mesh(outline_mm: Floats) -> Mesh:
+    """A flat convex outline (K, 3) as triangles."""
+    k = np.arange(1, len(outline_mm) - 1, dtype=np.uint32)
+    return Mesh(outline_mm, np.column_stack([np.zeros_like(k), k, k + 1]))
