@@ -31,7 +31,7 @@ def moved(camera: Camera, step: Floats) -> Camera:
     return replace(
         camera,
         matrix=matrix,
-        rotation=nearest_rotation(turn @ camera.rotation),
+        rotation=turn @ camera.rotation,
         translation_mm=turn @ camera.translation_mm + step[7:10] * distance,
         distortion=distortion,
     )
@@ -97,9 +97,7 @@ def fit_edges(
             step = np.zeros(_COUNT)
             step[k] = 1e-6
             ahead = residuals(moved(camera, step), points_mm, uv_px, normal) / sigma_px
-            step[k] = -1e-6
-            behind = residuals(moved(camera, step), points_mm, uv_px, normal) / sigma_px
-            J[:, column] = (ahead - behind) / 2e-6
+            J[:, column] = (ahead - off) / 1e-6
         normal_matrix = (J * weight[:, None]).T @ J
         gradient = (J * weight[:, None]).T @ off
         values, sd = _held(camera)
@@ -114,6 +112,7 @@ def fit_edges(
         step[chosen] = -inverse @ gradient
         step[:10] *= min(1.0, 0.2 / max(float(np.abs(step[:10]).max()), 1e-12))
         camera = moved(camera, step)
+        camera = replace(camera, rotation=nearest_rotation(camera.rotation))
         covariance[np.ix_(chosen, chosen)] = inverse
         if float(np.abs(step).max()) < 1e-8:
             break

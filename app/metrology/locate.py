@@ -120,13 +120,17 @@ def _slope_noise(smooth: Floats) -> float:
 def _support(
     smooth: Floats, frame: Wireframe, camera: Camera, radius: float, noise: float, seen_px: float
 ) -> float:
-    """Dice's coefficient of edges drawn and edges seen: 1 when each has its counterpart."""
+    """Dice's coefficient of edges drawn and edges seen: 1 when each has its counterpart.
+
+    A counterpart at the search's limit counts for nothing.
+    """
     at = stations(frame, camera, _SPACING_PX, _MARGIN_PX)
     if len(at.edge) == 0:
         return 0.0
-    _, slope = search(smooth, at, radius)
+    offset, slope = search(smooth, at, radius)
     met = np.abs(slope) > _CONTRAST * noise
-    return 2 * float(at.length_px[met].sum()) / (float(at.length_px.sum()) + seen_px)
+    near = 1.0 - (offset[met] / (radius + 0.5)) ** 2
+    return 2 * float(at.length_px[met] @ near) / (float(at.length_px.sum()) + seen_px)
 
 
 def _pulled(smooth: Floats, frame: Wireframe, camera: Camera, noise: float) -> Camera | None:
