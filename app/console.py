@@ -12,6 +12,7 @@ import typer
 
 from app.files.failures import refusal_of
 from app.metrology.refusal import Refusal
+from hardware.errors import DeviceError
 
 P = ParamSpec("P")
 
@@ -33,7 +34,9 @@ def refusing(command: Callable[P, None]) -> Callable[P, None]:
         except Refusal as refusal:
             fail(refusal.line)
         except KeyboardInterrupt:
-            fail("interrupted; nothing was written.", INTERRUPTED)
+            fail("interrupted.", INTERRUPTED)
+        except DeviceError as error:
+            fail(str(error))
         except OSError as error:
             if error.errno == errno.EPIPE:  # who read our output has gone
                 raise

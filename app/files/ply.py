@@ -69,7 +69,8 @@ def read_vertices(path: Path, file: BinaryIO, vertices: Vertices) -> dict[str, F
         raise _cut_off(path, whole, vertices.count)
     file.seek(start)
     table = np.fromfile(file, vertices.layout, vertices.count)
-    return {name: table[name].astype(np.float64) for name in vertices.layout.names or ()}
+    with np.errstate(invalid="ignore"):  # of NaN that are marked as signalling
+        return {name: table[name].astype(np.float64) for name in vertices.layout.names or ()}
 
 
 def _header_lines(path: Path, file: BinaryIO) -> list[str]:

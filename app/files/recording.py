@@ -42,6 +42,7 @@ DAMAGE = (
     zstandard.ZstdError,
     RuntimeError,  # what lz4 raises on damaged data
     UnicodeDecodeError,
+    MemoryError,  # a length that was damaged; what is read at a time is small
 )
 
 

@@ -1,0 +1,99 @@
+"""Whatever happens to the bytes of a file, reading it ends well or in a refusal."""
+
+from contextlib import suppress
+from pathlib import Path
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from app.files.calibration import read_calibration
+from app.files.clouds import ply_writer, read_cloud
+from app.files.images import read_grey
+from app.files.rebuild import rebuild
+from app.files.recording_writer import RecordingWriter
+from app.files.session import read_session
+from app.metrology.refusal import Refusal
+from tests.files.builders import ARM, joints_every, little_calibration, write_session
+from tests.files.test_clouds import POINTS
+from tests.files.test_documents import calibration_file
+from tests.files.test_rebuild import MS, NAMES, record_stripe
+
+changes = st.lists(
+    st.tuples(st.floats(0, 1), st.binary(max_size=4), st.integers(0, 4)), min_size=1, max_size=3
+)
+
+
+def damaged(whole: bytes, damage: list[tuple[float, bytes, int]]) -> bytes:
+    """Some bytes replaced, put in or taken out, at places from 0 (start) to 1 (end)."""
+    content = bytearray(whole)
+    for place, put_in, taken_out in damage:
+        at = int(place * len(content))
+        content[at : at + taken_out] = put_in
+    return bytes(content)
+
+
+relaxed = settings(max_examples=150, suppress_health_check=[HealthCheck.function_scoped_fixture])
+
+
+@pytest.fixture
+def session(tmp_path: Path) -> Path:
+    return write_session(tmp_path / "s")
+
+
+@given(
+    st.sampled_from(
+        ["arm.json", "object.json", "sensor.json", "probing.csv", "images.csv", "images/a.png"]
+    ),
+    changes,
+)
+@relaxed
+def test_a_damaged_session(
+    session: Path, name: str, damage: list[tuple[float, bytes, int]]
+) -> None:
+    whole = (session / name).read_bytes()
+    (session / name).write_bytes(damaged(whole, damage))
+    with suppress(Refusal):
+        read_grey(read_session(session).poses[0].ambient)
+    (session / name).write_bytes(whole)
+
+
+@given(changes)
+@relaxed
+def test_a_damaged_calibration(tmp_path: Path, damage: list[tuple[float, bytes, int]]) -> None:
+    path = tmp_path / "c.json"
+    calibration_file().write(path)
+    path.write_bytes(damaged(path.read_bytes(), damage))
+    with suppress(Refusal):
+        read_calibration(path)
+
+
+@given(changes)
+@relaxed
+def test_a_damaged_cloud(tmp_path: Path, damage: list[tuple[float, bytes, int]]) -> None:
+    path = tmp_path / "c.ply"
+    with ply_writer(path) as cloud:
+        cloud.write(POINTS[:9], POINTS[:9, 0], POINTS[:9, 0], 0)
+    path.write_bytes(damaged(path.read_bytes(), damage))
+    with suppress(Refusal):
+        read_cloud(path)
+
+
+@pytest.fixture
+def recording(tmp_path: Path) -> bytes:
+    path = tmp_path / "whole.mcap"
+    with RecordingWriter(path, NAMES) as writer:
+        joints_every(writer, 0, 40 * MS, 4 * MS)
+        record_stripe(writer, 20 * MS)
+    return path.read_bytes()
+
+
+@given(changes)
+@relaxed
+def test_a_damaged_recording(
+    tmp_path: Path, recording: bytes, damage: list[tuple[float, bytes, int]]
+) -> None:
+    path = tmp_path / "scan.mcap"
+    path.write_bytes(damaged(recording, damage))
+    with suppress(Refusal):
+        rebuild(path, little_calibration(), ARM, tmp_path / "cloud.ply")
