@@ -26,7 +26,7 @@ from app.metrology.scene import (
     coordinates,
     corner_rows,
     edge_rows,
-    joined,
+    no_rows,
     stripe_rows,
 )
 from app.metrology.stripe import Stripe
@@ -95,12 +95,12 @@ class Observations:
     levels: LaserPlaneFit
 
     def groups(self, scene: Scene) -> tuple[Rows, Rows]:
-        if self.edges:
+        if len(self.edges):
             shape = edge_rows(scene, self.edges)
-        elif self.corners:
+        elif len(self.corners):
             shape = corner_rows(scene, self.corners)
         else:
-            shape = joined((), len(scene.names))
+            shape = no_rows(scene)
         return shape, stripe_rows(scene, self.stripe, self.levels)
 
 

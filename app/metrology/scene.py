@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from app.metrology.camera import Camera, rays
 from app.metrology.corners import Corner, EdgePoints
@@ -56,7 +57,7 @@ class Rows:
     sigma: Floats
     jacobian: Floats  # (N, P): derivative of the residuals
     places: Floats
-    line: Floats
+    line: NDArray[np.int64]
 
 
 def coordinates(block: Crenellated) -> Floats:
@@ -94,56 +95,53 @@ def _corner_numbers(block: Crenellated) -> dict[str, tuple[int, int, int]]:
     return {name: (int(at[0]), int(at[1]), int(at[2])) for name, at in corners(numbered).items()}
 
 
-def _edge_numbers(block: Crenellated) -> dict[str, tuple[Floats, Floats]]:
-    """Which of ``coordinates`` are the ends (3,) of each edge."""
+def _edge_numbers(block: Crenellated) -> dict[str, NDArray[np.int64]]:
+    """Which of ``coordinates`` are the ends (2, 3) of each edge."""
     numbered = with_coordinates(block, np.arange(len(block.edges_x_mm) + 5).astype(np.float64))
-    return {edge.name: (edge.start_mm, edge.end_mm) for edge in edges(numbered)}
+    return {
+        edge.name: np.array([edge.start_mm, edge.end_mm]).astype(np.int64)
+        for edge in edges(numbered)
+    }
 
 
 def edge_rows(scene: Scene, measured: Sequence[EdgePoints]) -> Rows:
     """Points on the block's edges: their distances in px from the projected edges."""
     values, names = coordinates(scene.block), _edge_numbers(scene.block)
-    rows = []
-    for number, edge in enumerate(measured):
-        a, b = (ends.astype(np.int64) for ends in names[edge.edge])
-        start, along = values[a], values[b] - values[a]
-        share = _nearest_share(scene.camera, edge.uv_px, start, along)
-        by_block = np.zeros((len(share), 3, len(values)))
-        for k in range(3):
-            by_block[:, k, a[k]] += 1 - share
-            by_block[:, k, b[k]] += share
-        points = start + share[:, None] * along
-        rows.append(
-            _line_rows(scene, number, edge.uv_px, points, along, by_block, None, edge.sigma_px)
-        )
-    return joined(rows, len(scene.names))
+    line = np.repeat(np.arange(len(measured)), [len(edge.uv_px) for edge in measured])
+    ends = np.array([names[edge.edge] for edge in measured])[line]  # (N, 2, 3)
+    uv = np.concatenate([edge.uv_px for edge in measured])
+    start = values[ends[:, 0]]
+    along = values[ends[:, 1]] - start
+    share = _nearest_share(scene.camera, uv, start, along)
+    residuals, _, J, to_normal = _across_lines(scene, uv, start, along, share)
+    every = np.arange(len(uv))
+    for k in range(3):
+        J[every, BLOCK.start + ends[:, 0, k]] += to_normal[:, k] * (1 - share)
+        J[every, BLOCK.start + ends[:, 1, k]] += to_normal[:, k] * share
+    sigma = np.concatenate([edge.sigma_px for edge in measured])
+    return Rows(residuals, sigma, -J, uv, line)
 
 
 def stripe_rows(scene: Scene, stripe: Stripe, fit: LaserPlaneFit) -> Rows:
     """Stripe points on the two straight lines in which the laser plane meets the levels."""
-    values, plane = coordinates(scene.block), scene.plane
-    rows = []
-    for number, (name, at) in enumerate((("crest", -3), ("floor", -2))):
-        chosen = fit.used & (fit.level == name)
-        uv, z = stripe.uv_px[chosen], values[at]
-        along = np.cross(plane.normal, [0.0, 0.0, 1.0])
-        # across the line within the level: how it moves when the plane does
-        across = np.array([*plane.normal[:2], 0.0]) / float(plane.normal[:2] @ plane.normal[:2])
-        start = across * (plane.offset_mm - plane.normal[2] * z) + [0.0, 0.0, z]
-        share = _nearest_share(scene.camera, uv, start, along)
-        points = start + share[:, None] * along
-        by_block = np.zeros((len(uv), 3, len(values)))
-        by_block[:, :, at] = np.array([0.0, 0.0, 1.0]) - plane.normal[2] * across
-        by_plane = np.empty((len(uv), 3, 3))
-        tilts = points @ tangents(plane.normal).T
-        by_plane[:, :, 0] = -tilts[:, :1] * across
-        by_plane[:, :, 1] = -tilts[:, 1:] * across
-        by_plane[:, :, 2] = across
-        sigma = stripe.sigma_px[chosen]
-        rows.append(_line_rows(scene, number, uv, points, along, by_block, by_plane, sigma))
-        normal_share = _image_normal(scene.camera, points, along) @ stripe.across
-        rows[-1] = replace(rows[-1], sigma=sigma * np.abs(normal_share))
-    return joined(rows, len(scene.names))
+    plane = scene.plane
+    uv, sigma = stripe.uv_px[fit.used], stripe.sigma_px[fit.used]
+    line = (fit.level[fit.used] == "floor").astype(np.int64)
+    z = np.array([scene.block.crest_z_mm, scene.block.floor_z_mm])[line]
+    # across the line within its level: how the line moves when the plane does
+    across = np.array([*plane.normal[:2], 0.0]) / float(plane.normal[:2] @ plane.normal[:2])
+    along = np.broadcast_to(np.cross(plane.normal, [0.0, 0.0, 1.0]), (len(uv), 3))
+    start = (plane.offset_mm - plane.normal[2] * z)[:, None] * across
+    start[:, 2] = z
+    share = _nearest_share(scene.camera, uv, start, along)
+    residuals, normal, J, to_normal = _across_lines(scene, uv, start, along, share)
+    tilts = (start + share[:, None] * along) @ tangents(plane.normal).T
+    J[:, PLANE.start : PLANE.start + 2] = -tilts * (to_normal @ across)[:, None]
+    J[:, PLANE.start + 2] = to_normal @ across
+    by_z = to_normal[:, 2] - plane.normal[2] * (to_normal @ across)
+    level = np.array([len(scene.names) - 3, len(scene.names) - 2])[line]
+    J[np.arange(len(uv)), level] += by_z
+    return Rows(residuals, sigma * np.abs(normal @ stripe.across), -J, uv, line)
 
 
 def corner_rows(scene: Scene, measured: Sequence[Corner]) -> Rows:
@@ -164,57 +162,40 @@ def corner_rows(scene: Scene, measured: Sequence[Corner]) -> Rows:
         np.sqrt(variance).ravel(),
         -(turned @ J).reshape(2 * len(seen), -1),
         np.repeat(seen, 2, axis=0),
-        np.zeros(2 * len(seen)),
+        np.zeros(2 * len(seen), dtype=np.int64),
     )
 
 
-def joined(rows: Sequence[Rows], count: int) -> Rows:
-    """Rows one under the other; ``count`` parameters where there are none."""
-    if not rows:
-        none = np.zeros(0)
-        return Rows(none, none, np.zeros((0, count)), np.zeros((0, 2)), none)
+def no_rows(scene: Scene) -> Rows:
+    """Where nothing of a kind was observed."""
+    none = np.zeros(0)
     return Rows(
-        np.concatenate([row.residuals for row in rows]),
-        np.concatenate([row.sigma for row in rows]),
-        np.concatenate([row.jacobian for row in rows]),
-        np.concatenate([row.places for row in rows]),
-        np.concatenate([row.line for row in rows]),
+        none, none, np.zeros((0, len(scene.names))), np.zeros((0, 2)), none.astype(np.int64)
     )
 
 
 def _nearest_share(camera: Camera, uv_px: Floats, start: Floats, along: Floats) -> Floats:
-    """Where (N,) on ``start + share along`` the rays of pixels (N, 2) come nearest to it."""
+    """Where (N,) on ``start + share along`` (N, 3) the rays of pixels (N, 2) come nearest."""
     origin, rays_along = rays(camera, uv_px)
     normal = np.cross(rays_along, np.cross(rays_along, along))
-    return np.asarray(np.sum((origin - start) * normal, axis=1) / (normal @ along))
+    return np.asarray(np.sum((origin - start) * normal, axis=1) / np.sum(normal * along, axis=1))
 
 
-def _image_normal(camera: Camera, points: Floats, along: Floats) -> Floats:
-    """Unit normals (N, 2) in the image of a straight line of direction (3,), at its points."""
-    _, _, by_point = project_with_jacobian(camera, points)
-    tangent = by_point @ along
+def _across_lines(
+    scene: Scene, uv_px: Floats, start: Floats, along: Floats, share: Floats
+) -> tuple[Floats, Floats, Floats, Floats]:
+    """How pixels (N, 2) lie across the images of the lines ``start + share along`` (N, 3).
+
+    Returns:
+        (N,) distances in px; (N, 2) unit normals of the lines' images; (N, P) how far
+        the lines move along them by the camera's parameters (zero for the others),
+        and (N, 3) by their points.
+    """
+    uv, J_camera, by_point = project_with_jacobian(scene.camera, start + share[:, None] * along)
+    tangent = np.einsum("nij,nj->ni", by_point, along)
     tangent /= np.linalg.norm(tangent, axis=1, keepdims=True)
-    return np.column_stack([-tangent[:, 1], tangent[:, 0]])
-
-
-def _line_rows(
-    scene: Scene,
-    number: int,
-    uv_px: Floats,
-    points: Floats,
-    along: Floats,
-    by_block: Floats,
-    by_plane: Floats | None,
-    sigma_px: Floats,
-) -> Rows:
-    """Rows of pixels (N, 2) on one line; derivatives of the points (N, 3, .) on it."""
-    uv, J_camera, by_point = project_with_jacobian(scene.camera, points)
-    normal = _image_normal(scene.camera, points, along)
-    to_normal = np.einsum("ni,nij->nj", normal, by_point)
+    normal = np.column_stack([-tangent[:, 1], tangent[:, 0]])
     J = np.zeros((len(uv), len(scene.names)))
-    J[:, :COUNT] = np.einsum("ni,nij->nj", normal, J_camera)
-    J[:, BLOCK] = np.einsum("ni,nij->nj", to_normal, by_block)
-    if by_plane is not None:
-        J[:, PLANE] = np.einsum("ni,nij->nj", to_normal, by_plane)
-    residuals = np.sum((uv_px - uv) * normal, axis=1)
-    return Rows(residuals, sigma_px, -J, uv_px, np.full(len(uv), float(number)))
+    J[:, :COUNT] = normal[:, :1] * J_camera[:, 0] + normal[:, 1:] * J_camera[:, 1]
+    to_normal = normal[:, :1] * by_point[:, 0] + normal[:, 1:] * by_point[:, 1]
+    return np.sum((uv_px - uv) * normal, axis=1), normal, J, to_normal

@@ -1,0 +1,238 @@
+"""The joint refinement against known cameras, and its covariance against scatter."""
+
+import cv2
+import numpy as np
+import pytest
+
+from app.metrology.camera import Camera, project
+from app.metrology.camera_fit import CameraFit, Observations, fit_camera
+from app.metrology.corners import Corner
+from app.metrology.crenellated import corners
+from app.metrology.faugeras import solve_faugeras
+from app.metrology.frames import Floats, apply, rigid_fit
+from app.metrology.laser_plane import fit_laser_plane
+from app.metrology.projection import COUNT, project_with_jacobian, stepped
+from app.metrology.reconstruct import sensor_points
+from app.metrology.refusal import Refusal
+from app.metrology.scene import Scene, corner_rows, edge_rows, stripe_rows
+from app.metrology.visibility import visible_corners
+from tests.metrology.builders import BLOCK
+from tests.metrology.seen_block import (
+    as_made,
+    camera_over,
+    edges_seen,
+    laser_plane,
+    stripe_on,
+    volume_points,
+)
+
+PLANE = laser_plane()
+
+
+def linear_start(camera: Camera) -> Camera:
+    """Faugeras' camera, which knows no distortion."""
+    at = corners(BLOCK)
+    points = np.array([at[name] for name in sorted(visible_corners(BLOCK, camera.centre_mm))])
+    return solve_faugeras(points, project(camera, points), 1280, 1024).camera
+
+
+def fitted(camera: Camera, seed: int, edge_sd: float = 0.1, stripe_sd: float = 0.14) -> CameraFit:
+    """A fit to what ``camera`` shows of a block as far off its certificate as that allows."""
+    rng = np.random.default_rng(seed)
+    made = as_made(BLOCK, rng)
+    stripe = stripe_on(camera, made, PLANE, rng, stripe_sd)
+    stripe = type(stripe)(stripe.u, stripe.v, stripe.intensity, np.full(len(stripe.u), 0.14))
+    start = linear_start(camera)
+    levels = fit_laser_plane(start, BLOCK, stripe)
+    edges = edges_seen(camera, made, rng, max(edge_sd, 1e-6))
+    return fit_camera(start, BLOCK, Observations(edges, (), stripe, levels))
+
+
+def error_um(fit: CameraFit, camera: Camera) -> float:
+    """Rms error of reconstructed points over the volume, after a rigid fit."""
+    uv, points = volume_points(camera, PLANE, BLOCK)
+    found = sensor_points(fit.camera, fit.plane, uv)
+    off = apply(rigid_fit(points, found), found) - points
+    return 1e3 * float(np.sqrt(np.mean(np.sum(off**2, axis=1))))
+
+
+@pytest.mark.parametrize("k1", [-0.15, -0.04, 0.0, 0.08])
+@pytest.mark.parametrize("roll", [0.0, 0.4])
+def test_points_come_out_to_micrometres_whatever_the_lens(k1: float, roll: float) -> None:
+    camera = camera_over(BLOCK, k1=k1, roll=roll)
+    errors = [error_um(fitted(camera, seed), camera) for seed in range(3)]
+    assert np.sqrt(np.mean(np.square(errors))) < 2.5
+    assert max(errors) < 4
+
+
+def test_distortion_is_kept_only_where_the_picture_shows_it() -> None:
+    plain, bent = camera_over(BLOCK, k1=0.0), camera_over(BLOCK, k1=-0.06)
+    assert sum(bool(np.any(fitted(plain, seed).camera.distortion)) for seed in range(6)) <= 2
+    for seed in range(3):
+        fit = fitted(bent, seed)
+        sd = np.sqrt(fit.covariance[10, 10])
+        assert abs(fit.camera.distortion[0] + 0.06) < 4 * sd
+        assert 0 < sd < 0.01
+        assert not np.any(fit.camera.distortion[2:])
+
+
+def test_neglected_distortion_would_cost_much_more() -> None:
+    camera = camera_over(BLOCK, k1=-0.1)
+    start = linear_start(camera)
+    rng = np.random.default_rng(0)
+    stripe = stripe_on(camera, BLOCK, PLANE, rng, 0.1)
+    linear = fit_laser_plane(start, BLOCK, stripe)
+    uv, points = volume_points(camera, PLANE, BLOCK)
+    found = sensor_points(start, linear.plane, uv)
+    off = apply(rigid_fit(points, found), found) - points
+    neglected = 1e3 * float(np.sqrt(np.mean(np.sum(off**2, axis=1))))
+    assert error_um(fitted(camera, 1), camera) < 0.3 * neglected
+
+
+def test_the_covariance_foretells_the_scatter_of_points() -> None:
+    """Points in the frame of the certificate, over fits with new noise and a new block each."""
+    camera = camera_over(BLOCK)
+    uv, points = volume_points(camera, PLANE, BLOCK)
+    ratios = []
+    for seed in range(24):
+        fit = fitted(camera, seed)
+        off = (sensor_points(fit.camera, fit.plane, uv) - points) @ PLANE.normal
+        expected = np.sqrt(np.einsum("gi,ij,gj->g", *_heights(fit, uv)))
+        ratios.append(np.mean((off / expected) ** 2))
+    assert 0.6 < np.mean(ratios) < 1.5
+    for part in ("edges", "stripe", "certificate", "distortion"):
+        assert np.linalg.eigvalsh(fit.sources[part]).min() > -1e-9 * fit.sources[part].max()
+    np.testing.assert_allclose(sum(fit.sources.values()), fit.covariance, rtol=1e-6, atol=1e-12)
+
+
+def _heights(fit: CameraFit, uv: Floats) -> tuple[Floats, Floats, Floats]:
+    """How the points' heights over the plane move with the parameters, and the covariance."""
+    J = np.zeros((len(uv), len(fit.scene.names)))
+    for k in range(COUNT + 3):
+        step = np.zeros(J.shape[1])
+        step[k] = 1e-3 if k < 4 else 1e-6
+        ahead, behind = (
+            sensor_points(moved.camera, moved.plane, uv)
+            for moved in (fit.scene.moved(step), fit.scene.moved(-step))
+        )
+        J[:, k] = (ahead - behind) @ PLANE.normal / (2 * step[k])
+    return J, fit.covariance, J
+
+
+def test_a_wrong_edge_and_wild_points_are_left_out() -> None:
+    camera = camera_over(BLOCK)
+    rng = np.random.default_rng(4)
+    edges = edges_seen(camera, BLOCK, rng, 0.1)
+    for edge in edges[::4]:
+        edge.uv_px[::7] += edge.normal[::7] * rng.choice([-4.0, 4.0], (len(edge.uv_px[::7]), 1))
+    stripe = stripe_on(camera, BLOCK, PLANE, rng, 0.1)
+    start = linear_start(camera)
+    levels = fit_laser_plane(start, BLOCK, stripe)
+    fit = fit_camera(start, BLOCK, Observations(edges, (), stripe, levels))
+    wild = np.concatenate(
+        [(np.arange(len(e.uv_px)) % 7 == 0) & (i % 4 == 0) for i, e in enumerate(edges)]
+    )
+    assert not fit.edges.kept[wild].any()
+    assert fit.edges.kept[~wild].mean() > 0.99
+    assert error_um(fit, camera) < 3
+
+
+def test_corners_alone_serve_where_there_are_no_edges() -> None:
+    camera = camera_over(BLOCK, k1=0.0)
+    rng = np.random.default_rng(2)
+    at = corners(BLOCK)
+    seen = []
+    for name in sorted(visible_corners(BLOCK, camera.centre_mm)):
+        u, v = project(camera, at[name][None])[0] + rng.normal(0, 0.03, 2)
+        seen.append(Corner(name, float(u), float(v), np.eye(2) * 0.03**2))
+    stripe = stripe_on(camera, BLOCK, PLANE, rng, 0.1)
+    start = linear_start(camera)
+    levels = fit_laser_plane(start, BLOCK, stripe)
+    fit = fit_camera(start, BLOCK, Observations((), seen, stripe, levels))
+    assert error_um(fit, camera) < 4
+
+
+def test_a_picture_without_edges_is_refused() -> None:
+    camera = camera_over(BLOCK)
+    stripe = stripe_on(camera, BLOCK, PLANE, np.random.default_rng(0), 0.1)
+    levels = fit_laser_plane(camera, BLOCK, stripe)
+    nothing = Observations((), (), type(stripe)(*[np.zeros(0)] * 4), levels)
+    few = levels.used[:0]
+    empty = type(levels)(
+        levels.plane,
+        0.0,
+        few,
+        levels.level[:0],
+        levels.points_mm[:0],
+        np.zeros(0),
+        np.zeros(0),
+        1.0,
+        levels.covariance,
+        levels.centroid_mm,
+    )
+    with pytest.raises(Refusal, match="do not determine"):
+        fit_camera(camera, BLOCK, Observations((), (), nothing.stripe, empty))
+
+
+def test_projection_and_its_jacobian_agree_with_opencv_and_differences() -> None:
+    camera = camera_over(BLOCK, roll=0.3)
+    camera = Camera(
+        camera.matrix,
+        camera.rotation,
+        camera.translation_mm,
+        1280,
+        1024,
+        np.array([-0.1, 0.2, 0.003, -0.002, 0.05]),
+    )
+    points = np.random.default_rng(0).uniform([-25, -11, -11], [21, 13, 16], (40, 3))
+    uv, J, by_point = project_with_jacobian(camera, points)
+    rvec, _ = cv2.Rodrigues(camera.rotation)
+    reference, _ = cv2.projectPoints(
+        points, rvec, camera.translation_mm, camera.matrix, camera.distortion
+    )
+    np.testing.assert_allclose(uv, reference[:, 0], atol=1e-9)
+    for k in range(COUNT):
+        step = np.zeros(COUNT)
+        step[k] = 1e-4 if k < 4 else 1e-6
+        ahead, behind = (
+            project(stepped(camera, step), points),
+            project(stepped(camera, -step), points),
+        )
+        np.testing.assert_allclose(
+            J[:, :, k], (ahead - behind) / (2 * step[k]), rtol=1e-5, atol=1e-4
+        )
+    for k in range(3):
+        shift = np.eye(3)[k] * 1e-5
+        slope = (project(camera, points + shift) - project(camera, points - shift)) / 2e-5
+        np.testing.assert_allclose(by_point[:, :, k], slope, rtol=1e-6, atol=1e-6)
+
+
+@pytest.mark.parametrize("kind", ["edges", "stripe", "corners"])
+def test_observation_rows_have_the_derivatives_that_differences_show(kind: str) -> None:
+    camera, rng = camera_over(BLOCK, roll=0.2), np.random.default_rng(1)
+    stripe = stripe_on(camera, BLOCK, PLANE, rng, 0.1)
+    levels = fit_laser_plane(camera, BLOCK, stripe)
+    edges = edges_seen(camera, BLOCK, rng, 0.1)
+    at = corners(BLOCK)
+    seen = [
+        Corner(
+            name,
+            *(project(camera, at[name][None])[0] + 0.1),
+            np.array([[0.02, 0.01], [0.01, 0.03]]),
+        )
+        for name in at
+    ]
+    rows = {
+        "edges": lambda scene: edge_rows(scene, edges),
+        "stripe": lambda scene: stripe_rows(scene, stripe, levels),
+        "corners": lambda scene: corner_rows(scene, seen),
+    }[kind]
+    scene = Scene(camera, levels.plane, BLOCK)
+    found = rows(scene).jacobian
+    for k in range(len(scene.names)):
+        step = np.zeros(len(scene.names))
+        step[k] = 1e-4 if k < 4 else 1e-6
+        ahead, behind = rows(scene.moved(step)).residuals, rows(scene.moved(-step)).residuals
+        slope = (ahead - behind) / (2 * step[k])
+        largest = max(float(np.abs(slope).max()), 1e-3)
+        np.testing.assert_allclose(found[:, k], slope, atol=2e-4 * largest, err_msg=scene.names[k])
