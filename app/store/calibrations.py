@@ -2,13 +2,26 @@
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
+from typing import Any, Literal
 
 from app.store.database import Database, utc_now
 from app.store.journal import JournalRow, append_row
 
-COLUMNS = "id, session_id, name, file, accepted_at, summary, active"
+COLUMNS = "id, session_id, name, file, accepted_at, figures, active"
+
+
+@dataclass(frozen=True, slots=True)
+class Figures:
+    """What is listed of a calibration without opening its file."""
+
+    total_um: float
+    """Standard uncertainty of a scanned point, k = 1."""
+    verdict: Literal["good", "attention", "bad", "neutral"]
+    arm_serial: str
+    object_serial: str
+    sensor_serial: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,7 +33,7 @@ class CalibrationRecord:
     name: str
     file: Path
     accepted_at: str
-    summary: Mapping[str, object]
+    figures: Figures
     active: bool
 
 
@@ -36,14 +49,16 @@ class CalibrationStore:
         session_id: str,
         name: str,
         file: Path,
-        summary: Mapping[str, object],
+        figures: Mapping[str, Any],
         key: str | None,
     ) -> JournalRow:
         """Makes a session's calibration the active one, and closes the session.
 
         The journal row ``accepted``, the record and the change of the active
         calibration are one transaction. The calibration's id is its session's.
+        ``figures`` has the fields of ``Figures``.
         """
+        kept = Figures(**figures)
         with self._database.writing() as connection:
             row = append_row(connection, session_id, "accepted", {"name": name}, key)
             connection.execute("UPDATE calibration SET active = 0 WHERE active = 1")
@@ -55,7 +70,7 @@ class CalibrationStore:
                     name,
                     file.relative_to(self._folder).as_posix(),
                     row.at,
-                    json.dumps(summary, allow_nan=False),
+                    json.dumps(asdict(kept), allow_nan=False),
                 ),
             )
             connection.execute(
@@ -86,7 +101,7 @@ class CalibrationStore:
                 row["name"],
                 self._folder / row["file"],
                 row["accepted_at"],
-                json.loads(row["summary"]),
+                Figures(**json.loads(row["figures"])),
                 bool(row["active"]),
             )
             for row in self._database.read(f"SELECT {COLUMNS} FROM calibration {clause}", *values)

@@ -42,7 +42,7 @@ CREATE TABLE calibration (
     name TEXT NOT NULL,
     file TEXT NOT NULL,
     accepted_at TEXT NOT NULL,
-    summary TEXT NOT NULL,
+    figures TEXT NOT NULL,
     active INTEGER NOT NULL CHECK (active IN (0, 1))
 ) STRICT;
 CREATE UNIQUE INDEX one_active_calibration ON calibration (active) WHERE active = 1;

@@ -10,9 +10,17 @@ from pathlib import Path
 import pytest
 
 from app.metrology.refusal import Refusal
+from app.store.calibrations import Figures
 from app.store.scans import ScanRecord
 from app.store.store import Store
 
+FIGURES = {
+    "total_um": 20.5,
+    "verdict": "good",
+    "arm_serial": "A1",
+    "object_serial": "B1",
+    "sensor_serial": "S1",
+}
 ROOT = Path(__file__).resolve().parents[2]
 
 
@@ -74,12 +82,12 @@ def test_only_the_last_accepted_calibration_is_active(tmp_path: Path) -> None:
     for session in ("s1", "s2"):
         store.journal.begin_session(session, "calibration")
         file = store.folder / "sessions" / session / "calibration.json"
-        store.calibrations.accept(session, f"Calibration {session}", file, {"total_um": 20.5}, None)
+        store.calibrations.accept(session, f"Calibration {session}", file, FIGURES, None)
     active = store.calibrations.active()
     assert active is not None
     assert active.id == "s2"
     assert active.file == store.folder / "sessions/s2/calibration.json"
-    assert active.summary == {"total_um": 20.5}
+    assert active.figures == Figures(**FIGURES)
     assert [(c.id, c.active) for c in store.calibrations.all()] == [("s2", True), ("s1", False)]
     assert [row.kind for row in store.journal.rows("s2")] == ["accepted"]
     latest = store.journal.latest_session("calibration")
@@ -92,9 +100,9 @@ def test_a_failed_acceptance_changes_nothing(tmp_path: Path) -> None:
     store = Store(tmp_path)
     store.journal.begin_session("s1", "calibration")
     file = store.folder / "sessions/s1/calibration.json"
-    store.calibrations.accept("s1", "first", file, {}, None)
+    store.calibrations.accept("s1", "first", file, FIGURES, None)
     with pytest.raises(sqlite3.IntegrityError):
-        store.calibrations.accept("s1", "the same once more", file, {}, None)
+        store.calibrations.accept("s1", "the same once more", file, FIGURES, None)
     active = store.calibrations.active()
     assert active is not None
     assert active.name == "first"
@@ -119,7 +127,7 @@ def test_scans_are_listed_newest_first(tmp_path: Path) -> None:
 def test_a_data_folder_can_be_moved(tmp_path: Path) -> None:
     store = Store(tmp_path / "before")
     store.journal.begin_session("s1", "calibration")
-    store.calibrations.accept("s1", "c", store.folder / "sessions/s1/calibration.json", {}, None)
+    store.calibrations.accept("s1", "c", store.folder / "sessions/s1/calibration.json", FIGURES, None)
     store.close()
     (tmp_path / "before").rename(tmp_path / "after")
     moved = Store(tmp_path / "after")

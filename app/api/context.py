@@ -1,0 +1,49 @@
+"""What the routes work with: the parts of the one station."""
+
+from dataclasses import asdict, dataclass
+from typing import Annotated, cast
+
+from fastapi import Depends
+from starlette.requests import HTTPConnection
+
+from app.api.schema import ScanState, Station
+from app.guide.guide import Guide
+from app.guide.scan_hand import ScanHand
+from app.station.bus import Bus
+from app.station.jobs import Jobs
+from app.station.preview import Preview
+from app.station.rig import Rig
+from app.station.scanner import Scanner
+from app.station.scanner import ScanState as RoomScanState
+from app.station.scene import Scene
+from app.store.store import Store
+
+
+@dataclass(frozen=True)
+class Context:
+    """The station's parts, wired."""
+
+    station: Station
+    bus: Bus
+    rig: Rig
+    preview: Preview
+    scene: Scene
+    scanner: Scanner
+    jobs: Jobs
+    store: Store
+    guide: Guide
+    scan_hand: ScanHand
+
+    def scan_state(self, state: RoomScanState | None = None) -> ScanState:
+        """The scan as the browser shows it."""
+        known = state or self.scanner.state()
+        values = {**asdict(known), "findings": known.findings}
+        return ScanState(**values, hand_running=self.scan_hand.running)
+
+
+def context_of(connection: HTTPConnection) -> Context:
+    """The context that the application was built with."""
+    return cast(Context, connection.app.state.context)
+
+
+TheContext = Annotated[Context, Depends(context_of)]

@@ -1,0 +1,46 @@
+"""The guided calibration."""
+
+from pathlib import Path
+
+from fastapi import APIRouter
+from pydantic_core import to_json
+from starlette.responses import FileResponse, Response
+
+from app.api.context import TheContext
+from app.api.problems import NotFound
+from app.api.schema import FlowCommand
+from app.guide.commands import command
+from app.guide.view import FlowView
+
+router = APIRouter(prefix="/api/flow")
+
+
+def _answer(view: FlowView) -> Response:
+    return Response(to_json(view, inf_nan_mode="null"), media_type="application/json")
+
+
+@router.get("", response_model=FlowView)
+def flow(context: TheContext) -> Response:
+    """The present view."""
+    return _answer(context.guide.view())
+
+
+@router.post("/start", response_model=FlowView)
+def start(context: TheContext) -> Response:
+    """Begins a calibration, or resumes the open one."""
+    return _answer(context.guide.start())
+
+
+@router.post("/command", response_model=FlowView)
+def act(asked: FlowCommand, context: TheContext) -> Response:
+    """One of the view's actions; once for each key, and only on the present view."""
+    return _answer(command(context.guide, asked.name, asked.args, asked.rev, asked.key))
+
+
+@router.get("/image/{name}")
+def image(name: str, context: TheContext) -> Response:
+    """A captured picture of the present session."""
+    path: Path | None = context.guide.folder.image(name)
+    if path is None:
+        raise NotFound(f"This session has no picture {name}.")
+    return FileResponse(path, media_type="image/png", headers={"Cache-Control": "private"})

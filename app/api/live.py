@@ -1,0 +1,132 @@
+"""The live connection of a browser tab: topics, events, beats, and the preview.
+
+Each tab has its own task and its own subscription, and is sent only the newest
+value of each topic, so that a slow one delays nobody.
+"""
+
+import asyncio
+import contextlib
+import time
+
+from fastapi import APIRouter, WebSocket
+from pydantic import TypeAdapter, ValidationError
+from pydantic_core import to_json
+from starlette.websockets import WebSocketDisconnect
+
+from app.api.context import Context, context_of
+from app.api.schema import LiveRequest, PreviewRequest
+from app.station.bus import Event, Subscription, Updates
+from app.station.preview import PreviewImage
+from app.station.scanner import ScanState
+
+router = APIRouter()
+BEAT_S = 1.0
+POLICY_VIOLATION = 1008
+LONGEST_REQUEST = 1024
+REQUEST: TypeAdapter[LiveRequest] = TypeAdapter(LiveRequest)
+
+
+@router.websocket("/api/live")
+async def live(socket: WebSocket) -> None:
+    """Hello, the snapshot, then what changes."""
+    context = context_of(socket)
+    await socket.accept()
+    with context.bus.subscribe(without={"preview"}) as subscription:
+        tab = _Tab(context, socket, subscription)
+        try:
+            await tab.run()
+        finally:
+            tab.close()
+
+
+class _Tab:
+    """One browser tab."""
+
+    def __init__(self, context: Context, socket: WebSocket, subscription: Subscription) -> None:
+        self._context, self._socket, self._subscription = context, socket, subscription
+        self._previewing = False
+
+    async def run(self) -> None:
+        """Until the tab goes away; whichever direction ends first ends both."""
+        tasks = [asyncio.create_task(self._send()), asyncio.create_task(self._receive())]
+        try:
+            done, _ = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
+            for task in done:
+                with contextlib.suppress(WebSocketDisconnect):
+                    task.result()
+        finally:
+            for task in tasks:
+                task.cancel()
+            await asyncio.gather(*tasks, return_exceptions=True)
+
+    def close(self) -> None:
+        self._set_preview(False)
+
+    async def _send(self) -> None:
+        await self._text({"type": "hello", "station": self._context.station})
+        beat_at = time.monotonic() + BEAT_S
+        while True:
+            left_s = beat_at - time.monotonic()
+            try:
+                updates = await asyncio.wait_for(self._subscription.next(), max(left_s, 0.0))
+                await self._pass_on(updates)
+            except TimeoutError:
+                pass
+            if time.monotonic() >= beat_at:
+                await self._text({"type": "beat"})
+                beat_at = time.monotonic() + BEAT_S
+
+    async def _pass_on(self, updates: Updates) -> None:
+        for name, value in updates.topics.items():
+            if isinstance(value, PreviewImage):
+                # the next one only once this was acknowledged
+                self._subscription.want("preview", False)
+                await self._socket.send_bytes(value.packed())
+                continue
+            shown = self._context.scan_state(value) if isinstance(value, ScanState) else value
+            await self._text({"type": "topic", "name": name, "value": shown})
+        for event in updates.events:
+            await self._text(_message(event))
+
+    async def _text(self, message: object) -> None:
+        await self._socket.send_text(to_json(message, inf_nan_mode="null").decode())
+
+    async def _receive(self) -> None:
+        while True:
+            message = await self._socket.receive()
+            if message["type"] == "websocket.disconnect":
+                return
+            text = message.get("text")
+            try:
+                if text is None or len(text) > LONGEST_REQUEST:
+                    raise ValueError
+                self._obey(REQUEST.validate_json(text))
+            except (ValidationError, ValueError):
+                await self._socket.close(POLICY_VIOLATION, "not a message of this protocol")
+                return
+
+    def _obey(self, request: LiveRequest) -> None:
+        if isinstance(request, PreviewRequest):
+            self._set_preview(request.on)
+        elif self._previewing:
+            self._subscription.want("preview", True)
+
+    def _set_preview(self, on: bool) -> None:
+        if on == self._previewing:
+            return
+        self._previewing = on
+        self._subscription.want("preview", on)
+        if on:
+            self._context.preview.add_viewer()
+        else:
+            self._context.preview.remove_viewer()
+
+
+def _message(event: Event) -> dict[str, object]:
+    return {
+        "type": "event",
+        "id": event.id,
+        "kind": event.kind,
+        "quality": event.quality,
+        "text": event.text,
+    }

@@ -1,0 +1,75 @@
+"""Scanning, laser, exposure, and Stop."""
+
+from fastapi import APIRouter
+from starlette.status import HTTP_204_NO_CONTENT
+
+from app.api.context import Context, TheContext
+from app.api.schema import Exposure, ScanStart, ScanState, Switch
+from app.guide.commands import stop_hand
+from app.station.rig import Devices
+
+router = APIRouter(prefix="/api")
+
+
+@router.get("/scan")
+def scan(context: TheContext) -> ScanState:
+    """The running scan, or the last one."""
+    return context.scan_state()
+
+
+@router.post("/scan/start")
+def start_scan(context: TheContext, asked: ScanStart | None = None) -> ScanState:
+    """Starts a scan and switches the laser on."""
+    context.scanner.start(asked.name if asked else "")
+    return context.scan_state()
+
+
+@router.post("/scan/stop")
+def stop_scan(context: TheContext) -> ScanState:
+    """Stops the scan and saves it; nothing happens when none runs."""
+    context.scan_hand.stop()
+    context.scanner.stop()
+    return context.scan_state()
+
+
+@router.post("/scan/hand")
+def scan_hand(asked: Switch, context: TheContext) -> ScanState:
+    """Lets the twin's hand move the sensor over the parts, or stops it."""
+    if asked.on:
+        context.scan_hand.start()
+    else:
+        context.scan_hand.stop()
+    return context.scan_state()
+
+
+@router.post("/laser")
+def laser(asked: Switch, context: TheContext) -> Devices:
+    """Switches the laser; off always works."""
+    if asked.on:
+        context.rig.sensor.set_laser(True)
+    else:
+        context.rig.sensor.laser_off()
+    return context.rig.devices()
+
+
+@router.post("/exposure")
+def exposure(asked: Exposure, context: TheContext) -> Devices:
+    """Sets the exposure, clipped to the sensor's range."""
+    context.rig.sensor.set_exposure_us(asked.exposure_us)
+    return context.rig.devices()
+
+
+@router.post("/stop", status_code=HTTP_204_NO_CONTENT)
+def stop(context: TheContext) -> None:
+    """Laser off, hand stopped, scan stopped; the laser first."""
+    stop_everything(context)
+    context.bus.event("stopped", "Stopped: the laser is off.", "attention")
+
+
+def stop_everything(context: Context) -> None:
+    """In the order of danger; what was scanned is saved."""
+    context.rig.sensor.laser_off()
+    context.scan_hand.stop()
+    stop_hand(context.guide)
+    context.scanner.stop()
+    context.rig.sensor.laser_off()

@@ -1,0 +1,100 @@
+"""Every error as RFC 9457 problem+json: what happened, why, and what to do."""
+
+import logging
+from http import HTTPStatus
+
+from fastapi import FastAPI, Request
+from fastapi.exceptions import RequestValidationError
+from pydantic_core import to_json
+from starlette.exceptions import HTTPException
+from starlette.responses import Response
+
+from app.api.schema import Problem
+from app.guide.guide import StaleCommand
+from app.guide.view import FlowView
+from app.metrology.refusal import Refusal
+
+log = logging.getLogger(__name__)
+
+UNPROCESSABLE = 422
+
+
+def problem(
+    status: int, code: str, detail: str, remedy: str = "", view: FlowView | None = None
+) -> Response:
+    """The response of an error."""
+    body = Problem("about:blank", HTTPStatus(status).phrase, status, detail, code, remedy, view)
+    exclude = {"view"} if view is None else None
+    return Response(
+        to_json(body, exclude=exclude, inf_nan_mode="null"),
+        status_code=status,
+        media_type="application/problem+json",
+    )
+
+
+def refusal_problem(refusal: Refusal, status: int = UNPROCESSABLE) -> Response:
+    why = f": {refusal.why}" if refusal.why else ""
+    detail = f"{refusal.what.rstrip('.')}{why}".rstrip(".") + "."
+    return problem(status, refusal.code, detail, refusal.remedy)
+
+
+class NotFound(Exception):
+    """What was asked for is not there (any more)."""
+
+
+def install(app: FastAPI) -> None:
+    """Answers every exception of a route with a problem."""
+    app.add_exception_handler(Refusal, _refused)
+    app.add_exception_handler(StaleCommand, _stale)
+    app.add_exception_handler(NotFound, _missing)
+    app.add_exception_handler(RequestValidationError, _invalid)
+    app.add_exception_handler(HTTPException, _http)
+    app.add_exception_handler(Exception, _unexpected)
+
+
+async def _refused(request: Request, error: Exception) -> Response:
+    assert isinstance(error, Refusal)
+    return refusal_problem(error)
+
+
+async def _stale(request: Request, error: Exception) -> Response:
+    assert isinstance(error, StaleCommand)
+    return problem(
+        HTTPStatus.CONFLICT,
+        "stale-view",
+        "The calibration went on meanwhile; nothing was done.",
+        "Look at the present step, and act on that.",
+        error.view,
+    )
+
+
+async def _missing(request: Request, error: Exception) -> Response:
+    return problem(HTTPStatus.NOT_FOUND, "not-found", str(error))
+
+
+async def _invalid(request: Request, error: Exception) -> Response:
+    assert isinstance(error, RequestValidationError)
+    first = error.errors()[0]
+    place = ".".join(str(part) for part in first["loc"] if part != "body")
+    text = f"{place}: {first['msg']}" if place else str(first["msg"])
+    return problem(UNPROCESSABLE, "bad-request", f"The request is not understood: {text}.")
+
+
+async def _http(request: Request, error: Exception) -> Response:
+    assert isinstance(error, HTTPException)
+    if error.status_code == HTTPStatus.NOT_FOUND:
+        return problem(404, "not-found", f"There is nothing at {request.url.path}.")
+    if error.status_code == HTTPStatus.METHOD_NOT_ALLOWED:
+        text = f"{request.url.path} does not take {request.method}."
+        return problem(405, "method-not-allowed", text)
+    return problem(error.status_code, "bad-request", f"{error.detail}")
+
+
+async def _unexpected(request: Request, error: Exception) -> Response:
+    log.error("%s %s failed", request.method, request.url.path, exc_info=error)
+    return problem(
+        500,
+        "unexpected",
+        "The server failed at this; what was taken before is kept.",
+        "Try again. If it happens again, the station's log has the details.",
+    )

@@ -1,0 +1,126 @@
+"""The 3D view, reached through this server's own origin.
+
+viser listens on loopback with neither sign-in nor origin check, and any client of it
+may ask it to change the scene or to open a public tunnel. So from browsers only camera
+messages are passed on, decoded and encoded anew; everything else is dropped.
+"""
+
+import asyncio
+import contextlib
+
+import httpx
+import msgspec
+from fastapi import APIRouter, WebSocket
+from starlette.responses import RedirectResponse, Response
+from starlette.websockets import WebSocketDisconnect
+from websockets.asyncio.client import ClientConnection, connect
+from websockets.exceptions import ConnectionClosed, InvalidHandshake
+from websockets.typing import Subprotocol
+
+from app.api.context import TheContext, context_of
+from app.api.problems import problem
+
+router = APIRouter()
+PASSED_HEADERS = ("content-type", "content-encoding")
+TRY_AGAIN_LATER = 1013
+Vector = tuple[float, float, float]
+
+
+class CameraMessage(
+    msgspec.Struct, tag="ViewerCameraMessage", tag_field="type", forbid_unknown_fields=True
+):
+    """viser's message of where a browser looks from: the one kind that is passed on."""
+
+    wxyz: tuple[float, float, float, float]
+    position: Vector
+    fov: float
+    near: float
+    far: float
+    image_height: int
+    image_width: int
+    look_at: Vector
+    up_direction: Vector
+
+
+CAMERA = msgspec.msgpack.Decoder(CameraMessage)
+
+
+def passed(message: bytes) -> bytes | None:
+    """What of a browser's message reaches viser: a camera message, or nothing."""
+    try:
+        return msgspec.msgpack.encode(CAMERA.decode(message))
+    except msgspec.DecodeError:
+        return None
+
+
+@router.get("/viewer")
+def redirect() -> Response:
+    return RedirectResponse("/viewer/")
+
+
+@router.get("/viewer/{path:path}")
+async def page(path: str, context: TheContext) -> Response:
+    """The viewer's own page."""
+    address = f"http://127.0.0.1:{context.scene.port}/{path}"
+    try:
+        async with (
+            httpx.AsyncClient(trust_env=False, timeout=10.0) as client,
+            client.stream("GET", address, headers={"accept-encoding": "gzip"}) as found,
+        ):
+            # as sent, so that what viser compressed stays compressed
+            body = b"".join([part async for part in found.aiter_raw()])
+    except httpx.HTTPError:
+        return problem(503, "viewer-gone", "The 3D view does not answer.", "Load the page again.")
+    headers = {name: found.headers[name] for name in PASSED_HEADERS if name in found.headers}
+    return Response(body, found.status_code, {**headers, "Cache-Control": "no-cache"})
+
+
+@router.websocket("/viewer")
+@router.websocket("/viewer/")
+async def socket(browser: WebSocket) -> None:
+    """Carries the scene to the browser, and the browser's camera back."""
+    port = context_of(browser).scene.port
+    asked = [Subprotocol(name) for name in browser.scope["subprotocols"]]
+    try:
+        viser = await connect(
+            f"ws://127.0.0.1:{port}/",
+            subprotocols=asked or None,
+            compression=None,
+            max_size=None,
+            proxy=None,
+        )
+    except (OSError, InvalidHandshake, TimeoutError):
+        await browser.accept()
+        await browser.close(TRY_AGAIN_LATER, "the 3D view does not answer")
+        return
+    async with viser:
+        await browser.accept(viser.subprotocol)
+        tasks = [
+            asyncio.create_task(_to_browser(viser, browser)),
+            asyncio.create_task(_to_viser(browser, viser)),
+        ]
+        try:
+            await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
+        finally:
+            for task in tasks:
+                task.cancel()
+            await asyncio.gather(*tasks, return_exceptions=True)
+
+
+async def _to_browser(viser: ClientConnection, browser: WebSocket) -> None:
+    with contextlib.suppress(ConnectionClosed, WebSocketDisconnect):
+        async for message in viser:
+            if isinstance(message, bytes):
+                await browser.send_bytes(message)
+        await browser.close()
+
+
+async def _to_viser(browser: WebSocket, viser: ClientConnection) -> None:
+    with contextlib.suppress(ConnectionClosed, WebSocketDisconnect):
+        while True:
+            message = await browser.receive()
+            if message["type"] == "websocket.disconnect":
+                return
+            camera = passed(message.get("bytes") or b"")
+            if camera is not None:
+                await viser.send(camera)

@@ -1,0 +1,153 @@
+"""Puts the station's parts together, and takes them apart in order."""
+
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+from app.api.context import Context
+from app.api.machine import stop_everything
+from app.api.schema import Station
+from app.files.arm import read_arm
+from app.files.calibration import CalibrationFile, calibration_in
+from app.files.session import ARM
+from app.files.software import SOFTWARE
+from app.guide.commands import press
+from app.guide.guide import Guide
+from app.guide.guide import Station as GuidedStation
+from app.guide.hand import Hand
+from app.guide.scan_hand import ScanHand
+from app.metrology.refusal import Refusal
+from app.station.bus import Bus
+from app.station.jobs import Jobs
+from app.station.pipeline import ScanCalibration
+from app.station.preview import Preview
+from app.station.rig import Rig
+from app.station.scanner import Scanner, ScanResult
+from app.station.scene import Scene
+from app.store.calibrations import CalibrationRecord
+from app.store.scans import ScanRecord
+from app.store.store import Store
+from hardware.interfaces import ArmDriver, ButtonEvent, SensorDriver
+
+JOB_END_S = 3.0
+
+
+@dataclass(frozen=True)
+class Parts:
+    """What distinguishes one station from another."""
+
+    name: str
+    data: Path
+    arm: Callable[[], ArmDriver]
+    sensor: Callable[[], SensorDriver]
+    hosts: tuple[str, ...] = ()
+    hand: Hand | None = None
+    """Of the simulated station."""
+
+
+def open_context(parts: Parts) -> Context:
+    """Opens the data folder and wires the parts; devices are not touched yet.
+
+    Raises:
+        Refusal: the data folder cannot be used, or is in use by another server.
+    """
+    store = Store(parts.data)
+    bus = Bus()
+    rig = Rig(bus, parts.arm, parts.sensor, store.folder)
+    scene = Scene()
+    scanner = Scanner(bus, rig, scene, store.folder / "scans")
+    preview = Preview(bus, rig.arm, rig.sensor)
+    jobs = Jobs(bus)
+
+    def use_active() -> None:
+        _use(store.calibrations.active(), store, rig, preview, scanner, bus)
+
+    guide = Guide(
+        GuidedStation(bus, rig, preview, scene, jobs, parts.hand),
+        store.journal,
+        store.calibrations,
+        store.folder,
+        use_active,
+    )
+    if not guide.running:
+        use_active()
+    scan_hand = ScanHand(parts.hand, jobs, bus, lambda: bus.publish("scan", scanner.state()))
+    scanner.on_finished = lambda result: store.scans.add(_record(result))
+    rig.arm.on_button = _buttons(guide)
+    simulated = parts.hand is not None
+    station = Station(parts.name, SOFTWARE.version, has_hand=simulated, simulated=simulated)
+    return Context(station, bus, rig, preview, scene, scanner, jobs, store, guide, scan_hand)
+
+
+def close_context(context: Context) -> None:
+    """Laser off, hand and scan stopped and saved, devices closed. The store stays open."""
+    stop_everything(context)
+    context.jobs.wait(JOB_END_S)
+    context.scanner.close()
+    context.preview.stop()
+    context.rig.stop()
+    context.scene.close()
+
+
+def _buttons(guide: Guide) -> Callable[[ButtonEvent], None]:
+    """Presses are worked off one after another, away from the event loop."""
+    worker = ThreadPoolExecutor(1, thread_name_prefix="buttons")
+    return lambda event: (worker.submit(press, guide, event), None)[1]
+
+
+def _record(result: ScanResult) -> ScanRecord:
+    return ScanRecord(
+        id=result.id,
+        name=result.name,
+        folder=result.folder,
+        started_at=result.started_at,
+        points=result.points,
+        frames=result.frames,
+        seconds=result.seconds,
+        calibration_id=result.calibration_id,
+    )
+
+
+def _use(
+    record: CalibrationRecord | None,
+    store: Store,
+    rig: Rig,
+    preview: Preview,
+    scanner: Scanner,
+    bus: Bus,
+) -> None:
+    """Makes the active calibration the one to scan with."""
+    if record is None:
+        scanner.set_calibration(None)
+        return
+    try:
+        calibration = _scan_calibration(record)
+    except Refusal as refusal:
+        bus.event("refused", f"The calibration in use cannot be read: {refusal.line}", "bad")
+        scanner.set_calibration(None)
+        return
+    rig.arm.set_model(calibration.arm)
+    preview.set_stripe_axis(calibration.stripe_axis)
+    scanner.set_calibration(calibration)
+
+
+def _scan_calibration(record: CalibrationRecord) -> ScanCalibration:
+    """An accepted calibration with the arm that it was made on."""
+    sheet = CalibrationFile.read(record.file)
+    found = calibration_in(sheet)
+    uncertainty = sheet.uncertainty
+    if uncertainty is None:
+        raise Refusal("field-missing", f"{record.file}: uncertainty is missing")
+    return ScanCalibration(
+        id=record.id,
+        name=record.name,
+        arm=read_arm(record.file.parent / ARM),
+        camera=found.camera,
+        plane=found.plane,
+        T_flange_sensor=found.T_flange_sensor,
+        stripe_axis=found.stripe_axis,
+        arm_serial=record.figures.arm_serial,
+        sensor_serial=record.figures.sensor_serial,
+        depth_range_mm=uncertainty.depth_range_mm,
+    )

@@ -1,0 +1,50 @@
+"""The demonstration: the simulated station, with its papers in a data folder."""
+
+import json
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from app.api.wiring import Parts
+from app.files.atomic import write_atomically
+from app.files.failures import files_refused
+from hardware.registry import arm_driver
+from hardware.twin.station import Twin, TwinConfig
+
+FOLDERS = {"arm.json": "arms", "object.json": "objects", "sensor.json": "sensors"}
+PAPERS_NAME = "simulated"
+
+
+@contextmanager
+def simulated_parts(
+    data: Path, hosts: tuple[str, ...] = (), config: TwinConfig | None = None
+) -> Iterator[Parts]:
+    """A running twin as the parts of a station; the real serial driver reads its arm.
+
+    Raises:
+        Refusal: the data folder cannot be written.
+    """
+    with Twin(config) as twin:
+        put_papers(twin, data)
+        options = {"url": twin.arm_url}
+        yield Parts(
+            name="Demonstration",
+            data=data,
+            arm=lambda: arm_driver("serial-encoder", options),
+            sensor=twin.sensor,
+            hosts=hosts,
+            hand=twin.hand,
+        )
+
+
+def put_papers(twin: Twin, data: Path) -> None:
+    """Writes what an operator would be given with the devices into the data folder."""
+    with files_refused(data):
+        for name, paper in twin.papers().items():
+            content = (json.dumps(paper, indent=1) + "\n").encode()
+            if name in FOLDERS:
+                target = data / FOLDERS[name] / f"{PAPERS_NAME}.json"
+            else:
+                target = data / "gauges" / name
+            target.parent.mkdir(parents=True, exist_ok=True)
+            write_atomically(target, content)

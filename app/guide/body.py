@@ -1,0 +1,58 @@
+"""What one step contributes to the view. Pure."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from app.guide.live import Live
+from app.guide.permissions import why_not
+from app.guide.state import CalibrationState
+from app.guide.view import Action, BlockGeometry, LiveNumber, Picture, StepProgress
+from app.metrology.crenellated import Crenellated
+from app.station.findings import Finding
+
+
+@dataclass(frozen=True)
+class Body:
+    """A step's own part of the view; actions of its own come first."""
+
+    instruction: str
+    picture: Picture
+    actions: Sequence[Action]
+    number: LiveNumber | None = None
+    progress: StepProgress | None = None
+    findings: Sequence[Finding] = ()
+
+
+def offer(
+    state: CalibrationState,
+    live: Live,
+    name: str,
+    label: str,
+    args: Mapping[str, object] | None = None,
+    primary: bool = False,
+    confirm: str = "",
+) -> Action:
+    """The action, enabled or with the reason why not."""
+    reason = why_not(state, live, name, args or {})
+    return Action(name, label, args or {}, primary, not reason, reason, confirm)
+
+
+def geometry(block: Crenellated) -> BlockGeometry:
+    """The block for drawing."""
+    return BlockGeometry(
+        edges_x_mm=block.edges_x_mm,
+        front_y_mm=block.front_y_mm,
+        back_y_mm=block.back_y_mm,
+        crest_z_mm=block.crest_z_mm,
+        floor_z_mm=block.floor_z_mm,
+        base_z_mm=block.base_z_mm,
+    )
+
+
+def lost_devices(live: Live) -> list[Finding]:
+    """A device that went away while the operator is at work; nothing is lost by it."""
+    return [
+        Finding("bad", f"{link.title}: {link.text}", "Wait, or check it. What was taken is kept.")
+        for link in (live.arm_link, live.sensor_link)
+        if link.state != "connected"
+    ]

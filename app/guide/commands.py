@@ -1,0 +1,184 @@
+"""What the operator can tell the flow to do; each command leaves a row in the journal."""
+
+from collections.abc import Callable, Mapping
+from typing import Protocol
+
+from app.guide import taking, works
+from app.guide.confirming import CONFIRMATIONS, confirm
+from app.guide.guide import Guide
+from app.guide.hand_work import hand_work
+from app.guide.state import STEPS
+from app.guide.view import FlowView
+from app.metrology.refusal import Refusal
+from app.station.jobs import Job, Progress
+
+Args = Mapping[str, object]
+AT_ANY_REV = ("stop_hand",)
+"""Stopping must not wait for a fresh view."""
+
+
+class Press(Protocol):
+    """A button of the arm going down or up."""
+
+    @property
+    def stamp_ns(self) -> int: ...
+    @property
+    def button(self) -> str: ...
+    @property
+    def pressed(self) -> bool: ...
+
+
+def command(guide: Guide, name: str, args: Args, rev: int, key: str) -> FlowView:
+    """Does a command of the browser, once for each ``key``.
+
+    Raises:
+        StaleCommand: ``rev`` is not that of the present view, which it carries.
+        Refusal: the command is not possible now.
+    """
+    with guide.lock:
+        if guide.knows_key(key):
+            return guide.refresh()
+        guide.refuse_unless_possible(name, args, None if name in AT_ANY_REV else rev)
+        _act(guide, name, args, key)
+        return guide.refresh()
+
+
+BUTTONS = {
+    ("touch", "primary"): "take_point",
+    ("touch", "undo"): "undo",
+    ("capture", "primary"): "capture",
+}
+
+
+def press(guide: Guide, event: Press) -> None:
+    """The arm's buttons: primary takes a point or the picture, undo takes a point back."""
+    with guide.lock:
+        name = BUTTONS.get((guide.state.step, str(event.button)))
+        if name is None or not event.pressed or not guide.running:
+            return
+        by_hand = guide.hand_running and guide.state.step == "touch"
+        try:
+            if name == "take_point":
+                # whether the arm was still is judged as of the press, not as of now
+                source = "hand" if by_hand else "button"
+                taking.take_point(guide, source, event.stamp_ns, None)
+            else:
+                guide.refuse_unless_possible(name, {}, None, by_hand)
+                _act(guide, name, {}, None)
+        except Refusal as refusal:
+            guide.decline(refusal)
+
+
+def _act(guide: Guide, name: str, args: Args, key: str | None) -> None:
+    if name in CONFIRMATIONS:
+        confirm(guide, name, key)
+    else:
+        ACTS[name](guide, args, key)
+
+
+def _choose(guide: Guide, args: Args, key: str | None) -> None:
+    guide.append("chosen", {"field": args["field"], "id": args["id"]}, key)
+
+
+def _select_face(guide: Guide, args: Args, key: str | None) -> None:
+    guide.append("face_selected", {"face": args["face"]}, key)
+
+
+def _take_point(guide: Guide, args: Args, key: str | None) -> None:
+    taking.take_point(guide, "click", None, key)
+
+
+def _undo(guide: Guide, args: Args, key: str | None) -> None:
+    taking.undo(guide, key)
+
+
+def _void_point(guide: Guide, args: Args, key: str | None) -> None:
+    index = args["index"]
+    assert isinstance(index, int)
+    taking.void_point(guide, index, key)
+
+
+def _back(guide: Guide, args: Args, key: str | None) -> None:
+    before = STEPS[STEPS.index(guide.state.step) - 1]
+    guide.append("went_back", {"to": args.get("to", before)}, key)
+
+
+def _retake(guide: Guide, args: Args, key: str | None) -> None:
+    guide.append("retaken", {}, key)
+
+
+def _capture(guide: Guide, args: Args, key: str | None) -> None:
+    _job(guide, "Taking the picture", lambda progress: works.capture(guide, progress))
+    guide.append("capture_started", {}, key)
+
+
+def _solve(guide: Guide, args: Args, key: str | None) -> None:
+    _job(guide, "Calibrating", lambda progress: works.calibrate(guide, progress))
+    guide.append("solve_started", {}, key)
+
+
+def _let_hand(guide: Guide, args: Args, key: str | None) -> None:
+    hand = guide.station.hand
+    assert hand is not None
+    whole = args.get("all") is True
+    guide.hand_running = True
+    try:
+        _job(guide, "The hand at work", hand_work(guide, hand, whole))
+    except Refusal:
+        guide.hand_running = False
+        raise
+    guide.append("hand_started", {"all": whole}, key)
+
+
+def _stop_hand(guide: Guide, args: Args, key: str | None) -> None:
+    stop_hand(guide)
+    guide.append("hand_stopped", {}, key)
+
+
+def stop_hand(guide: Guide) -> None:
+    """Ends the hand's work early; idempotent."""
+    guide.hand_running = False
+    if guide.station.hand is not None:
+        guide.station.hand.cancel()
+
+
+def _accept(guide: Guide, args: Args, key: str | None) -> None:
+    seen = guide.live().seen
+    assert seen is not None
+    assert seen.result is not None
+    guide.accept(seen.result, key)
+
+
+def _repeat(guide: Guide, args: Args, key: str | None) -> None:
+    guide.repeat(key)
+
+
+def _abandon(guide: Guide, args: Args, key: str | None) -> None:
+    guide.append("abandoned", {}, key)
+
+
+ACTS: dict[str, Callable[[Guide, Args, str | None], None]] = {
+    "choose": _choose,
+    "select_face": _select_face,
+    "take_point": _take_point,
+    "undo": _undo,
+    "void_point": _void_point,
+    "back": _back,
+    "retake": _retake,
+    "capture": _capture,
+    "solve": _solve,
+    "let_hand": _let_hand,
+    "stop_hand": _stop_hand,
+    "accept": _accept,
+    "repeat": _repeat,
+    "abandon": _abandon,
+}
+
+
+def _job(guide: Guide, title: str, work: Callable[[Progress], None]) -> None:
+    def done(job: Job[None]) -> None:
+        if job.refusal is not None:
+            guide.decline(job.refusal)
+        guide.refresh()
+
+    guide.station.jobs.start(title, work, done)

@@ -1,0 +1,277 @@
+"""Walks the operator through the calibration: journal, station and view, brought together."""
+
+import secrets
+import threading
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from datetime import UTC, datetime
+from pathlib import Path
+
+from app.guide.calibration_flow import view_of
+from app.guide.hand import Hand
+from app.guide.journal import Calibrations, Journal, fold
+from app.guide.live import ConnectedArm, ConnectedSensor, Live
+from app.guide.outcome import Outcome, from_payload
+from app.guide.permissions import why_not
+from app.guide.session_folder import SessionFolder
+from app.guide.sheets import CHOOSING, Sheets, best_guess
+from app.guide.state import ENDS, FIELDS, CalibrationState, after
+from app.guide.touching import sentence
+from app.guide.view import Busy, CalibrationResult, FlowView
+from app.metrology.refusal import Refusal
+from app.station.bus import Bus
+from app.station.findings import Finding
+from app.station.jobs import Jobs
+from app.station.preview import Preview
+from app.station.rig import Rig
+from app.station.scene import Scene
+
+KIND = "calibration"
+
+
+class StaleCommand(Exception):
+    """A command was given on a view that is no longer the present one."""
+
+    def __init__(self, view: FlowView) -> None:
+        self.view = view
+        super().__init__("the calibration went on meanwhile")
+
+
+@dataclass(frozen=True)
+class Station:
+    """The parts of the machine room that the guide works with."""
+
+    bus: Bus
+    rig: Rig
+    preview: Preview
+    scene: Scene
+    jobs: Jobs
+    hand: Hand | None
+
+
+class Guide:
+    """The one calibration session of a station: its journal, and what is shown of it.
+
+    All methods may be called from any thread. ``on_closed`` is called after a
+    session was accepted or abandoned.
+    """
+
+    def __init__(
+        self,
+        station: Station,
+        journal: Journal,
+        calibrations: Calibrations,
+        data_folder: Path,
+        on_closed: Callable[[], None],
+    ) -> None:
+        self.station = station
+        self.calibrations = calibrations
+        self.lock = threading.RLock()
+        self.changed = threading.Condition(self.lock)
+        self.hand_running = False
+        self.declined = 0
+        """Counts what was asked for and declined."""
+        self._trouble: Finding | None = None
+        self._journal = journal
+        self._data_folder = data_folder
+        self._on_closed = on_closed
+        self._published: FlowView | None = None
+        session = journal.latest_session(KIND)
+        self.state = CalibrationState()
+        if session is not None:
+            self.state = fold(journal.rows(session.id), self.state, after)
+        self.sheets = Sheets(self._folder_of(session.id if session else "none"))
+        self._outcome: tuple[Mapping[str, object] | None, Outcome | None] = (None, None)
+        self._bring_station_in_line()
+
+    @property
+    def running(self) -> bool:
+        """Whether a session is open."""
+        return bool(self.state.session_id) and not self.state.ended
+
+    @property
+    def folder(self) -> SessionFolder:
+        """The present session's folder."""
+        return self.sheets.folder
+
+    # -- what is shown -------------------------------------------------------
+
+    def view(self) -> FlowView:
+        """The flow as of now."""
+        with self.lock:
+            return view_of(self.state, self.live())
+
+    def refresh(self) -> FlowView:
+        """Publishes the view if it changed, and returns it."""
+        with self.lock:
+            view = self.view()
+            if view != self._published:
+                self._published = view
+                self.station.bus.publish("flow", view)
+            return view
+
+    def live(self) -> Live:
+        """The station as the flow sees it."""
+        rig, state = self.station.rig, self.state
+        preview = self.station.preview.latest()
+        job = self.station.jobs.current
+        return Live(
+            rev=self._journal.last_number(),
+            arm_link=rig.arm.link(),
+            sensor_link=rig.sensor.link(),
+            arm=self._connected_arm(),
+            sensor=self._connected_sensor(),
+            stillness=rig.arm.stillness(),
+            library=self.sheets.library(state.step in CHOOSING),
+            chosen=self.sheets.chosen(state),
+            touch=self.sheets.touch(state),
+            corners_seen=len(preview.header.corners) if preview else 0,
+            picture_findings=tuple(preview.header.findings) if preview else (),
+            seen=self._seen(),
+            has_hand=self.station.hand is not None,
+            busy=Busy(job.text or job.title, job.fraction) if job is not None else None,
+            hand_running=self.hand_running,
+            trouble=self._trouble,
+        )
+
+    def _seen(self) -> Outcome | None:
+        """The outcome of the solve, or before one of the capture; parsed once."""
+        picture = self.state.picture
+        payload = self.state.outcome or (picture.outcome if picture else None)
+        if self._outcome[0] is not payload:
+            self._outcome = (payload, from_payload(payload) if payload else None)
+        return self._outcome[1]
+
+    def _connected_arm(self) -> ConnectedArm | None:
+        info = self.station.rig.arm.info
+        return ConnectedArm(info.serial_number, info.joint_count) if info else None
+
+    def _connected_sensor(self) -> ConnectedSensor | None:
+        info = self.station.rig.sensor.info
+        if info is None:
+            return None
+        return ConnectedSensor(info.serial_number, info.width_px, info.height_px)
+
+    # -- sessions ------------------------------------------------------------
+
+    def start(self) -> FlowView:
+        """Begins a session; an open one is resumed instead."""
+        with self.lock:
+            if not self.state.session_id or self.state.ended:
+                self._begin("devices", None)
+            return self.refresh()
+
+    def repeat(self, key: str | None) -> None:
+        """Closes the session if it is open, and begins the next with the same set-up."""
+        with self.lock:
+            if not self.state.ended:
+                self.append("repeated", {})
+            library = self.sheets.library(True)
+            known = all(library.has(name, self.state.choices.get(name, "")) for name in FIELDS)
+            self._begin("touch" if known else "devices", key)
+
+    def _begin(self, step: str, key: str | None) -> None:
+        library = self.sheets.library(True)
+        choices = dict(self.state.choices)
+        if step == "devices":
+            choices = best_guess(
+                library, self.state, self._connected_arm(), self._connected_sensor()
+            )
+        stamp = datetime.now(UTC).strftime("%Y%m%d-%H%M%S")
+        session_id = f"{stamp}-{secrets.token_hex(2)}"
+        self.sheets = Sheets(self._folder_of(session_id))
+        self.state = CalibrationState(session_id=session_id, choices=choices)
+        if step == "touch":
+            self.folder.keep_sheets(library, self.state)
+        self._journal.begin_session(session_id, KIND)
+        self.append("started", {"choices": choices, "step": step}, key)
+
+    def _folder_of(self, session_id: str) -> SessionFolder:
+        return SessionFolder(self._data_folder / "sessions" / session_id)
+
+    # -- changes -------------------------------------------------------------
+
+    def append(self, kind: str, payload: Mapping[str, object], key: str | None = None) -> None:
+        """Writes a row, and brings state, folder and station in line with it."""
+        with self.lock:
+            row = self._journal.append(self.state.session_id, kind, payload, key)
+            self.state = after(self.state, row)
+            self._trouble = None
+            if kind in ENDS:
+                self._journal.end_session(self.state.session_id)
+            self._settle()
+
+    def accept(self, result: CalibrationResult, key: str | None) -> None:
+        """Makes the session's calibration the one in use."""
+        with self.lock:
+            chosen = self.sheets.chosen(self.state)
+            figures = {
+                "total_um": result.total_um,
+                "verdict": result.verdict,
+                "arm_serial": chosen.arm.serial_number if chosen.arm else "",
+                "object_serial": chosen.block.serial_number if chosen.block else "",
+                "sensor_serial": chosen.sensor.serial_number if chosen.sensor else "",
+            }
+            name = f"Calibration {datetime.now(UTC):%Y-%m-%d %H:%M} UTC"
+            file = self.folder.calibration
+            row = self.calibrations.accept(self.state.session_id, name, file, figures, key)
+            self.state = after(self.state, row)
+            self.station.bus.event("accepted", f"{name} is in use.", "good")
+            self._settle()
+
+    def _settle(self) -> None:
+        self._bring_station_in_line()
+        self.changed.notify_all()
+        self.refresh()
+        if self.state.ended in ("accepted", "abandoned"):
+            self._on_closed()
+
+    def _bring_station_in_line(self) -> None:
+        """The rig, the preview and the 3D view work with what the session chose."""
+        state, station = self.state, self.station
+        if not state.session_id or state.ended:
+            station.preview.detect(None)
+            return
+        chosen = self.sheets.chosen(state)
+        station.rig.arm.set_model(chosen.arm)
+        if chosen.sensor is not None:
+            station.preview.set_stripe_axis(chosen.sensor.stripe_axis)
+        aiming = state.step == "place" or (state.step == "capture" and not state.picture)
+        station.preview.detect(chosen.block if aiming else None)
+        touch = self.sheets.touch(state)
+        if chosen.arm is not None:
+            station.scene.set_arm_model(chosen.arm)
+        if touch is not None and touch.alignment is not None and chosen.block is not None:
+            station.scene.set_block(touch.alignment.T_arm_obj, chosen.block)
+        else:
+            station.scene.clear_block()
+
+    def decline(self, refusal: Refusal) -> None:
+        """Shows why something was not done, until something is."""
+        with self.lock:
+            why = f": {refusal.why}" if refusal.why else ""
+            text = f"{refusal.what[:1].upper()}{refusal.what[1:]}{why}".rstrip(".")
+            self._trouble = Finding("attention", f"{text}.", sentence(refusal.remedy))
+            self.declined += 1
+            self.station.bus.event("refused", refusal.line, "attention")
+            self.changed.notify_all()
+            self.refresh()
+
+    def refuse_unless_possible(
+        self, name: str, args: Mapping[str, object], rev: int | None, by_hand: bool = False
+    ) -> None:
+        """Raises ``StaleCommand`` or ``Refusal`` when a command cannot be done now.
+
+        ``by_hand``: the hand gives it, so that its own work is no hindrance.
+        """
+        live = self.live()
+        if by_hand:
+            live = replace(live, busy=None)
+        if rev is not None and rev != live.rev:
+            raise StaleCommand(self.view())
+        if reason := why_not(self.state, live, name, args):
+            raise Refusal("not-now", reason)
+
+    def knows_key(self, key: str) -> bool:
+        """Whether a command with this idempotency key has acted already."""
+        return self._journal.knows_key(key)

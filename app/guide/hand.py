@@ -1,0 +1,28 @@
+"""The simulated hand, which does a step's work on the twin so that anybody can watch."""
+
+from collections.abc import Sequence
+from typing import Protocol
+
+
+class Hand(Protocol):
+    """Moves the arm and presses its buttons.
+
+    Every move blocks until it is done, and returns False when it was cancelled.
+    """
+
+    @property
+    def faces(self) -> Sequence[str]: ...
+    @property
+    def parts(self) -> Sequence[str]: ...
+
+    def touch(self, face: str, index: int) -> bool:
+        """Touches one of the face's places and presses the primary button."""
+
+    def hold_over_object(self) -> bool:
+        """Brings the sensor over the object and holds it still."""
+
+    def scan_part(self, name: str) -> bool:
+        """Sweeps the sensor over the part."""
+
+    def cancel(self) -> None:
+        """Ends the move under way early."""

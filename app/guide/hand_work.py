@@ -1,0 +1,126 @@
+"""What the simulated hand does for the operator: a step's whole job, or all up to the review."""
+
+from collections.abc import Callable
+
+from app.guide import works
+from app.guide.confirming import confirm
+from app.guide.guide import Guide
+from app.guide.hand import Hand
+from app.guide.touching import TITLES, wanted_on
+from app.metrology.crenellated import FACES
+from app.metrology.refusal import Refusal
+from app.station.jobs import Progress
+
+TIMEOUT_S = 4.0
+ATTEMPTS = 3
+
+
+def hand_work(guide: Guide, hand: Hand, whole: bool) -> Callable[[Progress], None]:
+    """The job by which the hand does the present step, or goes on up to the review."""
+
+    def work(progress: Progress) -> None:
+        try:
+            while guide.hand_running:
+                step = guide.state.step
+                STEP_WORKS[step](guide, hand, progress)
+                if not whole or guide.state.step in (step, "review"):
+                    break
+        finally:
+            guide.hand_running = False
+
+    return work
+
+
+def _confirm(guide: Guide, name: str) -> None:
+    """Goes on as the operator would, by the same rules; not once the hand was stopped."""
+    with guide.lock:
+        if guide.hand_running:
+            guide.refuse_unless_possible(name, {}, None, by_hand=True)
+            confirm(guide, name, None)
+
+
+def _devices(guide: Guide, hand: Hand, progress: Progress) -> None:
+    _confirm(guide, "confirm_devices")
+
+
+def _setup(guide: Guide, hand: Hand, progress: Progress) -> None:
+    _confirm(guide, "confirm_setup")
+
+
+def _touch(guide: Guide, hand: Hand, progress: Progress) -> None:
+    """Takes the points that are still wanted, by the arm's own button."""
+    taken = {face: sum(c.face == face for c in guide.state.counted) for face in FACES}
+    wanted = wanted_on(taken)
+    todo = [(face, i) for face in FACES for i in range(taken[face], wanted[face])]
+    for done, (face, index) in enumerate(todo):
+        progress(f"The hand touches: {TITLES[face].lower()}", done / len(todo))
+        if not guide.hand_running or not _touch_one(guide, hand, face, index):
+            return
+    _confirm(guide, "confirm_touch")
+
+
+def _touch_one(guide: Guide, hand: Hand, face: str, index: int) -> bool:
+    """One place, again where a point was declined; False when the hand was stopped."""
+    for attempt in range(ATTEMPTS):
+        with guide.lock:
+            if guide.state.face != face:
+                guide.append("face_selected", {"face": face})
+            before = len(guide.state.contacts)
+            declined = guide.declined
+        if not hand.touch(face, index + 100 * attempt):
+            return False
+        if _await_point(guide, before, declined):
+            return True
+    raise Refusal(
+        "hand-declined",
+        f"The hand's point {index + 1} on the {face} face was declined {ATTEMPTS} times",
+        remedy="Look at the last message, and let the hand try again",
+    )
+
+
+def _await_point(guide: Guide, before: int, declined: int) -> bool:
+    """Whether the press became a point; the arm's bytes and the journal take their time."""
+    with guide.changed:
+        guide.changed.wait_for(
+            lambda: len(guide.state.contacts) > before or guide.declined > declined, TIMEOUT_S
+        )
+        return len(guide.state.contacts) > before
+
+
+def _place(guide: Guide, hand: Hand, progress: Progress) -> None:
+    progress("The hand holds the sensor over the object", 0.2)
+    if hand.hold_over_object():
+        progress("The hand holds still", 0.9)
+        _await_still(guide)
+        _confirm(guide, "confirm_place")
+
+
+def _capture(guide: Guide, hand: Hand, progress: Progress) -> None:
+    if guide.state.picture is not None:
+        _confirm(guide, "keep_picture")
+        return
+    _await_still(guide)
+    works.capture(guide, progress)
+
+
+def _solve(guide: Guide, hand: Hand, progress: Progress) -> None:
+    works.calibrate(guide, progress)
+
+
+def _await_still(guide: Guide) -> None:
+    """Waits a little for the arm to come to rest; what follows judges it anew."""
+    with guide.changed:
+        for _ in range(int(TIMEOUT_S / 0.1)):
+            if guide.station.rig.arm.stillness().still or not guide.hand_running:
+                return
+            guide.changed.wait(0.1)
+
+
+STEP_WORKS: dict[str, Callable[[Guide, Hand, Progress], None]] = {
+    "devices": _devices,
+    "setup": _setup,
+    "touch": _touch,
+    "place": _place,
+    "capture": _capture,
+    "solve": _solve,
+}

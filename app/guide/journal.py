@@ -1,0 +1,76 @@
+"""What a guided flow needs of the place where its journal is kept."""
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import reduce
+from pathlib import Path
+from typing import Protocol, TypeVar
+
+State = TypeVar("State")
+
+
+class Row(Protocol):
+    """One thing that happened; rows are only ever appended."""
+
+    @property
+    def number(self) -> int: ...
+    @property
+    def session_id(self) -> str: ...
+    @property
+    def at(self) -> str: ...
+    @property
+    def kind(self) -> str: ...
+    @property
+    def payload(self) -> Mapping[str, object]: ...
+
+
+class Session(Protocol):
+    """One guided session, open until ``ended_at`` is set."""
+
+    @property
+    def id(self) -> str: ...
+    @property
+    def started_at(self) -> str: ...
+    @property
+    def ended_at(self) -> str | None: ...
+
+
+class Journal(Protocol):
+    """Where the rows are kept; every call returns once the disk has it."""
+
+    def begin_session(self, session_id: str, kind: str) -> Session: ...
+    def end_session(self, session_id: str) -> None: ...
+    def latest_session(self, kind: str) -> Session | None: ...
+    def append(
+        self, session_id: str, kind: str, payload: Mapping[str, object], key: str | None = None
+    ) -> Row: ...
+    def knows_key(self, key: str) -> bool: ...
+    def rows(self, session_id: str) -> Sequence[Row]: ...
+    def last_number(self) -> int: ...
+
+
+def fold(rows: Sequence[Row], begin: State, step: Callable[[State, Row], State]) -> State:
+    """The state that a session's rows lead to."""
+    return reduce(step, rows, begin)
+
+
+class Calibration(Protocol):
+    """An accepted calibration and its file."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def file(self) -> Path: ...
+
+
+class Calibrations(Protocol):
+    """Where accepted calibrations are kept; exactly one of them is in use."""
+
+    def active(self) -> Calibration | None: ...
+    def accept(
+        self,
+        session_id: str,
+        name: str,
+        file: Path,
+        figures: Mapping[str, object],
+        key: str | None,
+    ) -> Row: ...

@@ -1,0 +1,68 @@
+"""What the flow's view depends on beside the journal. Pure."""
+
+from dataclasses import dataclass
+
+from app.files.sensor import SensorSheet
+from app.guide.library import Library
+from app.guide.outcome import Outcome
+from app.guide.touching import TouchReport
+from app.guide.view import Busy
+from app.metrology.arm import Arm
+from app.metrology.crenellated import Crenellated
+from app.station.device_state import DeviceState
+from app.station.findings import Finding
+from app.station.stillness import Stillness
+
+
+@dataclass(frozen=True)
+class ConnectedArm:
+    """What the arm on the line says of itself."""
+
+    serial_number: str
+    joint_count: int
+
+
+@dataclass(frozen=True)
+class ConnectedSensor:
+    """What the sensor on the line says of itself."""
+
+    serial_number: str
+    width_px: int
+    height_px: int
+
+
+@dataclass(frozen=True)
+class Chosen:
+    """The sheets that the session's choices name; None where there is none (any more)."""
+
+    arm: Arm | None
+    block: Crenellated | None
+    sensor: SensorSheet | None
+
+
+@dataclass(frozen=True)
+class Live:
+    """The station as it is now."""
+
+    rev: int
+    """Number of the newest row in the station's whole journal."""
+    arm_link: DeviceState
+    sensor_link: DeviceState
+    arm: ConnectedArm | None
+    sensor: ConnectedSensor | None
+    stillness: Stillness
+    library: Library
+    chosen: Chosen
+    touch: TouchReport | None
+    """None until an arm and an object are chosen."""
+    corners_seen: int
+    """Corners of the object found in the live picture."""
+    picture_findings: tuple[Finding, ...]
+    """Exposure, saturation and sharpness of the live picture."""
+    seen: Outcome | None
+    """What the solve, or before it the capture, found in the pictures."""
+    has_hand: bool
+    busy: Busy | None
+    hand_running: bool
+    trouble: Finding | None
+    """Why the last thing asked for was not done."""

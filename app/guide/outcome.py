@@ -1,0 +1,33 @@
+"""What was found in the calibration pictures, as the journal keeps it. Pure."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+
+from pydantic import TypeAdapter
+
+from app.guide.view import CalibrationResult, ImageCorner, Segment
+from app.station.findings import Finding
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """The object and the stripe in the picture and, after a solve, its result."""
+
+    corners: Sequence[ImageCorner]
+    outline: Sequence[Segment]
+    stripe: Sequence[tuple[float, float]]
+    findings: Sequence[Finding]
+    result: CalibrationResult | None
+
+
+_ADAPTER = TypeAdapter(Outcome)
+
+
+def to_payload(outcome: Outcome) -> dict[str, object]:
+    """The outcome as a journal row carries it."""
+    return asdict(outcome)
+
+
+def from_payload(payload: Mapping[str, object]) -> Outcome:
+    """The outcome back from a journal row."""
+    return _ADAPTER.validate_python(payload)

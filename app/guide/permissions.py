@@ -1,0 +1,176 @@
+"""Why a command is not possible now; an empty answer means that it is. Pure."""
+
+from collections.abc import Callable, Mapping
+
+from app.guide.live import Live
+from app.guide.state import STEPS, CalibrationState
+from app.guide.touching import WRONG_FACE_MM
+from app.metrology.crenellated import FACES
+
+Args = Mapping[str, object]
+Rule = Callable[[CalibrationState, Live, Args], str]
+
+ONLY_IN = {
+    "confirm_devices": ("devices",),
+    "choose": ("setup",),
+    "confirm_setup": ("setup",),
+    "select_face": ("touch",),
+    "take_point": ("touch",),
+    "undo": ("touch",),
+    "void_point": ("touch",),
+    "confirm_touch": ("touch",),
+    "confirm_place": ("place",),
+    "capture": ("capture",),
+    "keep_picture": ("capture",),
+    "retake": ("capture", "solve", "review"),
+    "solve": ("solve",),
+    "accept": ("review",),
+    "back": ("setup", "touch", "place", "capture", "solve", "review"),
+    "let_hand": ("devices", "setup", "touch", "place", "capture", "solve"),
+}
+ALWAYS = ("stop_hand", "repeat", "abandon")
+
+
+def why_not(state: CalibrationState, live: Live, name: str, args: Args) -> str:
+    """Why the command ``name`` cannot be done now; empty when it can."""
+    if name not in ONLY_IN and name not in ALWAYS:
+        return f"There is no command '{name}'."
+    if name == "stop_hand":
+        return "" if live.hand_running else "The hand is not moving."
+    if live.busy is not None:
+        return f"Wait: {live.busy.text[0].lower()}{live.busy.text[1:]}."
+    if state.ended and name != "repeat":
+        return "This calibration is closed. Start a new one."
+    if name in ONLY_IN and state.step not in ONLY_IN[name]:
+        return f"This belongs to another step; the calibration stands at '{state.step}'."
+    rule = RULES.get(name)
+    return rule(state, live, args) if rule else ""
+
+
+def _devices(state: CalibrationState, live: Live, args: Args) -> str:
+    return _arm_there(live) or _sensor_there(live)
+
+
+def _arm_there(live: Live) -> str:
+    return "" if live.arm_link.state == "connected" else f"The arm: {live.arm_link.text}"
+
+
+def _sensor_there(live: Live) -> str:
+    return "" if live.sensor_link.state == "connected" else f"The sensor: {live.sensor_link.text}"
+
+
+def _choose(state: CalibrationState, live: Live, args: Args) -> str:
+    field, chosen = args.get("field"), args.get("id")
+    if not isinstance(field, str) or not isinstance(chosen, str):
+        return "A choice needs a field and an id."
+    return "" if live.library.has(field, chosen) else f"There is no {field} '{chosen}' here."
+
+
+def _setup(state: CalibrationState, live: Live, args: Args) -> str:
+    chosen = live.chosen
+    if chosen.arm is None or chosen.block is None or chosen.sensor is None:
+        names = (("arm", chosen.arm), ("object", chosen.block), ("sensor", chosen.sensor))
+        missing = [name for name, sheet in names if sheet is None]
+        return f"Choose the {' and the '.join(missing)} first."
+    if live.arm and live.arm.joint_count != chosen.arm.joint_count:
+        return (
+            f"The connected arm has {live.arm.joint_count} joints, "
+            f"{chosen.arm.name} has {chosen.arm.joint_count}. Choose the arm that is connected."
+        )
+    size = (chosen.sensor.width_px, chosen.sensor.height_px)
+    if live.sensor and size != (live.sensor.width_px, live.sensor.height_px):
+        return (
+            f"The connected sensor's picture is {live.sensor.width_px} × {live.sensor.height_px}, "
+            f"{chosen.sensor.name} has {size[0]} × {size[1]} pixels. "
+            "Choose the sensor that is connected."
+        )
+    return ""
+
+
+def _face(state: CalibrationState, live: Live, args: Args) -> str:
+    return "" if args.get("face") in FACES else f"There is no face '{args.get('face')}'."
+
+
+def _take(state: CalibrationState, live: Live, args: Args) -> str:
+    if missing := _arm_there(live):
+        return missing
+    return "" if live.stillness.still else f"Hold the arm still. {live.stillness.text}."
+
+
+def _undo(state: CalibrationState, live: Live, args: Args) -> str:
+    return "" if state.counted else "No point was taken yet."
+
+
+def _void(state: CalibrationState, live: Live, args: Args) -> str:
+    known = any(contact.index == args.get("index") for contact in state.counted)
+    return "" if known else "That point is not there any more."
+
+
+def _touch(state: CalibrationState, live: Live, args: Args) -> str:
+    touch = live.touch
+    if touch is None:
+        return "The arm or the object that was chosen cannot be read any more."
+    if touch.alignment is None:
+        return touch.missing
+    for point in touch.points:
+        if point.outlier and abs(point.residual_um or 0.0) >= 1e3 * WRONG_FACE_MM:
+            return f"Remove point {point.index + 1} first: it is not on the {point.face} face."
+    return ""
+
+
+def _place(state: CalibrationState, live: Live, args: Args) -> str:
+    return _arm_there(live) or _sensor_there(live)
+
+
+def _capture(state: CalibrationState, live: Live, args: Args) -> str:
+    if missing := _place(state, live, args):
+        return missing
+    return "" if live.stillness.still else f"Hold the arm still. {live.stillness.text}."
+
+
+def _keep(state: CalibrationState, live: Live, args: Args) -> str:
+    return "" if state.picture else "There is no picture yet. Take one."
+
+
+def _solve(state: CalibrationState, live: Live, args: Args) -> str:
+    if not state.picture:
+        return "There is no picture of this object and sensor. Take one."
+    return _touch(state, live, args)
+
+
+def _accept(state: CalibrationState, live: Live, args: Args) -> str:
+    result = live.seen.result if live.seen and state.outcome is not None else None
+    if result is None:
+        return "Something changed since this was solved. Solve again."
+    return result.verdict_text if result.verdict == "bad" else ""
+
+
+def _back(state: CalibrationState, live: Live, args: Args) -> str:
+    to = args.get("to", STEPS[max(STEPS.index(state.step) - 1, 0)])
+    earlier = STEPS[: STEPS.index(state.step)]
+    return "" if to in earlier else f"There is no earlier step '{to}'."
+
+
+def _hand(state: CalibrationState, live: Live, args: Args) -> str:
+    if not live.has_hand:
+        return "There is no simulated hand on real devices."
+    return _devices(state, live, args)
+
+
+RULES: dict[str, Rule] = {
+    "confirm_devices": _devices,
+    "choose": _choose,
+    "confirm_setup": _setup,
+    "select_face": _face,
+    "take_point": _take,
+    "undo": _undo,
+    "void_point": _void,
+    "confirm_touch": _touch,
+    "confirm_place": _place,
+    "capture": _capture,
+    "keep_picture": _keep,
+    "solve": _solve,
+    "accept": _accept,
+    "back": _back,
+    "let_hand": _hand,
+}

@@ -1,0 +1,103 @@
+"""A guided session's folder, as FORMATS.md has it, so that it can be rebuilt without us."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from app.files.arm import read_arm
+from app.files.atomic import write_atomically
+from app.files.failures import files_refused
+from app.files.images import write_png
+from app.files.objects import read_object
+from app.files.sensor import read_sensor
+from app.files.session import (
+    ARM,
+    IMAGES,
+    OBJECT,
+    PICTURES,
+    PROBING,
+    SENSOR,
+    Contacts,
+    ImageRow,
+    write_contacts,
+    write_images,
+)
+from app.guide.library import Library
+from app.guide.live import Chosen
+from app.guide.state import CalibrationState, Contact
+from app.guide.state import Capture as Captured
+from app.metrology.refusal import Refusal
+from app.station.capture import Capture
+
+CALIBRATION = "calibration.json"
+
+
+class SessionFolder:
+    """Writes what the journal says into the session's folder; the journal is the record."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self.calibration = path / CALIBRATION
+
+    def keep_sheets(self, library: Library, state: CalibrationState) -> None:
+        """Copies the chosen arm, object and sensor, which the session uses from now on."""
+        with files_refused(self.path):
+            (self.path / PICTURES).mkdir(parents=True, exist_ok=True)
+            sources = (
+                (library.arms[state.choices["arm"]].path, ARM),
+                (library.objects[state.choices["object"]].path, OBJECT),
+                (library.sensors[state.choices["sensor"]].path, SENSOR),
+            )
+            for source, name in sources:
+                write_atomically(self.path / name, source.read_bytes())
+
+    def sheets(self) -> Chosen:
+        """The session's own copies; None for what cannot be read any more."""
+        try:
+            return Chosen(
+                read_arm(self.path / ARM),
+                read_object(self.path / OBJECT),
+                read_sensor(self.path / SENSOR),
+            )
+        except Refusal:
+            return Chosen(None, None, None)
+
+    def keep_contacts(self, contacts: Sequence[Contact]) -> None:
+        """Brings ``probing.csv`` up to date; without points there is none."""
+        path = self.path / PROBING
+        if not contacts:
+            path.unlink(missing_ok=True)
+            return
+        faces = tuple(contact.face for contact in contacts)
+        write_contacts(path, Contacts(faces, np.array([contact.q_rad for contact in contacts])))
+
+    def keep_capture(self, number: int, capture: Capture) -> dict[str, str | None]:
+        """Writes the pictures of a capture; their names relative to the folder."""
+        names: dict[str, str | None] = {"ambient": None, "laser": None}
+        for lighting, frame in (("ambient", capture.ambient), ("laser", capture.laser)):
+            if frame is not None:
+                shown = lighting if capture.laser is not None else "both"
+                name = f"{PICTURES}/capture-{number}-{shown}.png"
+                write_png(self.path / name, frame.image)
+                names[lighting] = name
+        return names
+
+    def keep_images(self, picture: Captured) -> None:
+        """Brings ``images.csv`` up to date with the capture that counts."""
+        q_rad = np.array(picture.q_rad)
+        if picture.laser is None:
+            rows = [ImageRow(0, picture.ambient, "both", q_rad)]
+        else:
+            rows = [
+                ImageRow(0, picture.ambient, "ambient", q_rad),
+                ImageRow(0, picture.laser, "laser", q_rad),
+            ]
+        write_images(self.path / IMAGES, rows)
+
+    def image(self, name: str) -> Path | None:
+        """The path of one of the session's pictures by its bare name."""
+        folder = self.path / PICTURES
+        if not folder.is_dir():
+            return None
+        return next((path for path in folder.iterdir() if path.name == name), None)

@@ -1,0 +1,218 @@
+"""The calibration session's state: a fold over its journal. Pure."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from app.guide.journal import Row
+
+STEPS = ("devices", "setup", "touch", "place", "capture", "solve", "review")
+FIELDS = ("arm", "object", "sensor")
+
+Payload = Mapping[str, Any]
+"""A row's own JSON; each kind of row has the fields that its function below reads."""
+
+
+@dataclass(frozen=True)
+class Contact:
+    """One touched point, as it was taken."""
+
+    index: int
+    face: str
+    q_rad: tuple[float, ...]
+    arm: str
+    object: str
+    """The arm and the object that were chosen then; for others the point does not count."""
+    voided: bool = False
+
+
+@dataclass(frozen=True)
+class Capture:
+    """The pictures of one pose, with the arm's angles."""
+
+    number: int
+    ambient: str
+    """File names within the session's folder."""
+    laser: str | None
+    """None: the ambient picture shows the stripe too (lighting ``both``)."""
+    q_rad: tuple[float, ...]
+    width_px: int
+    height_px: int
+    arm: str
+    object: str
+    sensor: str
+    outcome: Payload
+    """What was found in the picture as it was taken."""
+
+
+@dataclass(frozen=True)
+class Solved:
+    """A finished solve: which inputs it had, and what came out."""
+
+    inputs: str
+    outcome: Payload
+
+
+@dataclass(frozen=True)
+class Refused:
+    """A solve that was declined."""
+
+    inputs: str
+    code: str
+    what: str
+    why: str
+    remedy: str
+
+
+@dataclass(frozen=True)
+class CalibrationState:
+    """Where a calibration session stands."""
+
+    session_id: str = ""
+    rev: int = 0
+    step: str = "devices"
+    reached: str = "devices"
+    """The furthest step so far; what lies between is stale after going back."""
+    choices: Mapping[str, str] = field(default_factory=dict)
+    face: str = "crest"
+    contacts: tuple[Contact, ...] = ()
+    capture: Capture | None = None
+    captures: int = 0
+    solved: Solved | None = None
+    refused: Refused | None = None
+    ended: str = ""
+    """accepted, abandoned or repeated; empty while the session is open."""
+
+    @property
+    def counted(self) -> tuple[Contact, ...]:
+        """The points that count: not taken back, and of the chosen arm and object."""
+        return tuple(
+            c
+            for c in self.contacts
+            if not c.voided
+            and c.arm == self.choices.get("arm")
+            and c.object == self.choices.get("object")
+        )
+
+    @property
+    def picture(self) -> Capture | None:
+        """The captured pictures, if they are of the chosen arm, object and sensor."""
+        c = self.capture
+        chosen = self.choices
+        if c and (c.arm, c.object, c.sensor) == tuple(chosen.get(name) for name in FIELDS):
+            return c
+        return None
+
+    @property
+    def inputs(self) -> str:
+        """Names all that a solve now would use; equal names, equal inputs."""
+        picture = self.picture
+        points = ",".join(str(contact.index) for contact in self.counted)
+        chosen = "/".join(self.choices.get(name, "") for name in FIELDS)
+        return f"{chosen} points {points} picture {picture.number if picture else '-'}"
+
+    @property
+    def outcome(self) -> Payload | None:
+        """What the solve left, unless an input changed since."""
+        return self.solved.outcome if self.solved and self.solved.inputs == self.inputs else None
+
+
+def after(state: CalibrationState, row: Row) -> CalibrationState:
+    """The state after one more row of the journal.
+
+    Raises:
+        ValueError: a row of a kind that this version does not know.
+    """
+    changed = _after(state, row.kind, row.payload)
+    reached = max(changed.reached, changed.step, key=STEPS.index)
+    return replace(changed, session_id=row.session_id, rev=row.number, reached=reached)
+
+
+FORWARD = {
+    "devices_confirmed": "setup",
+    "setup_confirmed": "touch",
+    "touch_confirmed": "place",
+    "place_confirmed": "capture",
+    "capture_kept": "solve",
+}
+ENDS = ("accepted", "abandoned", "repeated")
+NOTES = ("solve_started", "hand_started", "hand_stopped")
+"""Rows that record what was done, and change nothing that the flow hangs on."""
+
+
+def _after(state: CalibrationState, kind: str, payload: Payload) -> CalibrationState:
+    if kind in FORWARD:
+        return replace(state, step=FORWARD[kind])
+    if kind in ENDS:
+        return replace(state, ended=kind)
+    if kind in NOTES:
+        return state
+    if kind in CHANGES:
+        return CHANGES[kind](state, payload)
+    raise ValueError(f"row of an unknown kind: {kind}")
+
+
+def _started(state: CalibrationState, payload: Payload) -> CalibrationState:
+    return replace(state, choices=dict(payload["choices"]), step=payload["step"])
+
+
+def _chosen(state: CalibrationState, payload: Payload) -> CalibrationState:
+    return replace(state, choices={**state.choices, payload["field"]: payload["id"]})
+
+
+def _point_taken(state: CalibrationState, payload: Payload) -> CalibrationState:
+    return replace(state, contacts=(*state.contacts, _contact(state, payload)))
+
+
+def _point_voided(state: CalibrationState, payload: Payload) -> CalibrationState:
+    index = payload["index"]
+    contacts = (replace(c, voided=c.voided or c.index == index) for c in state.contacts)
+    return replace(state, contacts=tuple(contacts))
+
+
+def _image_captured(state: CalibrationState, payload: Payload) -> CalibrationState:
+    capture = _capture(state, payload)
+    return replace(state, capture=capture, captures=capture.number, step="solve")
+
+
+def _solved(state: CalibrationState, payload: Payload) -> CalibrationState:
+    solved = Solved(payload["inputs"], payload["outcome"])
+    step = "review" if solved.inputs == state.inputs else state.step
+    return replace(state, solved=solved, refused=None, step=step)
+
+
+CHANGES: dict[str, Callable[[CalibrationState, Payload], CalibrationState]] = {
+    "started": _started,
+    "chosen": _chosen,
+    "face_selected": lambda state, payload: replace(state, face=payload["face"]),
+    "point_taken": _point_taken,
+    "point_voided": _point_voided,
+    "image_captured": _image_captured,
+    "retaken": lambda state, payload: replace(state, capture=None, step="capture"),
+    "solved": _solved,
+    "solve_refused": lambda state, payload: replace(state, refused=Refused(**payload)),
+    "went_back": lambda state, payload: replace(state, step=payload["to"]),
+}
+
+
+def _contact(state: CalibrationState, payload: Payload) -> Contact:
+    return Contact(
+        index=len(state.contacts),
+        face=payload["face"],
+        q_rad=tuple(payload["q_rad"]),
+        arm=state.choices["arm"],
+        object=state.choices["object"],
+    )
+
+
+def _capture(state: CalibrationState, payload: Payload) -> Capture:
+    return Capture(
+        number=state.captures + 1,
+        ambient=payload["ambient"],
+        laser=payload["laser"],
+        q_rad=tuple(payload["q_rad"]),
+        width_px=payload["width_px"],
+        height_px=payload["height_px"],
+        outcome=payload["outcome"],
+        **{name: state.choices[name] for name in FIELDS},
+    )

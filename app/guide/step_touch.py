@@ -1,0 +1,102 @@
+"""The step 'touch': contact points on the object's faces. Pure."""
+
+from app.guide.body import Body, geometry, lost_devices, offer
+from app.guide.live import Live
+from app.guide.state import CalibrationState
+from app.guide.touching import TITLES, WANTED, TouchReport, face_progress, next_face
+from app.guide.view import Action, DevicesPicture, FaceProgress, LiveNumber, ObjectPicture
+from app.guide.view import StepProgress as Progress
+from app.station.findings import Finding, Quality
+
+LISTED_SUSPECTS = 3
+
+
+def touch_step(state: CalibrationState, live: Live) -> Body:
+    """Where to touch, how many points there are, and how well they agree."""
+    block, touch = live.chosen.block, live.touch
+    if block is None or touch is None:
+        return Body(
+            instruction="The arm or the object that was chosen cannot be read any more.",
+            picture=DevicesPicture([]),
+            actions=[],
+            findings=live.library.findings,
+        )
+    faces = face_progress(touch, state.face, block)
+    done = sum(min(face.taken, face.wanted) for face in faces)
+    wanted = sum(face.wanted for face in faces)
+    return Body(
+        instruction=_instruction(faces, state.face, done >= wanted),
+        picture=ObjectPicture(geometry(block), faces, touch.points),
+        number=_number(touch),
+        progress=Progress(done, wanted, f"{done} of {wanted} points"),
+        findings=[*lost_devices(live)[:1], *touch.findings, *_advice(touch, done, wanted)],
+        actions=_actions(state, live, touch, done >= wanted),
+    )
+
+
+def _actions(
+    state: CalibrationState, live: Live, touch: TouchReport, complete: bool
+) -> list[Action]:
+    suspects = touch.suspects[:LISTED_SUSPECTS]
+    return [
+        offer(state, live, "take_point", "Take the point", primary=not complete),
+        offer(state, live, "confirm_touch", "Continue", primary=complete),
+        offer(state, live, "undo", "Undo the last point"),
+        *(
+            offer(state, live, "void_point", f"Remove point {index + 1}", {"index": index})
+            for index in suspects
+        ),
+    ]
+
+
+def _instruction(faces: list[FaceProgress], selected: str, complete: bool) -> str:
+    if complete:
+        return "All points are there. Go on, or add some on any face."
+    here = next(face for face in faces if face.face == selected)
+    if here.wanted == 0:
+        return f"{_place(selected)} Points here are welcome beside those on the other faces."
+    goal = next_face(faces, selected)
+    if goal != selected:
+        return f"This face has its points. Go on with: {TITLES[goal].lower()}."
+    return (
+        f"{_place(selected)} Spread {here.wanted} points, hold still, and press the arm's button."
+    )
+
+
+def _place(face: str) -> str:
+    places = {
+        "crest": "Touch the tops of the merlons.",
+        "floor": "Touch the floors of the grooves.",
+        "front": "Touch the front face.",
+        "back": "Touch the back face.",
+        "left": "Touch the left end.",
+        "right": "Touch the right end.",
+    }
+    return places[face]
+
+
+def _number(touch: TouchReport) -> LiveNumber:
+    rms_um = touch.rms_um
+    quality: Quality = "neutral"
+    note = "after three points on three faces"
+    if touch.alignment is not None:
+        sigma_um = touch.alignment.sigma_mm * 1e3
+        quality = "attention" if touch.suspects else "good"
+        note = f"one contact: {sigma_um:.0f} µm (k = 1)"
+    return LiveNumber("Points off their faces, rms", rms_um, "µm", 0, quality, note)
+
+
+def _advice(touch: TouchReport, done: int, wanted: int) -> list[Finding]:
+    if touch.alignment is None:
+        missing = touch.missing if not touch.findings else ""
+        return [Finding("neutral", missing)] if missing else []
+    if done >= wanted:
+        return []
+    return [
+        Finding(
+            "neutral",
+            f"The object's position is known. {wanted - done} more of the {wanted} points make it "
+            "surer: the contacts are the largest share of the calibration's uncertainty.",
+            f"Take {WANTED} on each of three faces, spread wide and clear of the edges.",
+        )
+    ]

@@ -1,0 +1,117 @@
+"""The steps 'devices' and 'setup'. Pure."""
+
+from app.guide.body import Body, geometry, offer
+from app.guide.live import Live
+from app.guide.state import CalibrationState
+from app.guide.view import Choice, ChoiceOption, ChoicesPicture, DeviceLine, DevicesPicture
+from app.metrology.crenellated import Crenellated
+from app.station.device_state import DeviceState
+from app.station.findings import Finding, Quality
+
+QUALITY: dict[str, Quality] = {
+    "connected": "good",
+    "connecting": "attention",
+    "lost": "bad",
+    "off": "bad",
+}
+
+
+def devices_step(state: CalibrationState, live: Live) -> Body:
+    """Are the arm and the sensor there?"""
+    links = (live.arm_link, live.sensor_link)
+    ready = all(link.state == "connected" for link in links)
+    return Body(
+        instruction=(
+            "Both devices answer. Go on."
+            if ready
+            else "Switch the arm and the sensor on and connect them."
+        ),
+        picture=DevicesPicture([_line(link) for link in links]),
+        actions=[offer(state, live, "confirm_devices", "Continue", primary=True)],
+    )
+
+
+def _line(link: DeviceState) -> DeviceLine:
+    text = link.text
+    if link.rate_hz is not None:
+        text = f"{text}, {link.rate_hz:.0f} a second"
+    return DeviceLine(link.title, QUALITY[link.state], text)
+
+
+def setup_step(state: CalibrationState, live: Live) -> Body:
+    """Which arm, which object, which sensor?"""
+    block = live.chosen.block
+    return Body(
+        instruction="Check that the arm with its tip, the object and the sensor are those in use.",
+        picture=ChoicesPicture(_choices(state, live), geometry(block) if block else None),
+        actions=[offer(state, live, "confirm_setup", "These are in use", primary=True)],
+        findings=[*_serials(live), *live.library.findings],
+    )
+
+
+def _choices(state: CalibrationState, live: Live) -> list[Choice]:
+    library = live.library
+    arms = [
+        ChoiceOption(
+            entry.id,
+            entry.sheet.name,
+            f"serial number {entry.sheet.serial_number}, {entry.sheet.joint_count} joints, "
+            f"tip Ø {entry.sheet.tip.diameter_mm:.3f} mm",
+        )
+        for entry in library.arms.values()
+    ]
+    objects = [
+        ChoiceOption(entry.id, entry.sheet.name, _block_detail(entry.sheet))
+        for entry in library.objects.values()
+    ]
+    sensors = [
+        ChoiceOption(
+            entry.id,
+            entry.sheet.name,
+            f"serial number {entry.sheet.serial_number}, "
+            f"{entry.sheet.width_px} × {entry.sheet.height_px} pixels",
+        )
+        for entry in library.sensors.values()
+    ]
+    return [
+        Choice(field, title, options, state.choices.get(field, ""))
+        for field, title, options in (
+            ("arm", "Arm and tip", arms),
+            ("object", "Crenellated object", objects),
+            ("sensor", "Sensor", sensors),
+        )
+    ]
+
+
+def _block_detail(block: Crenellated) -> str:
+    size = (
+        block.edges_x_mm[-1] - block.edges_x_mm[0],
+        block.back_y_mm - block.front_y_mm,
+        block.crest_z_mm - block.base_z_mm,
+    )
+    return (
+        f"serial number {block.serial_number}, {block.merlon_count} merlons, "
+        f"{size[0]:.0f} × {size[1]:.0f} × {size[2]:.0f} mm"
+    )
+
+
+def _serials(live: Live) -> list[Finding]:
+    """Devices whose serial number is not that of the chosen sheet."""
+    chosen = live.chosen
+    pairs = (
+        ("arm", live.arm and live.arm.serial_number, chosen.arm and chosen.arm.serial_number),
+        (
+            "sensor",
+            live.sensor and live.sensor.serial_number,
+            chosen.sensor and chosen.sensor.serial_number,
+        ),
+    )
+    return [
+        Finding(
+            "attention",
+            f"The connected {name} says serial number {there}, the chosen one has {sheet}.",
+            f"Choose the {name} that is connected, unless it is known to report another number.",
+        )
+        for name, there, sheet in pairs
+        if there and sheet and there != sheet
+    ]

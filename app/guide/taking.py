@@ -1,0 +1,84 @@
+"""Taking contact points: by click, by the arm's buttons, by the hand."""
+
+from app.guide.guide import Guide
+from app.guide.touching import SAME_PLACE_MM, face_progress, next_face, same_place
+from app.metrology.refusal import Refusal
+from app.station.findings import Quality
+
+
+def take_point(guide: Guide, source: str, until_ns: int | None, key: str | None) -> None:
+    """Adds the point that the tip touches now, or touched at ``until_ns``.
+
+    Raises:
+        Refusal: the arm is lost or moves, or the point was taken already.
+    """
+    with guide.lock:
+        state = guide.state
+        arm = guide.sheets.chosen(state).arm
+        if arm is None:
+            raise Refusal("no-arm-model", "The arm that was chosen cannot be read any more")
+        mean = guide.station.rig.arm.average(until_ns=until_ns)
+        twin = same_place(mean.q_rad, state.counted, arm)
+        if twin is not None:
+            raise Refusal(
+                "same-place",
+                f"This is point {twin + 1} again",
+                f"the tip lies within {SAME_PLACE_MM} mm of it",
+                "Move the tip to another place",
+            )
+        guide.append(
+            "point_taken",
+            {
+                "face": state.face,
+                "q_rad": mean.q_rad.tolist(),
+                "scatter_rad": mean.scatter_rad.tolist(),
+                "samples": mean.samples,
+                "source": source,
+            },
+            key,
+        )
+        guide.folder.keep_contacts(guide.state.counted)
+        _tell_point(guide)
+        _go_on(guide)
+
+
+def undo(guide: Guide, key: str | None) -> None:
+    """Takes the last counted point back, and returns to its face."""
+    with guide.lock:
+        last = guide.state.counted[-1]
+        void_point(guide, last.index, key)
+        if last.face != guide.state.face:
+            guide.append("face_selected", {"face": last.face})
+
+
+def void_point(guide: Guide, index: int, key: str | None) -> None:
+    """Takes one point out; it stays in the journal."""
+    with guide.lock:
+        guide.append("point_voided", {"index": index}, key)
+        guide.folder.keep_contacts(guide.state.counted)
+        guide.station.bus.event("point_voided", f"Point {index + 1} is removed.")
+
+
+def _go_on(guide: Guide) -> None:
+    """Turns to the next face when this point completed its face."""
+    state, block = guide.state, guide.sheets.chosen(guide.state).block
+    report = guide.sheets.touch(state)
+    if report is None or block is None:
+        return
+    faces = face_progress(report, state.face, block)
+    here = next(face for face in faces if face.selected)
+    goal = next_face(faces, state.face)
+    if here.taken == here.wanted and goal != state.face:
+        guide.append("face_selected", {"face": goal})
+
+
+def _tell_point(guide: Guide) -> None:
+    """Says what the new point is worth, for an operator who looks at the arm."""
+    point, report = guide.state.counted[-1], guide.sheets.touch(guide.state)
+    text = f"Point {point.index + 1} on the {point.face} face"
+    quality: Quality = "good"
+    judged = next((p for p in report.points if p.index == point.index), None) if report else None
+    if judged is not None and judged.residual_um is not None:
+        text += f": {judged.residual_um:+.0f} µm"
+        quality = "attention" if judged.outlier else "good"
+    guide.station.bus.event("point_taken", f"{text}.", quality)

@@ -1,0 +1,211 @@
+"""The touch step: where to touch the object, and how well the points agree. Pure."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.guide.state import Contact
+from app.guide.view import FaceProgress, TouchedPoint, Vec3
+from app.metrology.alignment import Alignment, align, beside_face, what_is_missing
+from app.metrology.arm import Arm, tip_centres, tip_covariances
+from app.metrology.crenellated import FACES, Crenellated, probing_face
+from app.metrology.frames import Floats
+from app.metrology.refusal import Refusal
+from app.station.findings import Finding
+
+WANTED = 9
+"""Points on each of three faces. Three fix a plane without telling anything of its
+quality; the uncertainty falls with the root of the number, and 27 points with
+25 µm of arm noise bring the object's position to about 20 µm."""
+SAME_PLACE_MM = 0.3
+WRONG_FACE_MM = 1.0
+EDGE_MARGIN_MM = 1.0
+TITLES = {
+    "crest": "Crests (top)",
+    "floor": "Floors (grooves)",
+    "front": "Front",
+    "back": "Back",
+    "left": "Left end",
+    "right": "Right end",
+}
+
+
+@dataclass(frozen=True)
+class TouchReport:
+    """How the points taken so far agree with the object."""
+
+    points: tuple[TouchedPoint, ...]
+    alignment: Alignment | None
+    missing: str
+    """What to probe before anything can be computed; empty when nothing is missing."""
+    findings: tuple[Finding, ...]
+    suspects: tuple[int, ...]
+    """Indices of points that should be taken away."""
+
+    @property
+    def rms_um(self) -> float | None:
+        return None if self.alignment is None else self.alignment.rms_mm * 1e3
+
+    def face_rms_um(self, face: str) -> float | None:
+        if self.alignment is None:
+            return None
+        return next((f.rms_mm * 1e3 for f in self.alignment.faces if f.face == face), None)
+
+
+def touch_report(contacts: Sequence[Contact], arm: Arm, block: Crenellated) -> TouchReport:
+    """Aligns the object with the points so far, as soon as that is possible."""
+    faces = [contact.face for contact in contacts]
+    missing = what_is_missing(faces)
+    unplaced = tuple(TouchedPoint(c.index, c.face, None, None, False) for c in contacts)
+    if missing:
+        return TouchReport(unplaced, None, missing, (), ())
+    q_rad = np.array([contact.q_rad for contact in contacts])
+    try:
+        found = align(
+            faces,
+            tip_centres(arm, q_rad),
+            arm.tip.radius_mm,
+            block,
+            tip_covariances(arm, q_rad),
+        )
+    except Refusal as refusal:
+        text = refusal.what + (f": {refusal.why}" if refusal.why else "")
+        finding = Finding("bad", sentence(text), sentence(refusal.remedy))
+        return TouchReport(unplaced, None, sentence(refusal.remedy), (finding,), ())
+    points = tuple(
+        TouchedPoint(c.index, c.face, _vec(at), float(r) * 1e3, bool(outlier))
+        for c, at, r, outlier in zip(
+            contacts, found.points_obj_mm, found.residuals_mm, found.outliers, strict=True
+        )
+    )
+    suspects = tuple(point.index for point in points if point.outlier)
+    findings = tuple(_outlier_finding(point, found, block) for point in points if point.outlier)
+    return TouchReport(points, found, "", findings, suspects)
+
+
+def _outlier_finding(point: TouchedPoint, found: Alignment, block: Crenellated) -> Finding:
+    assert point.at_mm is not None
+    assert point.residual_um is not None
+    name = f"Point {point.index + 1}"
+    off_mm = abs(point.residual_um) / 1e3
+    if off_mm >= WRONG_FACE_MM:
+        where = face_below(np.array(point.at_mm), point.face, block)
+        guess = f" and lies on the {where} face" if where else ""
+        return Finding(
+            "bad",
+            f"{name} misses the {point.face} face by {off_mm:.1f} mm{guess}.",
+            "Remove it, then touch the face that is marked in the drawing.",
+        )
+    return Finding(
+        "attention",
+        f"{name} is {point.residual_um:+.0f} µm off the {point.face} face; "
+        f"the others agree to {found.rms_mm * 1e3:.0f} µm.",
+        "Remove it and touch there again, at rest and clear of the edge.",
+    )
+
+
+def face_below(point_mm: Floats, labelled: str, block: Crenellated) -> str:
+    """The other face that a contact point (3,) of the object frame lies on, or nothing."""
+    for face in FACES:
+        normal, offset_mm = probing_face(block, face)
+        near = abs(float(normal @ point_mm) - offset_mm) < 3 * WRONG_FACE_MM
+        if face != labelled and near and not beside_face([face], point_mm[None], block)[0]:
+            return face
+    return ""
+
+
+def same_place(contact_q_rad: Floats, others: Sequence[Contact], arm: Arm) -> int | None:
+    """Index of a counted point that lies within ``SAME_PLACE_MM`` of a new one, if any."""
+    if not others:
+        return None
+    tips = tip_centres(arm, np.array([c.q_rad for c in others] + [tuple(contact_q_rad)]))
+    distances = np.linalg.norm(tips[:-1] - tips[-1], axis=1)
+    nearest = int(np.argmin(distances))
+    return others[nearest].index if distances[nearest] < SAME_PLACE_MM else None
+
+
+def face_progress(report: TouchReport, selected: str, block: Crenellated) -> list[FaceProgress]:
+    """Every face of the object: what was taken, what is wanted, where to touch."""
+    taken = {face: sum(p.face == face for p in report.points) for face in FACES}
+    wanted = wanted_on(taken)
+    return [
+        FaceProgress(
+            face=face,
+            title=TITLES[face],
+            taken=taken[face],
+            wanted=wanted[face],
+            selected=face == selected,
+            rms_um=report.face_rms_um(face),
+            suggested_mm=suggested_places(block, face),
+        )
+        for face in FACES
+    ]
+
+
+def wanted_on(taken: dict[str, int]) -> dict[str, int]:
+    """Points wanted on each face: the crests, and of front/back and left/right the better."""
+    wanted = dict.fromkeys(FACES, 0)
+    wanted["crest"] = WANTED
+    wanted["back" if taken["back"] > taken["front"] else "front"] = WANTED
+    wanted["left" if taken["left"] > taken["right"] else "right"] = WANTED
+    return wanted
+
+
+def next_face(faces: Sequence[FaceProgress], selected: str) -> str:
+    """The face to go on with: the selected one until it has its points."""
+    here = next(face for face in faces if face.face == selected)
+    if here.taken < max(here.wanted, 1):
+        return selected
+    return next((f.face for f in faces if f.taken < f.wanted), selected)
+
+
+def suggested_places(block: Crenellated, face: str) -> list[Vec3]:
+    """``WANTED`` places on a face, spread as widely as its edges allow, object frame, mm."""
+    x, front, back = block.edges_x_mm, block.front_y_mm, block.back_y_mm
+    if face in ("crest", "floor"):
+        first = 0 if face == "crest" else 1
+        tops = [(x[i], x[i + 1]) for i in range(first, len(x) - 1, 2)]
+        z = block.crest_z_mm if face == "crest" else block.floor_z_mm
+        return _on_strips(tops, (front, back), z)
+    if face in ("front", "back"):
+        y = front if face == "front" else back
+        solid = _between(block.base_z_mm, block.floor_z_mm, 2)
+        low = [(u, y, z) for z in solid for u in _between(x[0], x[-1], 3)]
+        tall = _between(block.floor_z_mm, block.crest_z_mm, 3)[1]
+        merlons = [(x[2 * i] + x[2 * i + 1]) / 2 for i in _spread(block.merlon_count, 3)]
+        return low + [(u, y, tall) for u in merlons]
+    u = x[0] if face == "left" else x[-1]
+    heights = _between(block.base_z_mm, block.crest_z_mm, 3)
+    return [(u, v, z) for z in heights for v in _between(front, back, 3)]
+
+
+def _on_strips(
+    strips: Sequence[tuple[float, float]], y_range: tuple[float, float], z: float
+) -> list[Vec3]:
+    """Three rows across the strips' middles; with fewer than three strips, more a strip."""
+    chosen = [strips[i] for i in _spread(len(strips), 3)]
+    rows = _between(*y_range, -(-WANTED // len(chosen)))
+    return [((a + b) / 2, v, z) for a, b in chosen for v in rows][:WANTED]
+
+
+def _spread(count: int, wanted: int) -> list[int]:
+    """Up to ``wanted`` indices below ``count``, evenly over the range, ends included."""
+    return sorted({round(i) for i in np.linspace(0, count - 1, min(count, wanted))})
+
+
+def _between(low: float, high: float, count: int) -> list[float]:
+    """Values spread between two edges, clear of both."""
+    margin = max(EDGE_MARGIN_MM, 0.15 * (high - low))
+    margin = min(margin, 0.4 * (high - low))
+    return [float(v) for v in np.linspace(low + margin, high - margin, count)]
+
+
+def _vec(point: Floats) -> Vec3:
+    return float(point[0]), float(point[1]), float(point[2])
+
+
+def sentence(text: str) -> str:
+    """With a capital letter and a full stop; empty stays empty."""
+    text = text.strip().rstrip(".")
+    return f"{text[0].upper()}{text[1:]}." if text else ""

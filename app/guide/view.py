@@ -1,0 +1,244 @@
+"""What the browser is shown of a guided flow; field for field the shapes of types.ts."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Literal
+
+from app.station.findings import Finding, Quality
+
+Vec3 = tuple[float, float, float]
+Segment = tuple[float, float, float, float]
+StepState = Literal["done", "current", "todo", "stale"]
+
+
+@dataclass(frozen=True)
+class LiveNumber:
+    """A number that the operator watches."""
+
+    label: str
+    value: float | None
+    unit: str
+    decimals: int
+    quality: Quality = "neutral"
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class Action:
+    """One thing that the operator may do now, or why not."""
+
+    name: str
+    label: str
+    args: Mapping[str, object] = field(default_factory=dict)
+    primary: bool = False
+    enabled: bool = True
+    why_not: str = ""
+    confirm: str = ""
+
+
+@dataclass(frozen=True)
+class Step:
+    id: str
+    title: str
+    state: StepState
+
+
+@dataclass(frozen=True)
+class BlockGeometry:
+    """The block for drawing, in mm, from its certificate."""
+
+    edges_x_mm: Sequence[float]
+    front_y_mm: float
+    back_y_mm: float
+    crest_z_mm: float
+    floor_z_mm: float
+    base_z_mm: float
+
+
+@dataclass(frozen=True)
+class TouchedPoint:
+    index: int
+    face: str
+    at_mm: Vec3 | None
+    residual_um: float | None
+    outlier: bool
+
+
+@dataclass(frozen=True)
+class FaceProgress:
+    face: str
+    title: str
+    taken: int
+    wanted: int
+    selected: bool
+    rms_um: float | None
+    suggested_mm: Sequence[Vec3]
+
+
+@dataclass(frozen=True)
+class ChoiceOption:
+    id: str
+    label: str
+    detail: str
+
+
+@dataclass(frozen=True)
+class Choice:
+    field: str
+    title: str
+    options: Sequence[ChoiceOption]
+    selected: str
+
+
+@dataclass(frozen=True)
+class DeviceLine:
+    title: str
+    quality: Quality
+    text: str
+
+
+@dataclass(frozen=True)
+class ImageCorner:
+    name: str
+    u: float
+    v: float
+    residual_px: float | None
+
+
+@dataclass(frozen=True)
+class BudgetRow:
+    source: str
+    value_um: float
+
+
+@dataclass(frozen=True)
+class FaceResult:
+    face: str
+    points: int
+    rms_um: float
+    form_um: float
+
+
+@dataclass(frozen=True)
+class WorstPoint:
+    kind: Literal["contact", "corner", "stripe"]
+    name: str
+    value: float
+    unit: str
+
+
+@dataclass(frozen=True)
+class Comparison:
+    with_name: str
+    max_um: float
+    rms_um: float
+
+
+@dataclass(frozen=True)
+class CalibrationResult:
+    verdict: Quality
+    verdict_text: str
+    reprojection_rms_px: float
+    laser_plane_rms_um: float
+    alignment_rms_um: float
+    depth_range_mm: tuple[float, float]
+    probe_matrix: Sequence[Sequence[float]]
+    faces: Sequence[FaceResult]
+    budget: Sequence[BudgetRow]
+    total_um: float
+    worst: Sequence[WorstPoint]
+    comparison: Comparison | None
+    condition_number: float
+    distortion: Sequence[float]
+
+
+@dataclass(frozen=True)
+class DevicesPicture:
+    devices: Sequence[DeviceLine]
+    kind: Literal["devices"] = "devices"
+
+
+@dataclass(frozen=True)
+class ChoicesPicture:
+    choices: Sequence[Choice]
+    block: BlockGeometry | None
+    kind: Literal["choices"] = "choices"
+
+
+@dataclass(frozen=True)
+class ObjectPicture:
+    block: BlockGeometry
+    faces: Sequence[FaceProgress]
+    points: Sequence[TouchedPoint]
+    kind: Literal["object"] = "object"
+
+
+@dataclass(frozen=True)
+class CameraPicture:
+    kind: Literal["camera"] = "camera"
+
+
+@dataclass(frozen=True)
+class StillPicture:
+    """The captured picture, with what was found in it."""
+
+    image_url: str
+    width_px: int
+    height_px: int
+    corners: Sequence[ImageCorner]
+    outline: Sequence[Segment]
+    stripe: Sequence[tuple[float, float]]
+    kind: Literal["still"] = "still"
+
+
+@dataclass(frozen=True)
+class ResultPicture:
+    result: CalibrationResult
+    block: BlockGeometry
+    points: Sequence[TouchedPoint]
+    image_url: str
+    width_px: int
+    height_px: int
+    corners: Sequence[ImageCorner]
+    outline: Sequence[Segment]
+    stripe: Sequence[tuple[float, float]]
+    kind: Literal["result"] = "result"
+
+
+Picture = (
+    DevicesPicture | ChoicesPicture | ObjectPicture | CameraPicture | StillPicture | ResultPicture
+)
+
+
+@dataclass(frozen=True)
+class StepProgress:
+    done: int
+    of: int
+    text: str
+
+
+@dataclass(frozen=True)
+class Busy:
+    """A job or the hand at work."""
+
+    text: str
+    fraction: float | None
+
+
+@dataclass(frozen=True)
+class FlowView:
+    """The whole state of the guided flow."""
+
+    session_id: str
+    rev: int
+    running: bool
+    steps: Sequence[Step]
+    step: str
+    title: str
+    instruction: str
+    picture: Picture
+    number: LiveNumber | None
+    progress: StepProgress | None
+    findings: Sequence[Finding]
+    actions: Sequence[Action]
+    busy: Busy | None

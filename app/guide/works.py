@@ -1,0 +1,67 @@
+"""The flow's longer works, each run as one job: taking the picture, and solving."""
+
+from app.guide.guide import Guide
+from app.guide.outcome import to_payload
+from app.guide.solving import look_at, solve
+from app.metrology.refusal import Refusal
+from app.station.jobs import Progress
+
+
+def capture(guide: Guide, progress: Progress) -> None:
+    """Takes the pictures while the arm is still, and looks at once whether they will do.
+
+    Raises:
+        Refusal: the arm moved, or a device is lost; nothing is kept then.
+    """
+    progress("Taking the picture", 0.1)
+    chosen = guide.sheets.chosen(guide.state)
+    taken = guide.station.rig.capture_pair()
+    progress("Looking for the object in the picture", 0.4)
+    outcome = look_at(taken, chosen)
+    height, width = taken.ambient.image.shape
+    with guide.lock:
+        names = guide.folder.keep_capture(guide.state.captures + 1, taken)
+        guide.append(
+            "image_captured",
+            {
+                **names,
+                "q_rad": taken.joints.q_rad.tolist(),
+                "scatter_rad": taken.joints.scatter_rad.tolist(),
+                "samples": taken.joints.samples,
+                "exposure_us": taken.ambient.exposure_us,
+                "width_px": width,
+                "height_px": height,
+                "outcome": to_payload(outcome),
+            },
+        )
+        picture = guide.state.picture
+        if picture is not None:
+            guide.folder.keep_images(picture)
+        guide.station.bus.event("step_done", "The picture is taken.", "good")
+
+
+def calibrate(guide: Guide, progress: Progress) -> None:
+    """Solves from the session's folder, exactly as the command line does."""
+    with guide.lock:
+        state, picture = guide.state, guide.state.picture
+        assert picture is not None
+        guide.folder.keep_contacts(state.counted)
+        guide.folder.keep_images(picture)
+        in_use = guide.calibrations.active()
+    try:
+        outcome = solve(guide.folder, in_use, progress)
+    except Refusal as refusal:
+        guide.append(
+            "solve_refused",
+            {
+                "inputs": state.inputs,
+                "code": refusal.code,
+                "what": refusal.what,
+                "why": refusal.why,
+                "remedy": refusal.remedy,
+            },
+        )
+        guide.station.bus.event("refused", refusal.line, "bad")
+        return
+    guide.append("solved", {"inputs": state.inputs, "outcome": to_payload(outcome)})
+    guide.station.bus.event("step_done", "The calibration is computed.", "good")

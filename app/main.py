@@ -1,0 +1,174 @@
+"""The station as a server: everything wired together, started, and ended in order."""
+
+import asyncio
+import logging
+import socket
+import sys
+import webbrowser
+from collections.abc import AsyncIterator, Callable
+from contextlib import AbstractAsyncContextManager, asynccontextmanager
+from pathlib import Path
+
+import uvicorn
+from fastapi import FastAPI
+
+from app.api import client, flow, live, machine, problems, records, viewer
+from app.api.context import Context
+from app.api.guard import Guard
+from app.api.ticker import tick
+from app.api.wiring import Parts, close_context, open_context
+from app.files.software import SOFTWARE
+from app.metrology.refusal import Refusal
+from app.settings import read_settings, user_data_folder
+from hardware.errors import DeviceError
+from hardware.registry import arm_driver, sensor_driver
+
+PORTS_TRIED = 20
+SHUTDOWN_S = 3
+LARGEST_MESSAGE = 1 << 16
+"""Of a browser's messages; all are small."""
+
+
+def build_app(parts: Parts) -> FastAPI:
+    """The application; devices are opened when it starts and closed when it ends.
+
+    Raises:
+        Refusal: the data folder cannot be used, or is in use by another server.
+    """
+    context = open_context(parts)
+    app = FastAPI(
+        title="Crenel",
+        version=SOFTWARE.version,
+        lifespan=_lifespan(context),
+        docs_url=None,
+        redoc_url=None,
+        openapi_url="/api/openapi.json",
+    )
+    app.state.context = context
+    problems.install(app)
+    for room in (flow, machine, records, live, viewer, client):
+        app.include_router(room.router)
+    app.add_middleware(Guard, hosts=parts.hosts)
+    return app
+
+
+def _lifespan(context: Context) -> Callable[[FastAPI], AbstractAsyncContextManager[None]]:
+    @asynccontextmanager
+    async def lifespan(app: FastAPI) -> AsyncIterator[None]:
+        context.bus.attach(asyncio.get_running_loop())
+        context.rig.start()
+        context.preview.start()
+        ticking = asyncio.create_task(tick(context))
+        try:
+            yield
+        finally:
+            ticking.cancel()
+            await asyncio.to_thread(close_context, context)
+            # callbacks of what has just ended are waiting on this loop
+            await asyncio.sleep(0)
+            context.bus.detach()
+            context.store.close()
+
+    return lifespan
+
+
+def serve(config: Path | None, data: Path | None, host: str, port: int, open_browser: bool) -> None:
+    """Runs the station on the devices that ``station.toml`` names, until it is told to end.
+
+    Raises:
+        Refusal: settings, driver, data folder or port are not in order.
+    """
+    settings = read_settings(config)
+    arm, sensor = settings.arm, settings.sensor
+    try:  # an unknown driver or a wrong option is told now, not at the first connection
+        arm_driver(arm.driver, arm.options)
+        sensor_driver(sensor.driver, sensor.options)
+    except DeviceError as error:
+        raise Refusal("driver", error.what, remedy=error.remedy) from error
+    listening = _listen(host, port, 1)
+    parts = Parts(
+        name=settings.name,
+        data=data or settings.data,
+        arm=lambda: arm_driver(arm.driver, arm.options),
+        sensor=lambda: sensor_driver(sensor.driver, sensor.options),
+        hosts=(*settings.hosts, host),
+    )
+    _run(build_app(parts), listening, host, open_browser)
+
+
+def demo(data: Path | None, host: str, port: int, open_browser: bool) -> None:
+    """Runs the whole station on simulated devices; where the port is taken, on the next free.
+
+    Raises:
+        Refusal: the data folder is not in order, or no port is free.
+    """
+    from app.demonstration import simulated_parts
+
+    listening = _listen(host, port, PORTS_TRIED)
+    with simulated_parts(data or user_data_folder() / "demo", (host,)) as parts:
+        _run(build_app(parts), listening, host, open_browser)
+
+
+def _listen(host: str, port: int, tries: int) -> socket.socket:
+    """A bound socket, on the port or one of the next ``tries - 1``."""
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    for offset in range(tries):
+        listening = socket.socket(family, socket.SOCK_STREAM)
+        listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        try:
+            listening.bind((host, port + offset))
+            listening.listen(128)
+        except OSError as error:
+            listening.close()
+            reason = error.strerror or str(error)
+            continue
+        if offset:
+            print(f"Port {port} is in use; taking {port + offset}.", file=sys.stderr)
+        return listening
+    raise Refusal(
+        "port",
+        f"Cannot listen on {host} port {port}",
+        reason,
+        "Stop what is using it, or choose another with --port",
+    )
+
+
+def _run(app: FastAPI, listening: socket.socket, host: str, open_browser: bool) -> None:
+    """Serves until SIGINT or SIGTERM."""
+    shown = "127.0.0.1" if host in ("0.0.0.0", "::") else host
+    bracketed = f"[{shown}]" if ":" in shown else shown
+    address = f"http://{bracketed}:{listening.getsockname()[1]}/"
+    logging.basicConfig(level=logging.WARNING, format="%(asctime)s %(name)s: %(message)s")
+    server = _Server(
+        uvicorn.Config(
+            app,
+            log_level="warning",
+            access_log=False,
+            ws="websockets-sansio",
+            ws_per_message_deflate=False,
+            ws_max_size=LARGEST_MESSAGE,
+            timeout_graceful_shutdown=SHUTDOWN_S,
+            server_header=False,
+        )
+    )
+    server.address, server.open_browser = address, open_browser
+    try:
+        server.run(sockets=[listening])
+    except KeyboardInterrupt:
+        pass  # uvicorn raises the signal again once it has ended in order
+    finally:
+        listening.close()
+
+
+class _Server(uvicorn.Server):
+    """Says where the station is once it can be reached."""
+
+    address = ""
+    open_browser = False
+
+    async def startup(self, sockets: list[socket.socket] | None = None) -> None:
+        await super().startup(sockets)
+        if self.started:
+            print(f"Crenel is at {self.address} (end with Ctrl-C)", flush=True)
+            if self.open_browser:
+                await asyncio.to_thread(webbrowser.open, self.address)

@@ -1,0 +1,130 @@
+"""``station.toml``: the station's name, its data folder and its devices.
+
+[station]
+name = "Measuring room 2"
+data = "data"                 # beside this file; --data goes before it
+hosts = ["station.local"]     # further names browsers may use; localhost always may
+
+[arm]
+driver = "serial-encoder"     # every other key is the driver's own
+url = "/dev/ttyUSB0"
+
+[sensor]
+driver = "opencv"
+source = 0
+"""
+
+import os
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from app.files.failures import files_refused
+from app.metrology.refusal import Refusal
+
+DEFAULT_FILE = "station.toml"
+
+
+@dataclass(frozen=True)
+class DeviceSettings:
+    """A driver's name and its own options."""
+
+    driver: str
+    options: Mapping[str, object]
+
+
+@dataclass(frozen=True)
+class Settings:
+    """One station."""
+
+    name: str
+    data: Path
+    hosts: tuple[str, ...]
+    arm: DeviceSettings
+    sensor: DeviceSettings
+
+
+class _StationTable(BaseModel):
+    model_config = ConfigDict(extra="forbid", strict=True)
+
+    name: Annotated[str, Field(min_length=1, max_length=60)] = "Crenel"
+    data: Annotated[str, Field(min_length=1)] | None = None
+    hosts: list[Annotated[str, Field(min_length=1)]] = []
+
+
+class _DeviceTable(BaseModel):
+    model_config = ConfigDict(extra="allow", strict=True)
+
+    driver: Annotated[str, Field(min_length=1)]
+
+
+class _File(BaseModel):
+    model_config = ConfigDict(extra="forbid", strict=True)
+
+    station: _StationTable = _StationTable()
+    arm: _DeviceTable
+    sensor: _DeviceTable
+
+
+def read_settings(path: Path | None) -> Settings:
+    """Reads ``station.toml``, by default the one in the working folder.
+
+    Raises:
+        Refusal: there is no such file, it is not TOML, or a key is missing, unknown
+            or of the wrong kind; the key is named.
+    """
+    path = path or Path(DEFAULT_FILE)
+    if not path.exists():
+        raise Refusal(
+            "settings-missing",
+            f"{path}: there is no such file",
+            "it says which arm and which sensor are connected",
+            "Write one as the README shows, name another with --config, or try crenel demo",
+        )
+    with files_refused(path):
+        raw = path.read_bytes()
+    try:
+        sheet = _File.model_validate(tomllib.loads(raw.decode()))
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise Refusal("settings-not-toml", str(path), f"it is not TOML: {error}") from error
+    except ValidationError as error:
+        raise _invalid(path, error) from error
+    station = sheet.station
+    data = Path(station.data).expanduser() if station.data else user_data_folder() / "station"
+    return Settings(
+        name=station.name,
+        data=path.absolute().parent / data,
+        hosts=tuple(station.hosts),
+        arm=DeviceSettings(sheet.arm.driver, sheet.arm.model_extra or {}),
+        sensor=DeviceSettings(sheet.sensor.driver, sheet.sensor.model_extra or {}),
+    )
+
+
+def user_data_folder() -> Path:
+    """Where a program keeps what is this user's: by the XDG convention, or Windows' own."""
+    if os.name == "nt" and "LOCALAPPDATA" in os.environ:
+        return Path(os.environ["LOCALAPPDATA"]) / "Crenel"
+    home = os.environ.get("XDG_DATA_HOME") or Path.home() / ".local" / "share"
+    return Path(home) / "crenel"
+
+
+def _invalid(path: Path, error: ValidationError) -> Refusal:
+    first = error.errors(include_url=False)[0]
+    place = [str(part) for part in first["loc"]]
+    table = f"[{place[0]}]"
+    key = ".".join(place[1:])
+    named = f"{path}, {table}: {key}" if key else f"{path}: the table {table}"
+    if first["type"] == "missing":
+        return Refusal("settings-key-missing", f"{named} is missing")
+    if first["type"] == "extra_forbidden":
+        return Refusal("settings-key-unknown", f"{named} is not known", remedy="Correct its name")
+    message = str(first["msg"])
+    return Refusal(
+        "settings-key-invalid",
+        f"{named} = {first['input']!r}",
+        f"{message[:1].lower()}{message[1:]}",
+    )
