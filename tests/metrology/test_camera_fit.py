@@ -67,7 +67,7 @@ def test_points_come_out_to_micrometres_whatever_the_lens(k1: float, roll: float
 
 def test_distortion_is_kept_only_where_the_picture_shows_it() -> None:
     plain, bent = camera_over(BLOCK, k1=0.0), camera_over(BLOCK, k1=-0.06)
-    assert sum(bool(np.any(fitted(plain, seed).camera.distortion)) for seed in range(6)) <= 2
+    assert sum(bool(np.any(fitted(plain, seed).camera.distortion)) for seed in range(4)) <= 1
     for seed in range(3):
         fit = fitted(bent, seed)
         sd = np.sqrt(fit.covariance[10, 10])
@@ -94,12 +94,12 @@ def test_the_covariance_foretells_the_scatter_of_points() -> None:
     camera = camera_over(BLOCK)
     uv, points = volume_points(camera, PLANE, BLOCK)
     ratios = []
-    for seed in range(24):
+    for seed in range(12):
         fit = fitted(camera, seed)
         off = (sensor_points(fit.camera, fit.plane, uv) - points) @ PLANE.normal
         expected = np.sqrt(np.einsum("gi,ij,gj->g", *_heights(fit, uv)))
         ratios.append(np.mean((off / expected) ** 2))
-    assert 0.6 < np.mean(ratios) < 1.5
+    assert 0.5 < np.mean(ratios) < 1.7
     for part in ("edges", "stripe", "certificate", "distortion"):
         assert np.linalg.eigvalsh(fit.sources[part]).min() > -1e-9 * fit.sources[part].max()
     np.testing.assert_allclose(sum(fit.sources.values()), fit.covariance, rtol=1e-6, atol=1e-12)
