@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+import re
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Self
 
@@ -11,6 +12,9 @@ from pydantic_core import PydanticCustomError
 from app.files.atomic import write_atomically
 from app.files.failures import files_refused, refusal_of_invalid
 from app.metrology.refusal import Refusal
+
+# no line break can stand within a text of JSON
+_NUMBERS = re.compile(r"\[\n\s+([-+.eE\d,\s]+?)\n\s+\]")
 
 
 def _as_number(value: object) -> object:
@@ -64,7 +68,9 @@ class Document(Part):
 
     def text(self) -> str:
         """The document as JSON text, ``format`` and ``version`` first."""
-        return json.dumps(self.fields(), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+        text = json.dumps(self.fields(), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+        # rows of numbers on one line each, for human readers
+        return _NUMBERS.sub(lambda row: f"[{', '.join(row[1].replace(',', ' ').split())}]", text)
 
     def fields(self) -> dict[str, Any]:
         """The document as plain values, ``format`` and ``version`` first."""

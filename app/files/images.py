@@ -82,7 +82,7 @@ def grey_png_size(path: Path) -> tuple[int, int]:
     if colour != 0:
         raise Refusal(
             "image-not-grey",
-            f"{path} is in colour",
+            f"{path} holds colour or transparency",
             "only a grey image tells how bright the laser's line was at a pixel",
             "Give the camera's own grey picture",
         )

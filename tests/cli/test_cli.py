@@ -304,9 +304,9 @@ def test_calibrate_refuses_a_bad_session_and_leaves_nothing(tmp_path: Path) -> N
     assert names_in(tmp_path) == before
 
 
-def process(*arguments: str | Path, cwd: Path) -> subprocess.Popen[str]:
+def process(*arguments: str | Path, cwd: Path, first: str = "") -> subprocess.Popen[str]:
     return subprocess.Popen(
-        [sys.executable, "-c", "from app.cli import main; main()", *map(str, arguments)],
+        [sys.executable, "-c", f"{first}from app.cli import main; main()", *map(str, arguments)],
         cwd=cwd,
         env={**os.environ, "PYTHONPATH": str(ROOT)},
         stdout=subprocess.PIPE,
@@ -320,6 +320,16 @@ def test_a_real_process_refuses_on_one_line_with_status_one(tmp_path: Path) -> N
         out, error = run.communicate(timeout=60)
     assert (run.returncode, out) == (1, "")
     assert error == "crenel: none.png: there is no such file or folder. Check the path.\n"
+
+
+def test_a_disk_that_takes_no_more_is_told(tmp_path: Path, scan: dict[str, Path]) -> None:
+    before = names_in(tmp_path)
+    limit = "import resource; resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000)); "
+    with process(*reconstruct_arguments(scan), cwd=tmp_path, first=limit) as run:
+        out, error = run.communicate(timeout=60)
+    assert (run.returncode, out) == (1, "")
+    assert re.fullmatch(r"crenel: (warning: .*\ncrenel: )?cloud\.ply: the disk's .*\n", error)
+    assert names_in(tmp_path) == before
 
 
 def test_help_imports_nothing_heavy(tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 import json
 from contextlib import suppress
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -241,6 +242,16 @@ def test_a_calibration_reads_back(tmp_path: Path) -> None:
     np.testing.assert_array_equal(back.T_flange_sensor, known.T_flange_sensor)
     assert (back.plane.offset_mm, back.stripe_axis) == (0.25, "u")
     assert back.serial_numbers == known.serial_numbers
+
+
+def test_documents_are_written_for_readers_too(tmp_path: Path) -> None:
+    path = tmp_path / "object.json"
+    odd = replace(BLOCK, name='[ 1, 2 ] [\n 3\n ] "4", -7e-05 [')
+    write_object(path, odd)
+    text = path.read_text()
+    assert text.startswith('{\n "format": "crenel/object",\n "version": 1,\n')
+    assert '"edges_x_mm": [-22.0, -14.0, -7.0, -2.0, 5.0, 10.0],\n' in text
+    assert read_object(path) == odd
 
 
 @pytest.mark.parametrize(
