@@ -72,7 +72,8 @@ class ArmView:
             tubes, hub = link_meshes(joint, float(radii[i]), float(radii[i + 1]))
             if tubes is not None:
                 add_mesh(self._server, f"{path}/tube", tubes, LINK)
-            add_mesh(self._server, f"{path}/hub", hub, HUB)
+            if i > 0:  # the first joint turns in the foot
+                add_mesh(self._server, f"{path}/hub", hub, HUB)
         self._flange = path
         self._add_probe(arm, float(radii[-1]))
 

@@ -41,11 +41,18 @@ class CloudView:
     _large: list[_Node] = field(default_factory=list)
     _origin_mm: Floats = field(default_factory=lambda: np.zeros(3))
     _range_mm: tuple[float, float] | None = None
+    _low_mm: Floats = field(default_factory=lambda: np.full(3, np.inf))
+    _high_mm: Floats = field(default_factory=lambda: np.full(3, -np.inf))
     _made: int = 0
 
     @property
     def shown(self) -> int:
         return self._voxels.count
+
+    @property
+    def bounds_mm(self) -> tuple[Floats, Floats]:
+        """Lowest and highest corner (3,) of what was ever added, in the arm frame."""
+        return self._low_mm, self._high_mm
 
     def clear(self) -> None:
         with self.server.atomic():
@@ -54,6 +61,7 @@ class CloudView:
         self._voxels = VoxelFilter(FIRST_VOXEL_MM)
         self._small, self._large = [], []
         self._range_mm = None
+        self._low_mm, self._high_mm = np.full(3, np.inf), np.full(3, -np.inf)
 
     def add(self, points_mm: Floats, intensity: Floats) -> None:
         """Shows those of the points (N, 3) that are the first in their cube."""
@@ -63,8 +71,10 @@ class CloudView:
             return
         if self._range_mm is None:
             self._place_origin(points_mm[new])
+        self._low_mm = np.minimum(self._low_mm, points_mm[new].min(axis=0))
+        self._high_mm = np.maximum(self._high_mm, points_mm[new].max(axis=0))
         with self.server.atomic():
-            self._widen_range(points_mm[new, 2])
+            self._widen_range()
             node = _Node(points_mm[new] - self._origin_mm, shade[new])
             self._show(node)
             self._small.append(node)
@@ -81,13 +91,11 @@ class CloudView:
         self._origin_mm = np.round(np.median(points_mm, axis=0))
         self.server.scene.add_frame("/cloud", show_axes=False, position=self._origin_mm * M_PER_MM)
 
-    def _widen_range(self, height_mm: Floats) -> None:
+    def _widen_range(self) -> None:
         """Keeps all heights within the colours' range; recolours when it had to grow."""
-        lowest, highest = float(height_mm.min()), float(height_mm.max())
-        if self._range_mm is not None:
-            if self._range_mm[0] <= lowest and highest <= self._range_mm[1]:
-                return
-            lowest, highest = min(lowest, self._range_mm[0]), max(highest, self._range_mm[1])
+        lowest, highest = float(self._low_mm[2]), float(self._high_mm[2])
+        if self._range_mm and self._range_mm[0] <= lowest and highest <= self._range_mm[1]:
+            return
         ahead = max(RANGE_AHEAD * (highest - lowest), SMALLEST_RANGE_MM / 2)
         self._range_mm = (lowest - ahead, highest + ahead)
         for node in (*self._small, *self._large):

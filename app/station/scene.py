@@ -14,10 +14,11 @@ import viser
 from app.metrology.arm import Arm, link_transforms
 from app.metrology.camera import Camera
 from app.metrology.crenellated import Crenellated
-from app.metrology.frames import Floats
+from app.metrology.frames import Floats, apply
 from app.metrology.laser_plane import LaserPlane
 from app.station.arm_view import ArmView
 from app.station.cloud_view import CloudView
+from app.station.eye import Eye
 from app.station.shapes import block_mesh, reach_mm
 from app.station.views import M_PER_MM, add_mesh, pose_of
 
@@ -27,7 +28,9 @@ FLUSH_S = 0.1
 # before its connection is given up (viser merges up to 128 by itself).
 WINDOW_MESSAGES = 4
 WAITING_POINTS = 2_000_000
-FIELD_OF_VIEW_RAD = np.radians(42.0)
+# The view is aimed again when the cloud has grown by this, and never nearer than that.
+CLOUD_GROWTH = 1.4
+SMALLEST_LOOK_MM = 70.0
 BLOCK_COLOUR = (176, 182, 190)
 
 
@@ -38,7 +41,9 @@ class Scene:
     """
 
     def __init__(self, point_budget: int = POINT_BUDGET, label: str = "Crenel") -> None:
-        self._server = _quiet(lambda: viser.ViserServer(host="127.0.0.1", port=0, label=label))
+        self._server = _quiet(
+            lambda: viser.ViserServer(host="127.0.0.1", port=0, label=label, verbose=False)
+        )
         self._server._websock_server._broadcast_buffer.max_window_size = WINDOW_MESSAGES
         self._lock = threading.RLock()
         self._waiting: list[tuple[Floats, Floats]] = []
@@ -49,7 +54,10 @@ class Scene:
         self._arm: ArmView | None = None
         self._arm_model: Arm | None = None
         self._block: viser.MeshHandle | None = None
+        self._seen_size_mm = 0.0
+        self._looked = False
         self._prepare()
+        self._eye = Eye(self._server)
         self._stopping = threading.Event()
         self._thread = threading.Thread(target=self._run, name="scene", daemon=True)
         self._thread.start()
@@ -73,6 +81,7 @@ class Scene:
         with self._lock:
             self._waiting, self._waiting_points = [], 0
             self._cloud.clear()
+            self._seen_size_mm = 0.0
 
     def add_points(self, xyz_mm: Floats, intensity: Floats) -> None:
         """Adds points (N, 3) of the arm frame with the stripe's intensity (N,).
@@ -94,8 +103,7 @@ class Scene:
             self._arm_model = arm
             self._arm = None if arm is None else ArmView(self._server, arm)
             self._q_rad = None
-            if arm is not None:
-                self._aim(arm)
+            self._looked = False
 
     def set_arm(self, q_rad: Sequence[float]) -> None:
         """The arm's encoder angles (n,); drawn at most ten times a second."""
@@ -146,33 +154,41 @@ class Scene:
         server.scene.configure_default_lights(enabled=True, cast_shadow=False)
         server.scene.add_grid(
             "/table",
-            width=3.0,
-            height=3.0,
-            cell_size=0.05,
-            cell_thickness=0.6,
-            cell_color=(128, 134, 142),
-            section_size=0.25,
-            section_thickness=1.0,
-            section_color=(110, 116, 124),
-            fade_distance=6.0,
+            width=2.0,
+            height=2.0,
+            cell_size=0.1,
+            cell_thickness=0.5,
+            cell_color=(150, 156, 164),
+            section_size=0.5,
+            section_thickness=0.8,
+            section_color=(134, 140, 148),
+            fade_distance=2.5,
+            fade_strength=1.5,
+            fade_from="origin",
             shadow_opacity=0.0,
         )
         server.scene.add_frame("/axes", axes_length=0.12, axes_radius=0.003, origin_radius=0.006)
-        server.initial_camera.fov = float(FIELD_OF_VIEW_RAD)
-        server.initial_camera.near = 0.005
-        server.initial_camera.far = 50.0
-        self._look(np.array([0.3, 0.0, 0.15]), 1.6)
 
-    def _aim(self, arm: Arm) -> None:
-        """The first look of a new tab: the arm and the place where its work is."""
-        reach = reach_mm(arm) * M_PER_MM
-        self._look(np.array([0.3 * reach, 0.0, 0.22 * reach]), 1.25 * reach)
+    def _look_at_arm(self, arm: Arm, links: Floats) -> None:
+        """Before there is a cloud: the arm from its foot to its tip."""
+        T_arm_flange = np.linalg.multi_dot(list(links))
+        joints = [np.zeros(3), apply(T_arm_flange, arm.tip.centre_mm[None])[0]]
+        T = np.eye(4)
+        for link in links:
+            T = T @ link
+            joints.append(T[:3, 3])
+        low, high = np.min(joints, axis=0), np.max(joints, axis=0)
+        radius_mm = 0.5 * float(np.linalg.norm(high - low)) + 0.06 * reach_mm(arm)
+        self._eye.look(M_PER_MM * (low + high) / 2, M_PER_MM * radius_mm)
 
-    def _look(self, at_m: Floats, distance_m: float) -> None:
-        direction = np.array([0.62, -0.68, 0.42])
-        direction /= np.linalg.norm(direction)
-        self._server.initial_camera.look_at = at_m
-        self._server.initial_camera.position = at_m + distance_m * direction
+    def _look_at_cloud(self) -> None:
+        """As the cloud grows: all of it, with some of the sensor over it."""
+        low, high = self._cloud.bounds_mm
+        size_mm = float(np.linalg.norm(high - low))
+        if size_mm > CLOUD_GROWTH * self._seen_size_mm:
+            self._seen_size_mm = size_mm
+            radius_mm = max(0.58 * size_mm, SMALLEST_LOOK_MM)
+            self._eye.look(M_PER_MM * (low + high) / 2, M_PER_MM * radius_mm)
 
     def _run(self) -> None:
         while not self._stopping.wait(FLUSH_S):
@@ -185,6 +201,8 @@ class Scene:
         if waiting:
             points = np.concatenate([points for points, _ in waiting])
             self._cloud.add(points, np.concatenate([intensity for _, intensity in waiting]))
+            if self._cloud.shown:
+                self._look_at_cloud()
 
     def _show_arm(self) -> None:
         arm, q_rad = self._arm, self._q_rad
@@ -193,7 +211,11 @@ class Scene:
         arm.set_laser(self._laser_on)
         if q_rad is not None and len(q_rad) == self._arm_model.joint_count:
             self._q_rad = None
-            arm.pose(link_transforms(self._arm_model, np.array([q_rad]))[:, 0])
+            links = link_transforms(self._arm_model, np.array([q_rad]))[:, 0]
+            arm.pose(links)
+            if not self._looked:
+                self._looked = True
+                self._look_at_arm(self._arm_model, links)
 
 
 def _quiet(make: Callable[[], viser.ViserServer]) -> viser.ViserServer:
