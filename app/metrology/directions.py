@@ -73,9 +73,7 @@ def plane_normals(lines: Floats, focal: float) -> Floats:
 
 
 @kernel
-def _score(
-    axes: Floats, focal: float, lines: Floats, weight: Floats, tangent: float
-) -> float:  # pragma: no cover - compiled
+def _score(axes: Floats, focal: float, lines: Floats, weight: Floats, tangent: float) -> float:
     """Length of the segments that point at one of three vanishing points."""
     total = 0.0
     for s in range(len(lines)):
@@ -94,7 +92,7 @@ def _score(
 @kernel
 def _try_triples(
     lines: Floats, weight: Floats, triples: NDArray[np.int64], focals: Floats, tangent: float
-) -> tuple[Floats, Floats]:  # pragma: no cover - compiled
+) -> tuple[Floats, Floats]:
     """Scores (F, T) and axes (F, T, 3, 3) of each focal length and triple of segments."""
     count = len(triples)
     scores = np.zeros((len(focals), count))

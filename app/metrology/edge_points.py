@@ -37,7 +37,7 @@ class Stations:
 @kernel
 def _room(
     uv: Floats, normal: Floats, part: NDArray[np.int64], ends: Floats, half_length: float
-) -> Floats:  # pragma: no cover - compiled
+) -> Floats:
     """Distances (N, 2) along and against each normal to the nearest other part (P, 4)."""
     room = np.full((len(uv), 2), np.inf)
     for i in range(len(uv)):
@@ -114,7 +114,7 @@ def stations(frame: Wireframe, camera: Camera, spacing_px: float, margin_px: flo
 
 
 @kernel
-def _bilinear(image: Floats, u: float, v: float) -> float:  # pragma: no cover - compiled
+def _bilinear(image: Floats, u: float, v: float) -> float:
     column, row = int(np.floor(u)), int(np.floor(v))
     if column < 0 or row < 0 or column >= image.shape[1] - 1 or row >= image.shape[0] - 1:
         return np.nan
@@ -128,7 +128,7 @@ def _bilinear(image: Floats, u: float, v: float) -> float:  # pragma: no cover -
 @kernel
 def _search(
     image: Floats, uv: Floats, normal: Floats, room: Floats, radius: float, half: int
-) -> Floats:  # pragma: no cover - compiled
+) -> Floats:
     """Per station: offset along the normal and slope (grey levels per pixel) of the steepest place.
 
     Rows of NaN where the picture has no value. The search stops halfway to the next edge.

@@ -67,7 +67,7 @@ def _gather(
     window is hidden, or out of the picture.
     """
     nu, nv = place[2], place[3]
-    reach = int(math.ceil(math.hypot(max(window[0], window[1]), window[2])))
+    reach = math.ceil(math.hypot(max(window[0], window[1]), window[2]))
     row0, col0 = int(np.rint(place[1])) - reach, int(np.rint(place[0])) - reach
     if row0 < 0 or col0 < 0:
         return -1, 0.0

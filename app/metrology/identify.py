@@ -14,10 +14,10 @@ from itertools import permutations
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.compiled import kernel
 from app.metrology.crenellated import Crenellated
 from app.metrology.directions import Directions, lengths, plane_normals
 from app.metrology.frames import Floats
+from app.metrology.voting import across_x, along_x
 
 # How far a segment may lie from the edge it votes for, over the picture's longer side.
 _NEAR = 0.008
@@ -110,7 +110,7 @@ def _vote(
     focal: float,
 ) -> list[tuple[Floats, float]]:
     """Camera centres (3,) in the object frame and the length of the segments that agree."""
-    along_x, along_y, along_z = families
+    along_x_axis, along_y_axis, along_z_axis = families
     depths = (block.front_y_mm, block.back_y_mm)
     levels = (block.crest_z_mm, block.floor_z_mm, block.base_z_mm)
     # The base's back edge is below and behind: never seen.
@@ -123,18 +123,16 @@ def _vote(
     )
     upright = np.array([(at, y) for at in x for y in depths])
     near_rad = _NEAR / focal
-    bearings, bearing_weight = _merged(seen_mm[along_x][:, 1:], weight[along_x], near_rad)
-    sides = np.vstack([seen_mm[along_y][:, [0, 2]], np.empty((0, 2))])
-    walls = np.vstack([seen_mm[along_z][:, :2], np.empty((0, 2))])
-    centres, scores = _place(
-        bearings,
-        bearing_weight,
-        ends,
-        sides,
-        weight[along_y],
+    bearings, bearing_weight = _merged(seen_mm[along_x_axis][:, 1:], weight[along_x_axis], near_rad)
+    places, votes = across_x(bearings, bearing_weight, ends, near_rad)
+    centres, scores = along_x(
+        places,
+        votes,
+        np.ascontiguousarray(seen_mm[along_y_axis][:, [0, 2]]),
+        weight[along_y_axis],
         across,
-        walls,
-        weight[along_z],
+        np.ascontiguousarray(seen_mm[along_z_axis][:, :2]),
+        weight[along_z_axis],
         upright,
         near_rad,
     )
@@ -158,108 +156,3 @@ def _merged(bearings: Floats, weight: Floats, near_rad: float) -> tuple[Floats, 
     best = np.argsort(-np.array(total))[:10]
     angles = np.array(kept)[best]
     return np.column_stack([np.cos(angles), np.sin(angles)]), np.array(total)[best]
-
-
-@kernel
-def _agreeing(
-    normals: Floats, weight: Floats, points: Floats, c0: float, c1: float, near_rad: float
-) -> float:  # pragma: no cover - compiled
-    """Length of the bearings that pass a point within ``near_rad``, seen from (c0, c1)."""
-    total = 0.0
-    for s in range(len(normals)):
-        n = normals[s]
-        best = near_rad
-        for p in range(len(points)):
-            d0, d1 = points[p, 0] - c0, points[p, 1] - c1
-            off = abs(n[0] * d0 + n[1] * d1) / np.sqrt(d0 * d0 + d1 * d1 + 1e-12)
-            best = min(best, off)
-        total += weight[s] * (1.0 - (best / near_rad) ** 2)
-    return total
-
-
-@kernel
-def _place(
-    bearings: Floats,
-    bearing_weight: Floats,
-    ends: Floats,
-    sides: Floats,
-    side_weight: Floats,
-    across: Floats,
-    walls: Floats,
-    wall_weight: Floats,
-    upright: Floats,
-    near_rad: float,
-) -> tuple[Floats, Floats]:  # pragma: no cover - compiled
-    """Candidate centres (K, 3) and their votes (K,); unused rows have none."""
-    keep = 48
-    flat = np.zeros((keep, 2))
-    flat_score = np.zeros(keep)
-    for a in range(len(bearings)):
-        for b in range(a + 1, len(bearings)):
-            na, nb = bearings[a], bearings[b]
-            det = na[0] * nb[1] - na[1] * nb[0]
-            if abs(det) < near_rad:
-                continue
-            for p in range(len(ends)):
-                for q in range(len(ends)):
-                    if p == q:
-                        continue
-                    ha = na[0] * ends[p, 0] + na[1] * ends[p, 1]
-                    hb = nb[0] * ends[q, 0] + nb[1] * ends[q, 1]
-                    cy, cz = (ha * nb[1] - hb * na[1]) / det, (na[0] * hb - nb[0] * ha) / det
-                    score = _agreeing(bearings, bearing_weight, ends, cy, cz, near_rad)
-                    worst, same = 0, -1
-                    for k in range(keep):
-                        if flat_score[k] < flat_score[worst]:
-                            worst = k
-                        apart = abs(flat[k, 0] - cy) + abs(flat[k, 1] - cz)
-                        if flat_score[k] > 0 and apart < 0.02 * (abs(cy) + abs(cz)):
-                            same = k
-                    slot = same if same >= 0 else worst
-                    if score > flat_score[slot]:
-                        flat_score[slot] = score
-                        flat[slot, 0], flat[slot, 1] = cy, cz
-    centres = np.zeros((keep * 3, 3))
-    scores = np.zeros(keep * 3)
-    spots = np.empty(len(sides) * len(across) + len(walls) * len(upright))
-    for k in range(keep):
-        if flat_score[k] <= 0:
-            continue
-        cy, cz = flat[k, 0], flat[k, 1]
-        n = 0
-        for s in range(len(sides)):
-            if abs(sides[s, 0]) > 1e-3:
-                for p in range(len(across)):
-                    spots[n] = across[p, 0] + sides[s, 1] / sides[s, 0] * (across[p, 1] - cz)
-                    n += 1
-        for s in range(len(walls)):
-            if abs(walls[s, 0]) > 1e-3:
-                for p in range(len(upright)):
-                    spots[n] = upright[p, 0] + walls[s, 1] / walls[s, 0] * (upright[p, 1] - cy)
-                    n += 1
-        # The densest places of the candidates, then their full count of votes.
-        order = np.sort(spots[:n])
-        reach = near_rad * np.sqrt(cy * cy + cz * cz)
-        for m in range(3):
-            best_count, best_at = 0, 0.0
-            last = 0
-            for first in range(n):
-                while last < n and order[last] - order[first] < 2 * reach:
-                    last += 1
-                at = order[(first + last - 1) // 2]
-                taken = False
-                for other in range(m):
-                    apart = abs(centres[3 * k + other, 0] - at)
-                    taken = taken or apart < 4 * reach
-                if not taken and last - first > best_count:
-                    best_count, best_at = last - first, at
-            if best_count == 0:
-                break
-            centre = centres[3 * k + m]
-            centre[0], centre[1], centre[2] = best_at, cy, cz
-            scores[3 * k + m] = (
-                flat_score[k]
-                + _agreeing(sides, side_weight, across, best_at, cz, near_rad)
-                + _agreeing(walls, wall_weight, upright, best_at, cy, near_rad)
-            )
-    return centres, scores

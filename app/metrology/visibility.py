@@ -19,6 +19,8 @@ from app.metrology.frames import Floats
 _BESIDE_RAD = 1e-6
 # Points nearer than this part of their distance lie on the surface, not behind it.
 _ON_SURFACE = 1e-7
+# Pieces shorter than this part of their edge are rounding.
+_SHORTEST = 1e-9
 
 
 @dataclass(frozen=True)
@@ -93,53 +95,110 @@ def wireframe(block: Crenellated) -> Wireframe:
 
 
 @kernel
-def _first_hit(
-    boxes: Floats, grooves: Floats, origin: Floats, along: Floats
-) -> tuple[float, int]:  # pragma: no cover - compiled
-    """Distance in units of ``along`` and region number of the first surface; inf and 0 if none."""
-    nearest, region = np.inf, 0
-    merlons = len(boxes) - 1
-    for b in range(len(boxes)):
-        box = boxes[b]
-        enter, leave, axis, high = -np.inf, np.inf, -1, False
-        for k in range(3):
-            low_side, high_side = box[2 * k] - origin[k], box[2 * k + 1] - origin[k]
-            if along[k] == 0.0:
-                if low_side > 0.0 or high_side < 0.0:
-                    leave = -np.inf
-                continue
-            near, far = low_side / along[k], high_side / along[k]
-            from_high = near > far
-            if from_high:
-                near, far = far, near
-            if near > enter:
-                enter, axis, high = near, k, from_high
-            leave = min(leave, far)
-        if axis < 0 or enter > leave or enter <= 0.0 or enter >= nearest:
+def _enter(box: Floats, origin: Floats, along: Floats) -> tuple[float, int]:
+    """Distance in units of ``along`` at which a ray enters a box, and through which side.
+
+    Sides are numbered as the box's limits are; inf where the ray misses it.
+    """
+    enter, leave, side = -np.inf, np.inf, 0
+    for k in range(3):
+        low, high = box[2 * k] - origin[k], box[2 * k + 1] - origin[k]
+        if along[k] == 0.0:
+            if low > 0.0 or high < 0.0:
+                return np.inf, 0
             continue
-        nearest = enter
-        if axis == 1:
-            region = 2 if high else 1
-        elif axis == 0:
-            merlon = b - 1 if b > 0 else (merlons - 1 if high else 0)
-            region = 4 + merlons + merlon + (merlons if high else 0)
-        elif not high:
-            region = 3
-        elif b > 0:
-            region = 4 + b - 1
-        else:
-            at_x = origin[0] + enter * along[0]
-            groove = 0
-            while groove < merlons - 2 and at_x > grooves[groove]:
-                groove += 1
-            region = 4 + 3 * merlons + groove
+        near, far = low / along[k], high / along[k]
+        from_high = near > far
+        if from_high:
+            near, far = far, near
+        if near > enter:
+            enter, side = near, 2 * k + (1 if from_high else 0)
+        leave = min(leave, far)
+    if enter > leave or enter <= 0.0:
+        return np.inf, 0
+    return enter, side
+
+
+@kernel
+def _region(box: int, side: int, merlons: int, grooves: Floats, at_x: float) -> int:
+    """The number of the region that a side of a box is, in the order of ``Wireframe.regions``."""
+    if side == 2:
+        return 1
+    if side == 3:
+        return 2
+    if side == 4:
+        return 3
+    if side < 2:
+        merlon = box - 1 if box > 0 else (merlons - 1 if side == 1 else 0)
+        return 4 + merlons + merlon + (merlons if side == 1 else 0)
+    if box > 0:
+        return 4 + box - 1
+    groove = 0
+    while groove < merlons - 2 and at_x > grooves[groove]:
+        groove += 1
+    return 4 + 3 * merlons + groove
+
+
+@kernel
+def first_hit(boxes: Floats, grooves: Floats, origin: Floats, along: Floats) -> tuple[float, int]:
+    """Distance in units of ``along`` and region number of the first surface; inf and 0 if none.
+
+    ``boxes`` and ``grooves`` as in ``Wireframe``; ``origin``, ``along``: (3,), object frame.
+    """
+    nearest, region = np.inf, 0
+    for b in range(len(boxes)):
+        distance, side = _enter(boxes[b], origin, along)
+        if distance < nearest:
+            nearest = distance
+            at_x = origin[0] + distance * along[0]
+            region = _region(b, side, len(boxes) - 1, grooves, at_x)
     return nearest, region
+
+
+@kernel
+def _cuts(starts: Floats, ends: Floats, centre: Floats, a: int, cuts: Floats) -> int:
+    """Fractions of edge ``a`` at which others cross it as seen from the centre; their number."""
+    a0, a1 = starts[a] - centre, ends[a] - centre
+    normal_a = np.cross(a0, a1)
+    cuts[0], cuts[1] = 0.0, 1.0
+    n = 2
+    for b in range(len(starts)):
+        b0, b1 = starts[b] - centre, ends[b] - centre
+        d0, d1 = (normal_a * b0).sum(), (normal_a * b1).sum()
+        if a == b or d0 * d1 > 0.0 or d0 == d1:
+            continue
+        normal_b = np.cross(b0, b1)
+        c0, c1 = (normal_b * a0).sum(), (normal_b * a1).sum()
+        if c0 * c1 > 0.0 or c0 == c1:
+            continue
+        at = c0 / (c0 - c1)
+        ray_a = a0 + at * (a1 - a0)
+        ray_b = b0 + d0 / (d0 - d1) * (b1 - b0)
+        if (ray_a * ray_b).sum() > 0.0:
+            cuts[n] = at
+            n += 1
+    return n
+
+
+@kernel
+def _beside(
+    boxes: Floats, grooves: Floats, centre: Floats, ray: Floats, normal: Floats
+) -> tuple[int, int]:
+    """Regions on either side of a point of an edge; twice the same where it is not seen."""
+    hit, _ = first_hit(boxes, grooves, centre, ray)
+    length = np.sqrt((normal**2).sum())
+    if hit < 1.0 - _ON_SURFACE or length == 0.0:
+        return 0, 0
+    aside = normal * (_BESIDE_RAD * np.sqrt((ray**2).sum()) / length)
+    _, one = first_hit(boxes, grooves, centre, ray + aside)
+    _, other = first_hit(boxes, grooves, centre, ray - aside)
+    return one, other
 
 
 @kernel
 def _seen(
     starts: Floats, ends: Floats, boxes: Floats, grooves: Floats, centre: Floats
-) -> tuple[NDArray[np.int64], Floats, NDArray[np.int64]]:  # pragma: no cover - compiled
+) -> tuple[NDArray[np.int64], Floats, NDArray[np.int64]]:
     """Edge numbers (N,), fractions (N, 2) and regions (N, 2) of all visible pieces."""
     count = len(starts)
     edge = np.empty(count * count, np.int64)
@@ -148,54 +207,26 @@ def _seen(
     found = 0
     cuts = np.empty(count + 2)
     for a in range(count):
-        a0, a1 = starts[a] - centre, ends[a] - centre
-        normal_a = np.cross(a0, a1)
-        length = np.sqrt((normal_a**2).sum())
-        if length == 0.0:
-            continue
-        cuts[0], cuts[1] = 0.0, 1.0
-        n = 2
-        for b in range(count):
-            b0, b1 = starts[b] - centre, ends[b] - centre
-            d0, d1 = (normal_a * b0).sum(), (normal_a * b1).sum()
-            if a == b or d0 * d1 > 0.0 or d0 == d1:
+        order = np.sort(cuts[: _cuts(starts, ends, centre, a, cuts)])
+        a0, along = starts[a] - centre, ends[a] - starts[a]
+        normal = np.cross(a0, a0 + along)
+        joined = False
+        for k in range(len(order) - 1):
+            if order[k + 1] - order[k] < _SHORTEST:
                 continue
-            normal_b = np.cross(b0, b1)
-            c0, c1 = (normal_b * a0).sum(), (normal_b * a1).sum()
-            if c0 * c1 > 0.0 or c0 == c1:
-                continue
-            at = c0 / (c0 - c1)
-            ray_a = a0 + at * (a1 - a0)
-            ray_b = b0 + d0 / (d0 - d1) * (b1 - b0)
-            if (ray_a * ray_b).sum() > 0.0:
-                cuts[n] = at
-                n += 1
-        order = np.sort(cuts[:n])
-        for k in range(n - 1):
-            if order[k + 1] - order[k] < 1e-9:
-                continue
-            ray = a0 + 0.5 * (order[k] + order[k + 1]) * (a1 - a0)
-            hit, _ = _first_hit(boxes, grooves, centre, ray)
-            if hit < 1.0 - _ON_SURFACE:
-                continue
-            aside = normal_a * (_BESIDE_RAD * np.sqrt((ray**2).sum()) / length)
-            _, one = _first_hit(boxes, grooves, centre, ray + aside)
-            _, other = _first_hit(boxes, grooves, centre, ray - aside)
+            ray = a0 + 0.5 * (order[k] + order[k + 1]) * along
+            one, other = _beside(boxes, grooves, centre, ray, normal)
             if one == other:
+                joined = False
                 continue
-            if (
-                found > 0
-                and edge[found - 1] == a
-                and span[found - 1][1] == order[k]
-                and sides[found - 1][0] == one
-                and sides[found - 1][1] == other
-            ):
-                span[found - 1][1] = order[k + 1]
+            if joined and sides[found - 1, 0] == one and sides[found - 1, 1] == other:
+                span[found - 1, 1] = order[k + 1]
                 continue
             edge[found] = a
-            span[found][0], span[found][1] = order[k], order[k + 1]
-            sides[found][0], sides[found][1] = one, other
+            span[found, 0], span[found, 1] = order[k], order[k + 1]
+            sides[found, 0], sides[found, 1] = one, other
             found += 1
+            joined = True
     return edge[:found].copy(), span[:found].copy(), sides[:found].copy()
 
 
@@ -238,7 +269,7 @@ def visible_corners(block: Crenellated, centre_mm: Floats) -> frozenset[str]:
     centre = np.ascontiguousarray(centre_mm, dtype=np.float64)
     names = []
     for name, point in corners(block).items():
-        hit, _ = _first_hit(frame.boxes_mm, frame.grooves_mm, centre, point - centre)
+        hit, _ = first_hit(frame.boxes_mm, frame.grooves_mm, centre, point - centre)
         if hit >= 1.0 - _ON_SURFACE:
             names.append(name)
     return frozenset(names)
