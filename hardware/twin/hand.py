@@ -28,7 +28,7 @@ from hardware.twin.world import Ball, Box, Comb, Scene, Shell, Thing
 LEAD_NS = 4_000_000
 CLEAR_MM = 3.0
 """From here the tip goes straight to the face, and back."""
-SETTLE_S, PRESS_S = 0.24, 0.05
+SETTLE_S, PRESS_S = 0.36, 0.05
 APPROACH_S, RETRACT_S = 0.09, 0.06
 HAND_MM_S, HAND_RAD_S = 260.0, 2.2
 SCAN_MM_S = 16.0
