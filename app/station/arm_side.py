@@ -97,7 +97,7 @@ class ArmSide:
         return self.mean_over(last_ns - int(window_s * 1e9), last_ns, "arm-moving")
 
     def mean_over(self, first_ns: int, last_ns: int, moved_code: str) -> JointMean:
-        """The mean between two stamps, judged still there and over at least 0.3 s before.
+        """The mean between two stamps, if the arm was still from the one to the other.
 
         Raises:
             Refusal: as ``average``, with ``moved_code`` where the arm moved.
@@ -116,7 +116,7 @@ class ArmSide:
                 remedy="choose the arm first",
             )
         window = ring.between(first_ns, last_ns)
-        moved = stillness(arm, ring.between(min(first_ns, last_ns - int(WINDOW_S * 1e9)), last_ns))
+        moved = stillness(arm, window)
         if len(window) < FEWEST_SAMPLES or moved is UNKNOWN:
             raise Refusal(
                 "no-joints",

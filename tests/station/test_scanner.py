@@ -1,0 +1,244 @@
+"""A scan on small devices: what is recorded, what is saved, and what is refused."""
+
+import asyncio
+import resource
+import shutil
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from app.files.calibration import Calibration, SerialNumbers
+from app.files.clouds import read_cloud
+from app.files.rebuild import rebuild
+from app.files.recording import open_recording
+from app.metrology.camera import Camera
+from app.metrology.frames import rigid, rotation_from_vector
+from app.metrology.laser_plane import LaserPlane
+from app.metrology.refusal import Refusal
+from app.station import scanner as scanning
+from app.station.bus import Bus
+from app.station.pipeline import ScanCalibration
+from app.station.rig import Rig
+from app.station.scanner import Scanner, ScanResult, ScanState
+from app.station.scene import Scene
+from tests.station.conftest import HEIGHT, REST_RAD, WIDTH, Bench, six_axis_arm, until
+
+
+def calibration() -> ScanCalibration:
+    matrix = np.array([[400.0, 0, WIDTH / 2], [0, 400.0, HEIGHT / 2], [0, 0, 1]])
+    tilt = np.radians(30)
+    return ScanCalibration(
+        id="c1",
+        name="first",
+        arm=six_axis_arm(),
+        camera=Camera(matrix, np.eye(3), np.zeros(3), WIDTH, HEIGHT),
+        plane=LaserPlane(np.array([0, -np.sin(tilt), np.cos(tilt)]), 150 * np.cos(tilt)),
+        T_flange_sensor=rigid(
+            rotation_from_vector(np.array([0.2, -0.1, 0.3])), np.array([5, 60, 90])
+        ),
+        stripe_axis="u",
+        arm_serial="A-1",
+        sensor_serial="S-1",
+        depth_range_mm=(120.0, 190.0),
+    )
+
+
+@pytest.fixture(scope="module")
+def scene() -> Iterator[Scene]:
+    scene = Scene(point_budget=50_000)
+    yield scene
+    scene.close()
+
+
+@pytest.fixture
+def scanner(bus: Bus, rig: Rig, scene: Scene, tmp_path: Path) -> Iterator[Scanner]:
+    scanner = Scanner(bus, rig, scene, tmp_path / "scans")
+    scanner.set_calibration(calibration())
+    until(lambda: rig.arm.stillness().still and rig.sensor.fresh)
+    yield scanner
+    scanner.close()
+
+
+def swing(seconds: float) -> np.ndarray:
+    return REST_RAD + 0.1 * np.sin(2 * seconds)
+
+
+def test_a_scan_is_recorded_saved_and_shown(
+    scanner: Scanner, bench: Bench, scene: Scene, tmp_path: Path
+) -> None:
+    """The recording, rebuilt, gives the very points that were saved live."""
+    bench.joints_at = swing
+    scan_id = scanner.start("bracket")
+    assert bench.laser_on
+    until(lambda: scanner.state().frames >= 40)
+    state = scanner.state()
+    assert (state.state, state.scan_id) == ("running", scan_id)
+    assert state.rate_points_s > 0
+    result = scanner.stop()
+    assert result is not None
+    assert not bench.laser_on
+    assert (result.name, result.calibration_id) == ("bracket", "c1")
+
+    folder = tmp_path / "scans" / scan_id
+    live = read_cloud(folder / "cloud.ply")
+    assert len(live.points_mm) == result.points == scanner.state().points
+    assert result.points > 40 * 0.9 * WIDTH
+    use = calibration()
+    serials = SerialNumbers(arm="A-1", sensor="S-1", object="B-1")
+    rebuilt = rebuild(
+        folder / "scan.mcap",
+        Calibration(use.camera, use.plane, use.T_flange_sensor, "u", serials),
+        use.arm,
+        tmp_path / "again.ply",
+    )
+    assert rebuilt.cut == ""
+    assert rebuilt.all_frames == result.frames
+    again = read_cloud(tmp_path / "again.ply")
+    np.testing.assert_allclose(again.points_mm, live.points_mm, atol=1e-6)
+    until(lambda: scene.points_shown > 1000)
+
+
+def test_frames_before_the_laser_came_on_give_no_points(scanner: Scanner, bench: Bench) -> None:
+    scanner.start("dark")
+    until(lambda: scanner.state().frames > 3)
+    frames = scanner.state().frames
+    bench.laser_on = False
+    until(lambda: scanner.state().rate_points_s == 0)
+    assert scanner.state().frames < frames + 10
+    assert scanner.stop() is not None
+
+
+def test_a_scan_is_told_to_whoever_listens(scanner: Scanner, bus: Bus) -> None:
+    async def scenario() -> tuple[ScanResult, list[ScanState]]:
+        loop = asyncio.get_running_loop()
+        bus.attach(loop)
+        finished: asyncio.Future[ScanResult] = loop.create_future()
+        scanner.on_finished = finished.set_result
+        states: list[ScanState] = []
+        with bus.subscribe(without={"devices"}) as reader:
+            await asyncio.to_thread(scanner.start, "told")
+            while not states or states[-1].points == 0:
+                states.append((await reader.next()).topics.get("scan", scanner.state()))
+            await asyncio.to_thread(scanner.stop)
+            return await asyncio.wait_for(finished, 5), states
+
+    result, states = asyncio.run(scenario())
+    assert result.points >= states[-1].points > 0
+    assert any(state.state == "running" for state in states)
+
+
+def test_losing_the_arm_keeps_the_scan_and_counts_its_frames(
+    scanner: Scanner, bench: Bench, rig: Rig
+) -> None:
+    scanner.start("lost arm")
+    until(lambda: scanner.state().points > 0)
+    bench.arm_plugged = False
+    until(lambda: scanner.state().frames_without_joints > 20)
+    assert any(finding.quality == "bad" for finding in scanner.state().findings)
+    points = scanner.state().points
+    bench.arm_plugged = True
+    until(lambda: scanner.state().points > points)
+    result = scanner.stop()
+    assert result is not None
+    assert result.frames > 20
+
+
+def test_losing_the_sensor_keeps_the_scan_and_its_laser(
+    scanner: Scanner, bench: Bench, rig: Rig
+) -> None:
+    scanner.start("lost sensor")
+    until(lambda: scanner.state().points > 0)
+    bench.sensor_plugged = False
+    until(lambda: not rig.sensor.fresh)
+    points = scanner.state().points
+    bench.sensor_plugged = True
+    until(lambda: scanner.state().points > points)
+    assert scanner.stop() is not None
+    assert not bench.laser_on
+
+
+def test_what_forbids_a_scan_is_said(scanner: Scanner, bench: Bench, rig: Rig) -> None:
+    cases = {
+        "wrong-arm": replace(calibration(), arm_serial="A-2"),
+        "wrong-sensor": replace(calibration(), sensor_serial="S-2"),
+        "wrong-image-size": replace(
+            calibration(), camera=replace(calibration().camera, width_px=640)
+        ),
+        "no-calibration": None,
+    }
+    for code, other in cases.items():
+        scanner.set_calibration(other)
+        with pytest.raises(Refusal) as refused:
+            scanner.start("no")
+        assert refused.value.code == code
+        assert scanner.state().state == "blocked"
+        assert scanner.state().why_not == refused.value.line
+    scanner.set_calibration(calibration())
+    bench.arm_plugged = False
+    until(lambda: not rig.arm.fresh)
+    with pytest.raises(Refusal, match="the arm is not connected"):
+        scanner.start("no")
+    assert not bench.laser_on
+
+
+def test_one_scan_at_a_time(scanner: Scanner) -> None:
+    scanner.start("one")
+    with pytest.raises(Refusal, match="a scan is running already"):
+        scanner.start("two")
+    assert scanner.stop() is not None
+    assert scanner.stop() is None
+
+
+def test_two_scans_in_one_second_have_folders_of_their_own(scanner: Scanner) -> None:
+    ids = set()
+    for _ in range(3):
+        ids.add(scanner.start(""))
+        scanner.stop()
+    assert len(ids) == 3
+
+
+def test_a_scan_without_a_point_is_saved_as_an_empty_cloud(scanner: Scanner, bench: Bench) -> None:
+    bench.stripe_row = -100.0
+    scanner.start("nothing there")
+    until(lambda: scanner.state().frames > 5)
+    result = scanner.stop()
+    assert result is not None
+    assert result.points == 0
+    assert (result.folder / "cloud.ply").exists()
+
+
+def test_a_full_disk_stops_the_scan_with_an_alarm_and_the_station_lives(
+    scanner: Scanner, rig: Rig, bus: Bus, tmp_path: Path, bench: Bench
+) -> None:
+    """A limit on the size of this process's files is as good as a full disk."""
+    bench.frame_period_s = 0.003
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (1_500_000, hard))
+    try:
+        scan_id = scanner.start("full")
+        until(lambda: scanner.state().state not in ("running", "stopping"), 20)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+    state = scanner.state()
+    assert any("The scan stopped" in finding.text for finding in state.findings)
+    assert not bench.laser_on
+    folder = tmp_path / "scans" / scan_id
+    assert not list(folder.glob("*.part")), "nothing half-written is left"
+    assert sum(1 for _ in open_recording(folder / "scan.mcap").records()) > 100
+    assert rig.arm.fresh
+    scanner.start("after")
+    until(lambda: scanner.state().points > 0)
+    assert scanner.stop() is not None
+
+
+def test_too_little_room_refuses_before_anything_moves(
+    scanner: Scanner, bench: Bench, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(scanning, "START_FREE_BYTES", shutil.disk_usage(tmp_path).total)
+    with pytest.raises(Refusal) as refused:
+        scanner.start("no room")
+    assert refused.value.code == "disk-full"
+    assert not bench.laser_on
