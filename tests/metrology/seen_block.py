@@ -73,12 +73,12 @@ def _levels(block: Crenellated) -> list[tuple[int, float]]:
 def edges_seen(
     camera: Camera, block: Crenellated, rng: np.random.Generator, sd_px: float
 ) -> list[EdgePoints]:
-    """A point every five pixels of each visible edge, its deviation across the edge ``sd_px``."""
+    """A point every eight pixels of each visible edge, its deviation across the edge ``sd_px``."""
     seen = []
     for part in visible_parts(block, camera.centre_mm):
         ends = project(camera, np.array([part.start_mm, part.end_mm]))
         length = float(np.linalg.norm(ends[1] - ends[0]))
-        share = np.arange(8.0, length - 8.0, 5.0) / length
+        share = np.arange(8.0, length - 8.0, 8.0) / length
         if len(share) < 4:
             continue
         uv = project(camera, part.start_mm + share[:, None] * (part.end_mm - part.start_mm))
