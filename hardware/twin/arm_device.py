@@ -129,7 +129,7 @@ class ArmDevice:
                 self._line.plug_in()
             self._answer(self._line.poll())
             now = now_ns()
-            due = int((now - start_ns) / period_ns)
+            due = int((now - start_ns) / period_ns) + 1  # those latched by now
             if now - start_ns - taken * period_ns > CATCH_UP_NS:
                 self._sequence += due - taken
                 taken = due

@@ -32,7 +32,7 @@ class Detector:
     """Variance of the shot noise per digit of signal; 0 for none."""
     blur_px: float = 0.7
     """Sigma of the lens' point spread."""
-    speckle_contrast: float = 0.3
+    speckle_contrast: float = 0.17
     speckle_px: float = 0.9
     """Sigma of the field filter that makes the grains; they are about twice as wide."""
     bits: int = 8

@@ -32,12 +32,14 @@ from hardware.twin.noise import (
     speckle_tile,
     speckled,
 )
-from hardware.twin.tracing import bundle
+from hardware.twin.tracing import Ints, bundle
 from hardware.twin.world import Scene, shape_rows
 
 FINE, COARSE = 89, 13
 """Rays over a pixel at an edge: for measuring, and for a preview while things move."""
 FAN_RAYS = 1500
+SPARE_RAD = 0.15
+"""Added to the field of view and to the laser's fan when things out of sight are left out."""
 SPECKLE_PER_MM = np.array([[23.0, 7.0, 31.0], [11.0, 29.0, 17.0]])
 """Pixels that the speckle wanders as the sensor moves."""
 
@@ -63,6 +65,8 @@ class Renderer:
         self._grain = grain_tile(np.random.default_rng(seed + 1))
         self._speckle = speckle_tile(detector, np.random.default_rng(seed + 2))
         self._lines = sight_lines(optics)
+        corner = float(np.arctan(np.linalg.norm(self._lines, axis=2).max()))
+        self._view_rad = max(corner, sheet.half_angle_rad) + SPARE_RAD
         self._allocate(optics.height_px, optics.width_px)
         self._room: tuple[Floats, int, Image] | None = None
         self._stripe: tuple[Floats, Image, int, int] | None = None
@@ -88,18 +92,30 @@ class Renderer:
         scale = 2.0 ** (d.bits - 8)
         return np.array([d.dark_dn, haze, d.read_dn, d.shot_dn, 256.0 - 1.0 / scale, scale])
 
-    def _into_things(self, T_arm_sensor: Floats) -> Floats:
-        """(K, 4, 4): the camera's frame into each thing's."""
+    def _things_in_view(self, T_arm_sensor: Floats) -> tuple[Ints, Floats, Floats]:
+        """Kinds, rows, and (K, 4, 4) the camera's frame into each thing's.
+
+        Only of things that the camera may see or that may stand in the laser's way.
+        """
         T_arm_cam = T_arm_sensor @ np.linalg.inv(self.optics.T_cam_sensor)
-        return np.stack([np.linalg.inv(thing.T_arm_obj) @ T_arm_cam for thing in self.scene.things])
+        into = [np.linalg.inv(thing.T_arm_obj) @ T_arm_cam for thing in self.scene.things]
+        _, emitter, _, _ = self._sheet_in_camera
+        middle = np.array([0.0, 0.0, np.linalg.norm(self.optics.centre_mm)])
+        near = []
+        for k, (T, row) in enumerate(zip(into, self._rows, strict=True)):
+            centre = T[:3, :3].T @ (row[:3] - T[:3, 3])
+            eyes = (np.zeros(3), emitter)
+            if any(_off_axis(eye, middle, centre, row[3]) < self._view_rad for eye in eyes):
+                near.append(k)
+        return self._kinds[near], self._rows[near], np.stack([into[k] for k in near])
 
     def room_light(self, T_arm_sensor: Floats, rays: int = FINE) -> Image:
         """(H, W) light of the room with 1 for a bright face, lens blur included, no noise."""
         kept = self._room
         if kept is not None and kept[1] >= rays and np.array_equal(kept[0], T_arm_sensor):
             return kept[2]
-        into = self._into_things(T_arm_sensor)
-        eyes = bundle(into, self._rows, np.zeros(3))
+        kinds, rows, into = self._things_in_view(T_arm_sensor)
+        eyes = bundle(into, rows, np.zeros(3))
         light = self.scene.light
         towards = np.array(light.direction) / np.linalg.norm(light.direction)
         in_cam = self.optics.T_cam_sensor[:3, :3] @ towards
@@ -107,7 +123,7 @@ class Renderer:
         look = np.array([light.directed, light.ambient, light.groove_shade, light.texture])
         codes = np.empty(self._lines.shape[:2], dtype=np.int32)
         wide = np.empty(self._lines.shape[:2], dtype=np.float32)
-        scene = (self._kinds, self._rows, eyes, lights, look, self._grain, codes, wide)
+        scene = (kinds, rows, eyes, lights, look, self._grain, codes, wide)
         cast_room(self._lines, *scene)
         refine_room(self._lines, lattice(rays), *scene)
         image = self._blurred(wide)[1:-1, 1:-1].copy()
@@ -122,10 +138,10 @@ class Renderer:
         kept = self._stripe
         if kept is not None and np.array_equal(kept[0], T_arm_sensor):
             return kept[1:]
-        into = self._into_things(T_arm_sensor)
+        kinds, rows, into = self._things_in_view(T_arm_sensor)
         fan, emitter, sheet, lens = self._sheet_in_camera
-        eyes, lamps = bundle(into, self._rows, np.zeros(3)), bundle(into, self._rows, emitter)
-        shapes = (self._kinds, self._rows)
+        eyes, lamps = bundle(into, rows, np.zeros(3)), bundle(into, rows, emitter)
+        shapes = (kinds, rows)
         angles = np.linspace(-self.sheet.half_angle_rad, self.sheet.half_angle_rad, FAN_RAYS)
         landed = trace_fan(angles, fan, emitter, sheet, lens, *shapes, lamps)
         count = band_around(landed, self._laser_codes, self._band)
@@ -219,3 +235,13 @@ class Renderer:
             lit = light[first:last] * np.float32(laser * detector.stripe_dn)
             digitise(lit, self._pool, offsets[first:last], self._numbers(0.0), out[first:last])
         return out
+
+
+def _off_axis(eye: Floats, target: Floats, centre: Floats, radius: float) -> float:
+    """Angle in rad between the line from an eye to a target and the nearest of a ball."""
+    line, way = target - eye, centre - eye
+    distance = float(np.linalg.norm(way))
+    if distance <= radius:
+        return 0.0
+    cosine = float(line @ way) / float(np.linalg.norm(line)) / distance
+    return float(np.arccos(np.clip(cosine, -1.0, 1.0)) - np.arcsin(radius / distance))

@@ -6,6 +6,7 @@ knows.
 """
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -17,6 +18,7 @@ from hardware.twin.contact import FACES, contact_pose, contact_spot
 from hardware.twin.kinematics import (
     ArmModel,
     Floats,
+    UnreachableError,
     imperfect,
     reach,
     rotation_about,
@@ -41,6 +43,8 @@ from hardware.twin.variety import (
     sensor_for,
 )
 from hardware.twin.world import Comb, Light, Scene, Shape, Thing, table
+
+TRIES = 20
 
 
 @dataclass(frozen=True)
@@ -186,14 +190,25 @@ def _take_images(
     rows: list[list[object]] = []
     q = np.zeros(rig.arm.joint_count)
     for pose in range(plan.poses):
-        T_arm_sensor = sensor_over(rig, rng, 1.0 if pose == 0 else 3.0)
-        q = reach(rig.arm, T_arm_sensor @ np.linalg.inv(rig.T_flange_sensor), q, rng)
+        T_arm_sensor, q = _holding(rig, 1.0 if pose == 0 else 3.0, q, rng)
         degrees = np.degrees(_reported(rig, plan, q, rng)).tolist()
         for lighting, room, laser in kinds:
             name = f"images/pose{pose:02d}_{lighting}.png"
             cv2.imwrite(str(folder / name), renderer.picture(T_arm_sensor, room, laser))
             rows.append([pose, name, lighting, *degrees])
     return rows
+
+
+def _holding(
+    rig: Rig, spread: float, q_rad: Floats, rng: np.random.Generator
+) -> tuple[Floats, Floats]:
+    """A sensor pose over the block, and joint angles for it."""
+    for _ in range(TRIES):
+        T_arm_sensor = sensor_over(rig, rng, spread)
+        with suppress(UnreachableError):
+            target = T_arm_sensor @ np.linalg.inv(rig.T_flange_sensor)
+            return T_arm_sensor, reach(rig.arm, target, q_rad, rng)
+    raise UnreachableError("the arm cannot hold the sensor over the block")
 
 
 def _probe(rig: Rig, plan: SessionPlan, rng: np.random.Generator) -> list[list[object]]:
@@ -204,10 +219,20 @@ def _probe(rig: Rig, plan: SessionPlan, rng: np.random.Generator) -> list[list[o
         for i in range(plan.contacts_per_face):
             spot = contact_spot(rig.block, face, i, radius, rng)
             gap = radius + float(rng.normal(0.0, plan.contact_sd_mm))
-            target = contact_pose(rig.arm, rig.T_arm_obj, face, spot, gap, rng)
-            q = reach(rig.arm, target, q, rng)
+            q = _touching(rig, face, spot, gap, q, rng)
             rows.append([face, *np.degrees(_reported(rig, plan, q, rng)).tolist()])
     return rows
+
+
+def _touching(
+    rig: Rig, face: str, spot: Floats, gap_mm: float, q_rad: Floats, rng: np.random.Generator
+) -> Floats:
+    """Joint angles with the ball on a spot; holds the stylus otherwise where out of reach."""
+    for _ in range(TRIES):
+        target = contact_pose(rig.arm, rig.T_arm_obj, face, spot, gap_mm, rng)
+        with suppress(UnreachableError):
+            return reach(rig.arm, target, q_rad, rng, attempts=12)
+    raise UnreachableError(f"the arm cannot touch the {face} face at {spot.round(1).tolist()}")
 
 
 def truth_of(rig: Rig) -> Paper:

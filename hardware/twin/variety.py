@@ -178,7 +178,7 @@ def sensor_for(
 
 def random_place(rng: np.random.Generator, yaw_rad: float = 0.7) -> Floats:
     """``T_arm_obj`` (4, 4) of a block on a table within an arm's comfortable reach."""
-    bearing, distance = rng.uniform(-0.5, 0.6), rng.uniform(420.0, 560.0)
+    bearing, distance = rng.uniform(-0.5, 0.6), rng.uniform(480.0, 640.0)
     place = translation(
         float(distance * np.cos(bearing)),
         float(distance * np.sin(bearing)),
