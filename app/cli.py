@@ -97,9 +97,9 @@ def demo(
     open_browser: Open = True,
 ) -> None:
     """The whole station on simulated hardware, in the browser."""
-    from app import main as station
+    from app.main import demo as run_demo
 
-    station.demo(data, host, port, open_browser)
+    run_demo(data, host, port, open_browser)
 
 
 @cli.command()
@@ -114,9 +114,9 @@ def serve(
     open_browser: Open = False,
 ) -> None:
     """The station on real hardware."""
-    from app import main as station
+    from app.main import serve as run_serve
 
-    station.serve(config, data, host, port, open_browser)
+    run_serve(config, data, host, port, open_browser)
 
 
 @cli.command()

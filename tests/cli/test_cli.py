@@ -4,6 +4,7 @@ import json
 import os
 import re
 import signal
+import socket
 import subprocess
 import sys
 import time
@@ -371,3 +372,27 @@ def test_an_interrupted_job_leaves_nothing(
     assert out == ""
     assert "Traceback" not in error
     assert names_in(tmp_path) == before
+
+
+def test_serve_refuses_what_it_cannot_start(tmp_path: Path) -> None:
+    config = tmp_path / "station.toml"
+    assert "station.toml" in refused("serve", "--config", config)
+    config.write_text('[arm]\ndriver = "none-such"\n[sensor]\ndriver = "opencv"\n')
+    assert "none-such" in refused("serve", "--config", config)
+    config.write_text("[arm\n")
+    assert "station.toml" in refused("serve", "--config", config)
+
+
+def test_serve_refuses_a_busy_port(tmp_path: Path) -> None:
+    (tmp_path / "pictures").mkdir()
+    config = tmp_path / "station.toml"
+    config.write_text(
+        '[station]\ndata = "data"\n'
+        '[arm]\ndriver = "serial-encoder"\nurl = "socket://127.0.0.1:9"\n'
+        f'[sensor]\ndriver = "folder"\npath = "{tmp_path / "pictures"}"\n'
+    )
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        port = str(taken.getsockname()[1])
+        assert port in refused("serve", "--config", config, "--port", port)
