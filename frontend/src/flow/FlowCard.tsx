@@ -1,7 +1,7 @@
 import { useEffect, useRef } from "react";
 
 import { sendFlow } from "../api/commands";
-import type { FlowView, LiveNumber, Picture } from "../api/types";
+import type { Finding, FlowView, LiveNumber, Picture } from "../api/types";
 import { Actions } from "../parts/Actions";
 import { BigNumber } from "../parts/BigNumber";
 import { CardHead } from "../parts/CardHead";
@@ -14,6 +14,12 @@ import { Verdict } from "./Verdict";
 function withoutEcho(number: LiveNumber, picture: Picture): LiveNumber {
   const echo = picture.kind === "result" && number.note === picture.result.verdict_text;
   return echo ? { ...number, note: "" } : number;
+}
+
+/** A finding that only repeats why an act is not possible is said there. */
+function withoutReasons({ findings, actions }: FlowView): Finding[] {
+  const told = new Set(actions.filter(({ enabled }) => !enabled).map(({ why_not }) => why_not));
+  return findings.filter(({ text }) => !told.has(text));
 }
 
 /** What to do in this step: the server's words, number, progress and allowed acts. */
@@ -36,8 +42,9 @@ export function FlowCard({ view }: { view: FlowView }) {
       {view.number && <BigNumber number={withoutEcho(view.number, view.picture)} />}
       {view.progress && <Progress {...view.progress} />}
       {view.busy && <Busy key={view.busy.text} {...view.busy} />}
-      <Actions actions={view.actions} onAct={(action) => sendFlow(action.name, action.args)} />
-      <Findings findings={view.findings} />
+      <Actions actions={view.actions} onAct={(action) => sendFlow(action.name, action.args)}>
+        <Findings findings={withoutReasons(view)} />
+      </Actions>
     </>
   );
 }

@@ -32,11 +32,12 @@ export function ScanPage() {
             number={{ label: "Points", value: scan.points, unit: "", decimals: 0, quality: "neutral", note: shown(scan) }}
           />
           <ScanFigures scan={scan} />
-          <Actions actions={actionsOf(scan, hasHand)} onAct={act} />
-          {scan.state === "idle" && scan.scan_id && scan.points > 0 && (
-            <Download href={`/api/scans/${scan.scan_id}/cloud.ply`}>Save as PLY</Download>
-          )}
-          <Findings findings={scan.findings} />
+          <Actions actions={actionsOf(scan, hasHand)} onAct={act}>
+            {scan.state === "idle" && scan.scan_id && scan.points > 0 && (
+              <Download href={`/api/scans/${scan.scan_id}/cloud.ply`}>Save as PLY</Download>
+            )}
+            <Findings findings={scan.findings} />
+          </Actions>
         </>
       }
     />

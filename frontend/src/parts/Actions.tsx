@@ -1,4 +1,4 @@
-import { useId } from "react";
+import { type ReactNode, useId } from "react";
 
 import type { Action } from "../api/types";
 import { ActionButton } from "./ActionButton";
@@ -8,10 +8,15 @@ import { bound } from "./format";
 interface ActionsProps {
   actions: Action[];
   onAct: (action: Action) => Promise<void>;
+  /** What belongs between the main act and the others. */
+  children?: ReactNode;
 }
 
-/** What may be done now: one primary act, the others below; disabled ones say why beside them. */
-export function Actions({ actions, onAct }: ActionsProps) {
+/**
+ * What may be done now. The main act stands where the eye is; the others keep to the foot of the
+ * card, so that nothing that comes and goes moves them; disabled ones say why above them.
+ */
+export function Actions({ actions, onAct, children }: ActionsProps) {
   const id = useId();
   const primary = actions.filter((action) => action.primary);
   const others = actions.filter((action) => !action.primary);
@@ -28,18 +33,19 @@ export function Actions({ actions, onAct }: ActionsProps) {
           <ActionButton action={action} onAct={onAct} />
         </div>
       ))}
-      {others.length > 0 && (
+      {children}
+      <div className={styles.foot}>
+        {reasons.map(({ why, labels }, i) => (
+          <p key={why} id={`${id}${i}`} className={styles.why}>
+            <strong>{labels.join(", ")}:</strong> {bound(why)}
+          </p>
+        ))}
         <div className={styles.others}>
           {others.map((action) => (
             <ActionButton key={keyOf(action)} action={action} onAct={onAct} describedBy={idOf(action.why_not)} />
           ))}
         </div>
-      )}
-      {reasons.map(({ why, labels }, i) => (
-        <p key={why} id={`${id}${i}`} className={styles.why}>
-          <strong>{labels.join(", ")}:</strong> {bound(why)}
-        </p>
-      ))}
+      </div>
     </div>
   );
 }
