@@ -1,17 +1,20 @@
 """What the simulated hand does for the operator: a step's whole job, or all up to the review."""
 
+import time
 from collections.abc import Callable
 
 from app.guide import works
 from app.guide.confirming import confirm
 from app.guide.guide import Guide
 from app.guide.hand import Hand
+from app.guide.steps_picture import FEWEST_CORNERS
 from app.guide.touching import TITLES, wanted_on
 from app.metrology.crenellated import FACES
 from app.metrology.refusal import Refusal
 from app.station.jobs import Progress
 
 TIMEOUT_S = 4.0
+VIEW_TIMEOUT_S = 10.0
 ATTEMPTS = 3
 
 
@@ -33,10 +36,19 @@ def hand_work(guide: Guide, hand: Hand, whole: bool) -> Callable[[Progress], Non
 
 def _confirm(guide: Guide, name: str) -> None:
     """Goes on as the operator would, by the same rules; not once the hand was stopped."""
+    _await(guide, lambda: _possible(guide, name), TIMEOUT_S)
     with guide.lock:
         if guide.hand_running:
             guide.refuse_unless_possible(name, {}, None, by_hand=True)
             confirm(guide, name, None)
+
+
+def _possible(guide: Guide, name: str) -> bool:
+    try:
+        guide.refuse_unless_possible(name, {}, None, by_hand=True)
+    except Refusal:
+        return False
+    return True
 
 
 def _devices(guide: Guide, hand: Hand, progress: Progress) -> None:
@@ -90,8 +102,8 @@ def _await_point(guide: Guide, before: int, declined: int) -> bool:
 def _place(guide: Guide, hand: Hand, progress: Progress) -> None:
     progress("The hand holds the sensor over the object", 0.2)
     if hand.hold_over_object():
-        progress("The hand holds still", 0.9)
-        _await_still(guide)
+        progress("The hand holds still", 0.8)
+        _await(guide, lambda: _object_in_view(guide), VIEW_TIMEOUT_S)
         _confirm(guide, "confirm_place")
 
 
@@ -99,20 +111,28 @@ def _capture(guide: Guide, hand: Hand, progress: Progress) -> None:
     if guide.state.picture is not None:
         _confirm(guide, "keep_picture")
         return
-    _await_still(guide)
+    _await(guide, lambda: _ready_to_capture(guide), TIMEOUT_S)
     works.capture(guide, progress)
+
+
+def _object_in_view(guide: Guide) -> bool:
+    return _ready_to_capture(guide) and guide.live().corners_seen >= FEWEST_CORNERS
+
+
+def _ready_to_capture(guide: Guide) -> bool:
+    rig = guide.station.rig
+    return rig.arm.stillness().still and rig.sensor.fresh
 
 
 def _solve(guide: Guide, hand: Hand, progress: Progress) -> None:
     works.calibrate(guide, progress)
 
 
-def _await_still(guide: Guide) -> None:
-    """Waits a little for the arm to come to rest; what follows judges it anew."""
+def _await(guide: Guide, ready: Callable[[], bool], timeout_s: float) -> None:
+    """Waits a little for the station to be ready; what follows judges it anew."""
+    deadline_s = time.monotonic() + timeout_s
     with guide.changed:
-        for _ in range(int(TIMEOUT_S / 0.1)):
-            if guide.station.rig.arm.stillness().still or not guide.hand_running:
-                return
+        while guide.hand_running and not ready() and time.monotonic() < deadline_s:
             guide.changed.wait(0.1)
 
 

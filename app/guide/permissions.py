@@ -152,9 +152,7 @@ def _back(state: CalibrationState, live: Live, args: Args) -> str:
 
 
 def _hand(state: CalibrationState, live: Live, args: Args) -> str:
-    if not live.has_hand:
-        return "There is no simulated hand on real devices."
-    return _devices(state, live, args)
+    return "" if live.has_hand else "There is no simulated hand on real devices."
 
 
 RULES: dict[str, Rule] = {
