@@ -1,4 +1,4 @@
-import { notify } from "../state/notices";
+import { clearNotice, notify } from "../state/notices";
 import { getState, putFlow, setState } from "../state/store";
 import { NoAnswer, post, Refused } from "./http";
 import type { FlowCommand, FlowView, Problem, ScanState } from "./types";
@@ -45,6 +45,7 @@ export async function sendFlow(name: string, args: Record<string, unknown>): Pro
   const rev = getState().flow?.rev ?? 0;
   try {
     const view = await postFlow({ name, args, rev, key: newKey() });
+    clearNotice();
     if (view) putFlow(view);
   } catch (error) {
     if (error instanceof Refused && error.problem.status === 409 && error.problem.view) {
@@ -59,6 +60,7 @@ export async function sendFlow(name: string, args: Record<string, unknown>): Pro
 export async function startFlow(): Promise<void> {
   try {
     const view = await post<FlowView>("/api/flow/start");
+    clearNotice();
     if (view) putFlow(view);
   } catch (error) {
     tell(error, "the calibration was not started");
@@ -68,6 +70,7 @@ export async function startFlow(): Promise<void> {
 async function scanCommand(path: string, body: unknown, whatWas: string): Promise<void> {
   try {
     const scan = await post<ScanState>(path, body);
+    clearNotice();
     if (scan && "state" in scan) setState({ scan });
   } catch (error) {
     tell(error, whatWas);

@@ -16,9 +16,10 @@ function withoutEcho(number: LiveNumber, picture: Picture): LiveNumber {
   return echo ? { ...number, note: "" } : number;
 }
 
-/** A finding that only repeats why an act is not possible is said there. */
-function withoutReasons({ findings, actions }: FlowView): Finding[] {
+/** A finding that only repeats the verdict, or why an act is not possible, is said there. */
+function withoutEchoes({ findings, actions, picture }: FlowView): Finding[] {
   const told = new Set(actions.filter(({ enabled }) => !enabled).map(({ why_not }) => why_not));
+  if (picture.kind === "result") told.add(picture.result.verdict_text);
   return findings.filter(({ text }) => !told.has(text));
 }
 
@@ -43,7 +44,7 @@ export function FlowCard({ view }: { view: FlowView }) {
       {view.progress && <Progress {...view.progress} />}
       {view.busy && <Busy key={view.busy.text} {...view.busy} />}
       <Actions actions={view.actions} onAct={(action) => sendFlow(action.name, action.args)}>
-        <Findings findings={withoutReasons(view)} />
+        <Findings findings={withoutEchoes(view)} />
       </Actions>
     </>
   );

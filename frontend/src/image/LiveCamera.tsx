@@ -6,6 +6,7 @@ import type { PreviewHeader } from "../api/types";
 import { age, figures } from "../parts/format";
 import { QualityMark } from "../parts/QualityMark";
 import { Readouts } from "../parts/Readouts";
+import { useLive } from "../state/store";
 import styles from "./LiveCamera.module.css";
 import { drawOverlay } from "./overlay";
 
@@ -77,9 +78,13 @@ function useAge(newest: { current: number }): number {
   return age_s;
 }
 
-/** What the newest picture is worth, in figures, and what is wrong with it, in words. */
+/** What the newest picture is worth, in figures, and what is wrong with it beyond the card's findings. */
 function Panel({ header, old_s }: { header: PreviewHeader; old_s: number | null }) {
-  const wrong = header.findings.filter(({ quality }) => quality === "attention" || quality === "bad");
+  const told = useLive((s) => s.flow?.findings);
+  const wrong = header.findings.filter(
+    ({ quality, text }) =>
+      (quality === "attention" || quality === "bad") && !told?.some((finding) => finding.text === text),
+  );
   return (
     <>
       {wrong.length > 0 && (

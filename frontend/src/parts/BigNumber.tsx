@@ -18,7 +18,9 @@ export function BigNumber({ number }: { number: LiveNumber }) {
         {shown}
         {number.value !== null && <span className={styles.unit}>{number.unit}</span>}
       </div>
-      <div className={styles.note}>{live ? number.note : `${age(silent_s)} old`}</div>
+      {(number.note || !live) && (
+        <div className={styles.note}>{live ? number.note : `${age(silent_s)} old`}</div>
+      )}
     </div>
   );
 }

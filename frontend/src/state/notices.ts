@@ -21,6 +21,11 @@ export function notify(
   if (lasts_ms) setTimeout(() => dismiss(id), lasts_ms);
 }
 
+/** What was told of an earlier act is over once a later one has succeeded. */
+export function clearNotice(): void {
+  setState({ notice: null });
+}
+
 export function dismiss(id: number): void {
   if (getState().notice?.id === id) setState({ notice: null });
 }
