@@ -6,6 +6,7 @@ reached only through the station's own server. It is a preview, never the record
 
 import threading
 from collections.abc import Callable, Sequence
+from typing import TypeVar
 
 import numpy as np
 import rich
@@ -21,6 +22,8 @@ from app.station.cloud_view import CloudView
 from app.station.eye import Eye
 from app.station.shapes import block_mesh, reach_mm
 from app.station.views import M_PER_MM, add_mesh, pose_of
+
+T = TypeVar("T")
 
 POINT_BUDGET = 3_000_000
 FLUSH_S = 0.1
@@ -74,7 +77,7 @@ class Scene:
     def close(self) -> None:
         self._stopping.set()
         self._thread.join(5.0)
-        self._server.stop()
+        _quiet(self._server.stop)
 
     def clear(self) -> None:
         """Removes the cloud; arm, sensor and block stay."""
@@ -218,11 +221,11 @@ class Scene:
                 self._look_at_arm(self._arm_model, links)
 
 
-def _quiet(make: Callable[[], viser.ViserServer]) -> viser.ViserServer:
+def _quiet(act: Callable[[], T]) -> T:
     """viser prints its address, which is of no use to anybody: it is reached elsewhere."""
     console = rich.get_console()
     before, console.quiet = console.quiet, True
     try:
-        return make()
+        return act()
     finally:
         console.quiet = before

@@ -1,0 +1,237 @@
+"""The 3D view, as a real client sees it over its web socket."""
+
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+
+from app.metrology.arm import Joint, flange_pose, link_transforms, tip_centres
+from app.metrology.camera import Camera, project
+from app.metrology.crenellated import Crenellated, corners
+from app.metrology.frames import rigid, rotation_from_vector
+from app.metrology.laser_plane import LaserPlane
+from app.station.scene import WINDOW_MESSAGES, Scene
+from app.station.shapes import block_mesh, box, link_path, measuring_field, tube
+from app.station.voxels import VoxelFilter
+from tests.station.conftest import REST_RAD, six_axis_arm, until
+from tests.station.viewer import Viewer
+
+BLOCK = Crenellated("block", "B-1", (-22, -14, -7, -2, 5, 10, 17, 22), -12, 12, 15, 0, -12, 0.002)
+CAMERA = Camera(
+    np.array([[1400.0, 0, 640], [0, 1400, 512], [0, 0, 1]]), np.eye(3), np.zeros(3), 1280, 1024
+)
+PLANE = LaserPlane(np.array([0, -0.5, np.sqrt(0.75)]), 140 * np.sqrt(0.75))
+
+
+@pytest.fixture
+def scene() -> Iterator[Scene]:
+    scene = Scene(point_budget=20_000)
+    yield scene
+    scene.close()
+
+
+@pytest.fixture
+def viewer(scene: Scene) -> Iterator[Viewer]:
+    viewer = Viewer(scene.port)
+    yield viewer
+    viewer.close()
+
+
+def surface(count: int, seed: int = 1, size_mm: float = 60.0) -> np.ndarray:
+    random = np.random.default_rng(seed)
+    xy = random.uniform(-size_mm / 2, size_mm / 2, (count, 2))
+    return np.column_stack([700 + xy[:, 0], 80 + xy[:, 1], 0.002 * (xy**2).sum(axis=1)])
+
+
+def add(scene: Scene, points: np.ndarray) -> None:
+    scene.add_points(points, np.full(len(points), 100.0))
+
+
+def test_points_come_to_the_browser_where_they_are_to_a_micrometre(
+    scene: Scene, viewer: Viewer
+) -> None:
+    points = surface(3000)
+    add(scene, points)
+    until(lambda: scene.points_shown > 0)
+    shown = np.concatenate(list(viewer.listen().clouds().values()))
+    assert len(shown) == scene.points_shown
+    distance = np.linalg.norm(shown[:, None] - points[None], axis=2).min(axis=1)
+    assert distance.max() < 1e-3
+    node = next(node for name, node in viewer.nodes.items() if name.startswith("/cloud/"))
+    assert node["props"]["precision"] == "float32"
+
+
+def test_a_growing_cloud_sends_only_what_is_new(scene: Scene, viewer: Viewer) -> None:
+    add(scene, surface(2000, 1))
+    until(lambda: scene.points_shown > 0)
+    before = viewer.listen().clouds()
+    add(scene, surface(2000, 2))
+    shown = scene.points_shown
+    until(lambda: scene.points_shown > shown)
+    after = viewer.listen().clouds()
+    assert set(before) < set(after)
+    assert sum(map(len, after.values())) == scene.points_shown
+
+
+def test_above_its_budget_the_cloud_is_thinned_and_stays_a_subset(
+    scene: Scene, viewer: Viewer
+) -> None:
+    for seed in range(4):
+        shown = scene.points_shown
+        add(scene, surface(15_000, seed))
+        until(lambda before=shown: scene.points_shown != before)
+    assert 5_000 < scene.points_shown <= 20_000
+    clouds = viewer.listen().clouds()
+    assert sum(map(len, clouds.values())) == scene.points_shown
+    everything = np.concatenate([surface(15_000, seed) for seed in range(4)])
+    some = np.concatenate(list(clouds.values()))[::50]
+    nearest = [np.linalg.norm(everything - point, axis=1).min() for point in some]
+    assert max(nearest) < 1e-3
+
+
+def test_small_nodes_are_merged(scene: Scene, viewer: Viewer) -> None:
+    add_many = [surface(20, seed) for seed in range(70)]
+    with scene._lock:
+        for points in add_many:
+            scene._cloud.add(points, np.full(len(points), 50.0))
+    assert len(viewer.listen().clouds()) < 20
+
+
+def test_a_late_viewer_gets_everything_in_small_windows(scene: Scene) -> None:
+    add(scene, surface(5000))
+    until(lambda: scene.points_shown > 0)
+    viewer = Viewer(scene.port)
+    shown = sum(map(len, viewer.listen().clouds().values()))
+    viewer.close()
+    assert shown == scene.points_shown
+    assert scene._server._websock_server._broadcast_buffer.max_window_size == WINDOW_MESSAGES
+
+
+def test_clearing_removes_the_cloud_and_leaves_the_rest(scene: Scene, viewer: Viewer) -> None:
+    scene.set_block(np.eye(4), BLOCK)
+    add(scene, surface(1000))
+    until(lambda: scene.points_shown > 0)
+    assert viewer.listen().clouds()
+    scene.clear()
+    assert scene.points_shown == 0
+    viewer.listen()
+    assert not viewer.clouds()
+    assert "/block" in viewer.nodes
+    scene.clear_block()
+    assert "/block" not in viewer.listen().nodes
+
+
+def test_the_arm_is_drawn_by_its_own_kinematics(scene: Scene, viewer: Viewer) -> None:
+    """The chain of the drawn frames ends where Eq. 1 has the flange."""
+    arm = six_axis_arm()
+    scene.set_arm_model(arm)
+    scene.set_arm(REST_RAD)
+    until(lambda: "SetPositionMessage" in viewer.listen(0.1).nodes.get("/arm/1/2/3/4/5/6", {}))
+    T, path = np.eye(4), "/arm"
+    for number in range(1, 7):
+        path += f"/{number}"
+        w, x, y, z = viewer.wxyz(path)
+        vector = np.array([x, y, z])
+        angle = 2 * np.arctan2(np.linalg.norm(vector), w)
+        axis = vector / max(np.linalg.norm(vector), 1e-12)
+        T = T @ rigid(rotation_from_vector(angle * axis), viewer.position_mm(path))
+    np.testing.assert_allclose(T, flange_pose(arm, REST_RAD), atol=1e-6)
+    tip = T @ [*viewer.position_mm(f"{path}/tip"), 1]
+    np.testing.assert_allclose(tip[:3], tip_centres(arm, REST_RAD[None])[0], atol=1e-4)
+
+
+def test_the_sensor_shows_its_field_and_the_laser_colours_it(scene: Scene, viewer: Viewer) -> None:
+    arm = six_axis_arm()
+    scene.set_arm_model(arm)
+    scene.set_sensor(np.eye(4), CAMERA, PLANE, (120.0, 180.0))
+    field = "/arm/1/2/3/4/5/6/sensor/field"
+    idle = viewer.listen().nodes[field]["props"]["opacity"]
+    scene.set_laser(True)
+    until(lambda: viewer.listen(0.1).nodes[field]["props"]["opacity"] > idle)
+    scene.clear_sensor()
+    assert field not in viewer.listen().nodes
+    scene.set_arm_model(None)
+    assert "/arm" not in viewer.listen().nodes
+
+
+def test_the_view_follows_the_cloud_until_somebody_turns_it(scene: Scene) -> None:
+    untouched, turned = Viewer(scene.port), Viewer(scene.port)
+    for viewer in (untouched, turned):
+        viewer.listen()
+        viewer.pose_camera(
+            viewer.said["SetCameraPositionMessage"]["position"],
+            viewer.said["SetCameraLookAtMessage"]["look_at"],
+        )
+    turned.pose_camera((2, 2, 2), (0, 0, 0))
+    until(lambda: len(scene._server.get_clients()) == 2)
+    for viewer in (untouched, turned):
+        viewer.listen()
+        viewer.said.clear()
+    add(scene, surface(2000))
+    until(lambda: scene.points_shown > 0)
+    followed = untouched.listen().said["SetCameraLookAtMessage"]
+    np.testing.assert_allclose(followed["look_at"], [0.7, 0.08, 0.0], atol=0.01)
+    assert turned.listen().said["SetCameraLookAtMessage"]["initial"] is True
+    untouched.close()
+    turned.close()
+
+
+def test_a_port_of_its_own_on_the_loopback_only(scene: Scene) -> None:
+    other = Scene()
+    assert other.port != scene.port
+    assert other._server.get_host() == "127.0.0.1"
+    other.close()
+
+
+def test_the_first_point_of_each_cube_is_shown() -> None:
+    voxels = VoxelFilter(1.0)
+    points = np.array([[0.1, 0.1, 0.1], [0.9, 0.9, 0.9], [-0.1, 0.5, 0.5], [np.nan, 0, 0]])
+    assert voxels.take_new(points).tolist() == [True, False, True, False]
+    assert voxels.take_new(points).tolist() == [False] * 4
+    assert voxels.count == 2
+
+
+def test_many_cubes_are_told_apart_as_numpy_does() -> None:
+    random = np.random.default_rng(3)
+    voxels = VoxelFilter(0.5)
+    batches = [random.normal(0, 20, (40_000, 3)) for _ in range(5)]
+    shown = [batch[voxels.take_new(batch)] for batch in batches]
+    cubes = np.unique(np.floor(np.concatenate(batches) / 0.5), axis=0)
+    assert voxels.count == len(cubes)
+    np.testing.assert_array_equal(np.unique(np.floor(np.concatenate(shown) / 0.5), axis=0), cubes)
+
+
+def test_a_link_runs_from_the_frame_before_to_its_own() -> None:
+    joint = Joint("J", a_mm=30.0, alpha_rad=0.7, d_mm=50.0, theta_rad=0.4)
+    arm = six_axis_arm()
+    link = link_transforms(type(arm)("one", "", (joint,), arm.tip), np.array([[0.3]]))[0, 0]
+    path = link_path(joint) @ link[:3, :3].T + link[:3, 3]
+    np.testing.assert_allclose(path[0], 0, atol=1e-12)
+    np.testing.assert_allclose(path[1], [0, 0, 50], atol=1e-12)
+    np.testing.assert_allclose(path[2], link[:3, 3], atol=1e-12)
+
+
+def signed_volume(vertices: np.ndarray, faces: np.ndarray) -> float:
+    a, b, c = (vertices[faces[:, i].astype(int)] for i in range(3))
+    return float(np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6)
+
+
+def test_meshes_are_closed_and_face_outward() -> None:
+    made = box(np.array([1.0, 2, 3]), np.array([2.0, 4, 6]))
+    assert signed_volume(made.vertices_mm, made.faces) == pytest.approx(6.0)
+    made = tube(np.array([1.0, 2, 3]), np.array([1.0, 2, 13]), 2.0, 2.0)
+    assert signed_volume(made.vertices_mm, made.faces) == pytest.approx(np.pi * 40, rel=0.02)
+    block = block_mesh(BLOCK)
+    merlons = (8 + 5 + 5 + 5) * 24 * 15
+    assert signed_volume(block.vertices_mm, block.faces) == pytest.approx(44 * 24 * 12 + merlons)
+    corner = corners(BLOCK)["crest:3:R:back"]
+    assert np.linalg.norm(block.vertices_mm - corner, axis=1).min() == 0
+
+
+def test_the_field_lies_in_the_laser_plane_inside_the_picture() -> None:
+    outline = measuring_field(CAMERA, PLANE, (120.0, 180.0))
+    assert len(outline) >= 4
+    np.testing.assert_allclose(outline @ PLANE.normal, PLANE.offset_mm)
+    uv = project(CAMERA, outline)
+    assert ((uv >= -0.01) & (uv <= [1279.01, 1023.01])).all()
+    assert len(measuring_field(CAMERA, PLANE, (1.0, 2.0))) == 0
