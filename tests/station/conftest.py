@@ -58,6 +58,7 @@ class Bench:
         self.scene_level = 0.02
         self.presses: list[Button] = []
         self.stripe_row = 120.0
+        self.picture: np.ndarray | None = None
         self.start_s = time.monotonic()
 
 
@@ -130,7 +131,8 @@ class ScriptedSensor:
         stamp = now_ns() - int(500 * exposure_us)
         self.sequence += 1
         self.health.received += 1
-        return Frame(self.sequence, stamp, self.picture(laser_on), exposure_us, laser_on)
+        image = self.picture(laser_on) if self.bench.picture is None else self.bench.picture
+        return Frame(self.sequence, stamp, image, exposure_us, laser_on)
 
     def picture(self, laser_on: bool) -> np.ndarray:
         level = self.bench.scene_level * self.bench.exposure_us

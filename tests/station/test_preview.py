@@ -1,0 +1,132 @@
+"""The live picture: encoded while watched, told in words, with the object where it is seen."""
+
+import asyncio
+import json
+import struct
+from collections.abc import Iterator
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+
+from app.files.images import read_grey
+from app.files.objects import read_object
+from app.metrology.stripe import Stripe, extract_stripe
+from app.station.bus import Bus
+from app.station.preview import STRIPE_POINTS, Preview, PreviewImage, decimated, jpeg
+from app.station.rig import Rig
+from tests.station.conftest import HEIGHT, REST_RAD, WIDTH, Bench, until
+
+
+@pytest.fixture
+def preview(bus: Bus, rig: Rig) -> Iterator[Preview]:
+    preview = Preview(bus, rig.arm, rig.sensor)
+    preview.start()
+    until(lambda: rig.arm.stillness().still and rig.sensor.fresh)
+    yield preview
+    preview.stop()
+
+
+def newest(preview: Preview) -> PreviewImage:
+    """A picture made from now on."""
+    before = preview.latest()
+    until(lambda: preview.latest() is not before)
+    image = preview.latest()
+    assert image is not None
+    return image
+
+
+def test_nothing_is_made_while_nobody_watches(preview: Preview, rig: Rig) -> None:
+    arrived = rig.sensor.link().received
+    until(lambda: rig.sensor.link().received > arrived + 20)
+    assert preview.latest() is None
+    with preview.watch():
+        newest(preview)
+
+
+def test_the_packed_picture_is_header_and_jpeg(preview: Preview, rig: Rig) -> None:
+    rig.sensor.set_laser(True)
+    with preview.watch():
+        until(lambda: newest(preview).header.laser_on)
+        packed = newest(preview).packed()
+    length = struct.unpack(">I", packed[:4])[0]
+    header = json.loads(packed[4 : 4 + length])
+    assert (header["width_px"], header["height_px"]) == (WIDTH, HEIGHT)
+    assert header["arm_still"] is True
+    assert 0 < len(header["stripe"]) <= STRIPE_POINTS
+    np.testing.assert_allclose([v for _, v in header["stripe"]], 120.0, atol=1.0)
+    picture = cv2.imdecode(np.frombuffer(packed[4 + length :], np.uint8), cv2.IMREAD_UNCHANGED)
+    assert picture.shape == (HEIGHT, WIDTH)
+
+
+def test_a_moving_arm_and_a_bright_picture_are_told(preview: Preview, bench: Bench) -> None:
+    bench.joints_at = lambda seconds: REST_RAD + 0.1 * np.sin(5 * seconds)
+    bench.scene_level = 1.0
+    with preview.watch():
+        until(lambda: newest(preview).header.saturated_percent > 50)
+        until(lambda: len(newest(preview).header.findings) > 1)
+        header = newest(preview).header
+    assert not header.arm_still
+    assert "Moved" in header.findings[0].text
+    assert all(finding.quality == "attention" for finding in header.findings)
+
+
+def test_one_encode_serves_all_and_goes_over_the_bus(preview: Preview, bus: Bus) -> None:
+    async def scenario() -> None:
+        bus.attach(asyncio.get_running_loop())
+        with preview.watch(), bus.subscribe() as one, bus.subscribe() as two:
+            pictures = []
+            for reader in (one, two):
+                while "preview" not in (topics := (await reader.next()).topics):
+                    pass
+                pictures.append(topics["preview"])
+            assert all(isinstance(picture, PreviewImage) for picture in pictures)
+        bus.detach()
+
+    asyncio.run(scenario())
+
+
+def test_a_large_picture_is_made_small_and_a_deep_one_shown_in_full_range() -> None:
+    wide = np.zeros((1024, 1280), dtype=np.uint16)
+    wide[:, 640:] = 4095
+    picture = cv2.imdecode(np.frombuffer(jpeg(wide), np.uint8), cv2.IMREAD_UNCHANGED)
+    assert picture.shape == (640, 800)
+    assert picture[:, 420:].min() > 240
+    assert picture[:, :380].max() < 15
+
+
+def test_a_stripe_is_thinned_evenly() -> None:
+    u = np.arange(1280.0)
+    points = decimated(Stripe(u, 2 * u, u, u))
+    assert len(points) <= STRIPE_POINTS
+    np.testing.assert_allclose(np.diff([x for x, _ in points]), points[1][0] - points[0][0])
+    assert decimated(None) == ()
+
+
+def test_the_object_is_found_in_the_live_picture_and_lost_with_its_reason(
+    preview: Preview, bench: Bench, samples: Path
+) -> None:
+    session = samples / "one-pose"
+    ambient = read_grey(session / "images/pose00_ambient.png")
+    bench.picture = ambient
+    preview.detect(read_object(session / "object.json"))
+    until(lambda: len(newest(preview).header.corners) > 8, 30)
+    header = newest(preview).header
+    assert header.width_px == ambient.shape[1]
+    assert len(header.outline) > 10
+    residuals = [corner.residual_px for corner in header.corners]
+    assert max(r for r in residuals if r is not None) < 1.0
+    bench.picture = np.full_like(ambient, 90)
+    until(lambda: not newest(preview).header.corners, 30)
+    assert any(finding.remedy for finding in newest(preview).header.findings)
+    preview.detect(None)
+    with preview.watch():
+        until(lambda: newest(preview).header.outline == ())
+
+
+def test_the_stripe_of_a_real_picture_is_drawn_on_it(samples: Path) -> None:
+    picture = read_grey(samples / "one-pose/images/pose00_laser.png")
+    stripe = extract_stripe(picture)
+    at = np.array(decimated(stripe)).round().astype(int)
+    assert np.median(picture[at[:, 1], at[:, 0]]) > 3 * np.median(picture)
