@@ -23,11 +23,11 @@ REACH = 4.0
 def lattice(count: int) -> Floats:
     """(count, 2) places in a pixel, -0.5 to 0.5, evenly spread in every direction.
 
-    A rank-1 lattice of Fibonacci's kind (``count`` 13, 21, 34, 55, 89 ...): projected on
+    A rank-1 lattice of Fibonacci's kind (``count`` 5, 13, 21, 34, 55, 89 ...): projected on
     either axis its points are equidistant, so that a straight edge through the pixel
     is placed to about half of 1/count.
     """
-    before = {13: 8, 21: 13, 34: 21, 55: 34, 89: 55, 144: 89}[count]
+    before = {5: 3, 13: 8, 21: 13, 34: 21, 55: 34, 89: 55, 144: 89}[count]
     i = np.arange(count)
     return np.column_stack([(i + 0.5) / count, ((i * before) % count + 0.5) / count]) - 0.5
 

@@ -152,7 +152,7 @@ class Renderer:
             self._band,
             count,
             lattice(55),
-            lattice(13),
+            lattice(5),
             emitter,
             sheet,
             *shapes,

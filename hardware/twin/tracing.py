@@ -98,15 +98,23 @@ def _shell_height(rows: Floats, k: int, x: float, y: float) -> float:
 def _hit_shell(
     rows: Floats, k: int, ox: float, oy: float, oz: float, dx: float, dy: float, dz: float
 ) -> float:
-    """First crossing of the relief, to a nanometre.
+    """First crossing of the relief, to a nanometre, for a ray from above.
 
-    Steps that cannot pass the surface, for its slope is bounded; then secants.
+    From a paraboloid that covers it, steps that cannot pass the surface, for its slope
+    is bounded; then secants.
     """
     enter, leave, _, _ = _slab(rows, k, ox, oy, oz, dx, dy, dz)
     if enter > leave or leave <= 0.0:
         return 1e30
+    ex, ey, top = rows[k, 16] ** -2, rows[k, 17] ** -2, rows[k, 18] + rows[k, 19]
+    qa = top * (dx * dx * ex + dy * dy * ey)
+    qb = 0.5 * dz + top * (ox * dx * ex + oy * dy * ey)
+    root = qb * qb - qa * (top * (ox * ox * ex + oy * oy * ey) + oz - top)
+    if root < 0.0:
+        return 1e30
+    cover = (-qb - np.sqrt(root)) / qa if qa > 1e-18 else enter
     closing = abs(dz) + rows[k, 21] * np.sqrt(dx * dx + dy * dy)
-    t = max(enter, 0.0)
+    t = max(enter, cover, 0.0)
     while t <= leave:
         gap = oz + t * dz - _shell_height(rows, k, ox + t * dx, oy + t * dy)
         if gap < 0.1:
