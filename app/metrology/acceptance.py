@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from app.metrology.camera import project
 from app.metrology.crenellated import Crenellated
-from app.metrology.edge_strays import stray_edge
+from app.metrology.edge_strays import overrun, stray_edge
 from app.metrology.edge_survey import Survey
 from app.metrology.frames import Floats
 from app.metrology.locate import Search
@@ -156,7 +156,7 @@ def disagreement(grey: Floats, found: Survey, certificate_mm: float) -> str:
             "its edges would fit only if the camera's pixels were"
             f" {100 * abs(K[1, 1] / K[0, 0] - 1):.1f} % out of square"
         )
-    return stray_edge(grey, found) or _displaced(found, certificate_mm)
+    return stray_edge(grey, found) or overrun(grey, found) or _displaced(found, certificate_mm)
 
 
 def _displaced(found: Survey, certificate_mm: float) -> str:

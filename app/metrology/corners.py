@@ -45,6 +45,9 @@ __all__ = [
 _WORKING_PX = (640, 1280, 320)
 # A placing this much less supported than the best is no rival.
 _RIVAL = 0.85
+_RIVALS = 4
+# A placing so well supported is the object, or one very like it; no other scale will tell more.
+_SURE = 0.8
 # Nor is one that explains less than this share of what the best does.
 _MORE = 0.88
 # Edges that cross at less than this make no corner.
@@ -116,6 +119,8 @@ def detect_object(
             if declined.code not in ("object-not-found", "object-does-not-match"):
                 refusal = declined
                 break
+            if found.found and found.found[0].support > _SURE:
+                break
     assert refusal is not None
     raise refusal
 
@@ -156,7 +161,7 @@ def _matching(
     blur_px = edge_blur_px(grey)
     good: list[tuple[Located, Survey]] = []
     why = ""
-    for rival in found.found:
+    for rival in found.found[:_RIVALS]:
         start = _enlarged(rival.camera, scale, grey.shape)
         if rival.support < _RIVAL * best or _known(start, rival.mirrored, good, block):
             continue

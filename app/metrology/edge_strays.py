@@ -1,10 +1,14 @@
 """Edges that the picture shows beside where the certificate puts them."""
 
+from dataclasses import replace
+
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.edge_points import profiles
+from app.metrology.camera import project
+from app.metrology.edge_points import Stations, profiles
+from app.metrology.edge_step import chosen, measure
 from app.metrology.edge_survey import Survey
 from app.metrology.frames import Floats
 
@@ -19,6 +23,8 @@ _FAR = 0.12
 _STRAIGHT_PX = 1.5
 # Of the missing edge's stations, how many must see the stray, and its step over the usual.
 _SEEN = 0.7
+# Where an edge is looked for beyond its end, over its length.
+_BEYOND = (0.015, 0.06)
 _STEP = 0.5
 
 
@@ -49,6 +55,59 @@ def stray_edge(grey: Floats, found: Survey) -> str:
                 f"its edge {name} seems to lie {away_mm:.2f} mm from where the certificate puts it"
             )
     return ""
+
+
+def overrun(grey: Floats, found: Survey) -> str:
+    """Where the block goes on beyond its certificate's end, in words; empty where it does not.
+
+    The long lower edge of the front face must end at its corners. ``grey`` (H, W): the
+    picture.
+    """
+    at, frame = found.at, found.frame
+    edge = frame.names.index("base:front")
+    own = found.used & (at.edge == edge)
+    if own.sum() < _ENOUGH:
+        return ""
+    step = float(np.median(found.step[own]))
+    row = int(np.flatnonzero(own)[0])
+    along = frame.ends_mm[edge] - frame.starts_mm[edge]
+    for side, corner, sense in (
+        ("left", frame.starts_mm[edge], -1.0),
+        ("right", frame.ends_mm[edge], 1.0),
+    ):
+        share = np.linspace(_BEYOND[0], _BEYOND[1], 16)[:, None]
+        points = corner + sense * share * along
+        beyond = _stations_at(found, points, along, row)
+        if len(beyond.edge) < 12:
+            continue
+        seen = measure(grey, beyond, found.blur_px)
+        like = np.abs(seen.offset_px) < _STRAIGHT_PX
+        like &= np.abs(seen.step - step) < 0.4 * abs(step)
+        if like.sum() > 0.8 * len(like):
+            return f"it goes on beyond its {side} end"
+    return ""
+
+
+def _stations_at(found: Survey, points_mm: Floats, along_mm: Floats, row: int) -> Stations:
+    """Stations at points (N, 3) on the line of an edge, as far as they are in the picture."""
+    camera = found.camera
+    uv = project(camera, points_mm)
+    step = project(camera, points_mm + 1e-4 * along_mm) - uv
+    tangent = step / np.linalg.norm(step, axis=1, keepdims=True)
+    normal = np.column_stack([-tangent[:, 1], tangent[:, 0]])
+    limit = np.array([camera.width_px, camera.height_px]) - 1
+    count = len(points_mm)
+    at = replace(
+        found.at,
+        edge=np.full(count, found.at.edge[row]),
+        part=np.full(count, found.at.part[row]),
+        points_mm=points_mm,
+        uv_px=uv,
+        normal=normal,
+        room_px=np.full((count, 2), np.inf),
+        length_px=np.ones(count),
+    )
+    return chosen(at, np.all((uv > 0) & (uv < limit), axis=1))
 
 
 def _missing(found: Survey) -> list[tuple[int, float]]:
