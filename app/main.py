@@ -133,13 +133,9 @@ def _listen(host: str, port: int, tries: int) -> socket.socket:
     )
 
 
-def _run(app: FastAPI, listening: socket.socket, host: str, open_browser: bool) -> None:
-    """Serves until SIGINT or SIGTERM."""
-    shown = "127.0.0.1" if host in ("0.0.0.0", "::") else host
-    bracketed = f"[{shown}]" if ":" in shown else shown
-    address = f"http://{bracketed}:{listening.getsockname()[1]}/"
-    logging.basicConfig(level=logging.WARNING, format="%(asctime)s %(name)s: %(message)s")
-    server = _Server(
+def make_server(app: FastAPI) -> "StationServer":
+    """The server of an application, not yet running."""
+    return StationServer(
         uvicorn.Config(
             app,
             log_level="warning",
@@ -151,16 +147,9 @@ def _run(app: FastAPI, listening: socket.socket, host: str, open_browser: bool) 
             server_header=False,
         )
     )
-    server.address, server.open_browser = address, open_browser
-    try:
-        server.run(sockets=[listening])
-    except KeyboardInterrupt:
-        pass  # uvicorn raises the signal again once it has ended in order
-    finally:
-        listening.close()
 
 
-class _Server(uvicorn.Server):
+class StationServer(uvicorn.Server):
     """Says where the station is once it can be reached."""
 
     address = ""
@@ -168,7 +157,23 @@ class _Server(uvicorn.Server):
 
     async def startup(self, sockets: list[socket.socket] | None = None) -> None:
         await super().startup(sockets)
-        if self.started:
+        if self.started and self.address:
             print(f"Crenel is at {self.address} (end with Ctrl-C)", flush=True)
             if self.open_browser:
                 await asyncio.to_thread(webbrowser.open, self.address)
+
+
+def _run(app: FastAPI, listening: socket.socket, host: str, open_browser: bool) -> None:
+    """Serves until SIGINT or SIGTERM."""
+    shown = "127.0.0.1" if host in ("0.0.0.0", "::") else host
+    bracketed = f"[{shown}]" if ":" in shown else shown
+    logging.basicConfig(level=logging.WARNING, format="%(asctime)s %(name)s: %(message)s")
+    server = make_server(app)
+    server.address = f"http://{bracketed}:{listening.getsockname()[1]}/"
+    server.open_browser = open_browser
+    try:
+        server.run(sockets=[listening])
+    except KeyboardInterrupt:
+        pass  # uvicorn raises the signal again once it has ended in order
+    finally:
+        listening.close()

@@ -26,7 +26,7 @@ def no_such_interface(path: str) -> Response:
     raise HTTPException(404)
 
 
-@router.get("/{path:path}")
+@router.api_route("/{path:path}", methods=["GET", "HEAD"])
 def client(path: str, request: Request) -> Response:
     """A built file, or the page itself, which finds its own way by the address."""
     index = STATIC / "index.html"

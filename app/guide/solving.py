@@ -31,7 +31,6 @@ from app.station.object_watch import outline, seen_corners
 from app.station.picture_words import picture_words, refused
 
 SHOWN_STRIPE_POINTS = 400
-OPERATOR = "guided"
 
 
 def look_at(taken: Capture, chosen: Chosen) -> Outcome:
@@ -74,7 +73,7 @@ def solve(folder: SessionFolder, in_use: Calibration | None, progress: Progress)
     pose = session.poses[0]
     inputs = one_pose_inputs(session, pose)
     result = calibrate_one_pose(inputs, progress)
-    sheet = calibration_from(result, origin_of(session, pose, OPERATOR))
+    sheet = calibration_from(result, origin_of(session, pose, operator=""))
     sheet.write(folder.calibration)
     corners = [
         ImageCorner(corner.name, corner.u, corner.v, float(np.hypot(*residual)))
