@@ -17,7 +17,7 @@ export function CalibratePage() {
       picture={
         <>
           <PictureView key={view.picture.kind} picture={view.picture} />
-          <LastEvent />
+          {view.picture.kind !== "result" && <LastEvent />}
         </>
       }
       card={<FlowCard view={view} />}

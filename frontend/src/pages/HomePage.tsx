@@ -36,7 +36,7 @@ function Active({ calibration }: { calibration: CalibrationSummary }) {
   return (
     <div className={styles.active}>
       <p className={styles.label}>
-        <QualityMark quality={calibration.verdict} /> Active calibration: {calibration.name}
+        <QualityMark quality={calibration.verdict} /> In use: {calibration.name}
       </p>
       <p className={styles.value}>
         {figures(calibration.total_um, 1)} <span>µm</span>

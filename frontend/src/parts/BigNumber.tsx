@@ -1,7 +1,7 @@
 import type { LiveNumber } from "../api/types";
 import { useSilence } from "../state/freshness";
 import styles from "./BigNumber.module.css";
-import { age, figures } from "./format";
+import { age, bound, figures } from "./format";
 import { QualityMark } from "./QualityMark";
 
 /** The one number the operator watches, readable from two metres; grey with its age when old. */
@@ -12,14 +12,14 @@ export function BigNumber({ number }: { number: LiveNumber }) {
     <div className={styles.number} data-quality={number.quality} data-stale={!live || undefined}>
       <div className={styles.label}>
         {number.quality !== "neutral" && <QualityMark quality={number.quality} size="1.125rem" />}
-        {number.label}
+        {bound(number.label)}
       </div>
       <div className={styles.value}>
         {shown}
         {number.value !== null && <span className={styles.unit}>{number.unit}</span>}
       </div>
       {(number.note || !live) && (
-        <div className={styles.note}>{live ? number.note : `${age(silent_s)} old`}</div>
+        <div className={styles.note}>{live ? bound(number.note) : `${age(silent_s)} old`}</div>
       )}
     </div>
   );

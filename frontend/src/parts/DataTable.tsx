@@ -5,6 +5,8 @@ export interface TableData {
   /** Column heads, each with its unit. */
   head: string[];
   rows: string[][];
+  /** Takes the whole width where others stand side by side. */
+  wide?: boolean;
 }
 
 /** A plain table of figures: the first column names, the others are numbers. */

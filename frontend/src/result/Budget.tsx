@@ -1,5 +1,5 @@
 import type { BudgetRow, CalibrationResult } from "../api/types";
-import { figures } from "../parts/format";
+import { bound, figures } from "../parts/format";
 import styles from "./Budget.module.css";
 
 /** Where the uncertainty comes from, the largest first, and what changed since the last time. */
@@ -8,7 +8,7 @@ export function Budget({ result }: { result: CalibrationResult }) {
   const largest = Math.max(result.total_um, 1e-9);
   return (
     <div className={styles.budget}>
-      <h3 className={styles.title}>Standard uncertainty of a scanned point, k = 1</h3>
+      <h3 className={styles.title}>{bound("Standard uncertainty of a scanned point, k = 1")}</h3>
       <div className={styles.rows}>
         {rows.map((row) => (
           <Row key={row.source} row={row} largest={largest} />

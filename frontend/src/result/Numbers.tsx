@@ -13,7 +13,7 @@ export function Numbers({ result }: { result: CalibrationResult }) {
       </div>
       <div className={styles.tables}>
         {tables.map((table) => (
-          <div key={table.title} className={styles.table}>
+          <div key={table.title} className={styles.table} data-wide={table.wide || undefined}>
             <DataTable table={table} />
           </div>
         ))}

@@ -25,7 +25,8 @@ export function tablesOf(result: CalibrationResult): TableData[] {
       ],
     },
     {
-      title: "Probe matrix T_flange_sensor, translation in mm",
+      title: "Probe matrix T_flange_sensor",
+      wide: true,
       head: ["Row", "x", "y", "z", "t, mm"],
       rows: result.probe_matrix.map((row, i) => [
         String(i + 1),
