@@ -25,7 +25,7 @@ def blocked(calibration: ScanCalibration | None, rig: Rig) -> Refusal | None:
 def _arm_blocked(calibration: ScanCalibration, rig: Rig) -> Refusal | None:
     info = rig.arm.info
     if info is None or not rig.arm.fresh:
-        return Refusal("arm-lost", "the arm is not connected", remedy="wait until it is")
+        return _lost("arm", rig.arm.link().text)
     if info.joint_count != calibration.arm.joint_count:
         return Refusal(
             "wrong-arm",
@@ -39,7 +39,7 @@ def _arm_blocked(calibration: ScanCalibration, rig: Rig) -> Refusal | None:
 def _sensor_blocked(calibration: ScanCalibration, rig: Rig) -> Refusal | None:
     info = rig.sensor.info
     if info is None or not rig.sensor.fresh:
-        return Refusal("sensor-lost", "the sensor is not connected", remedy="wait until it is")
+        return _lost("sensor", rig.sensor.link().text)
     size = (info.width_px, info.height_px)
     wanted = (calibration.camera.width_px, calibration.camera.height_px)
     if size != wanted:
@@ -50,6 +50,10 @@ def _sensor_blocked(calibration: ScanCalibration, rig: Rig) -> Refusal | None:
             "set the sensor back, or calibrate again",
         )
     return _other_serial("sensor", info.serial_number, calibration.sensor_serial)
+
+
+def _lost(device: str, why: str) -> Refusal:
+    return Refusal(f"{device}-lost", f"the {device} sends nothing", why, "wait until it does")
 
 
 def _other_serial(device: str, connected: str, calibrated: str) -> Refusal | None:

@@ -179,7 +179,7 @@ def test_what_forbids_a_scan_is_said(scanner: Scanner, bench: Bench, rig: Rig) -
     scanner.set_calibration(calibration())
     bench.arm_plugged = False
     until(lambda: not rig.arm.fresh)
-    with pytest.raises(Refusal, match="the arm is not connected"):
+    with pytest.raises(Refusal, match="the arm sends nothing"):
         scanner.start("no")
     assert not bench.laser_on
 

@@ -1,0 +1,142 @@
+"""The machine room on the simulated station: real serial driver, rendered pictures, faults."""
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from app.files.arm import read_arm
+from app.files.clouds import read_cloud
+from app.metrology.camera import Camera
+from app.metrology.laser_plane import LaserPlane
+from app.metrology.primitives import fit_sphere
+from app.metrology.refusal import Refusal
+from app.metrology.stripe import extract_stripe
+from app.station.bus import Bus
+from app.station.pipeline import ScanCalibration
+from app.station.rig import Rig
+from app.station.scanner import Scanner
+from app.station.scene import Scene
+from hardware.interfaces import Button, ButtonEvent
+from hardware.registry import arm_driver
+from hardware.twin.station import Twin, TwinConfig
+from tests.station.conftest import until
+
+CONFIG = TwinConfig(imperfection_um=0.0, width_px=640, height_px=512, pace=1.5, frames_hz=20.0)
+
+
+def true_calibration(twin: Twin, folder: Path) -> ScanCalibration:
+    """What a perfect calibration of the twin would find."""
+    (folder / "arm.json").write_text(json.dumps(twin.papers()["arm.json"]))
+    arm = read_arm(folder / "arm.json")
+    truth = json.loads(json.dumps(twin.truth()))
+    T_cam_sensor = np.array(truth["camera"]["T_cam_sensor"])
+    camera = Camera(
+        np.array(truth["camera"]["matrix"]),
+        T_cam_sensor[:3, :3],
+        T_cam_sensor[:3, 3],
+        CONFIG.width_px,
+        CONFIG.height_px,
+        np.array(truth["camera"]["distortion"]),
+    )
+    sheet = truth["laser_plane"]
+    return ScanCalibration(
+        id="truth",
+        name="truth",
+        arm=arm,
+        camera=camera,
+        plane=LaserPlane(np.array(sheet["normal"]), sheet["offset_mm"]),
+        T_flange_sensor=np.array(truth["T_flange_sensor"]),
+        stripe_axis="u",
+        arm_serial=arm.serial_number,
+        sensor_serial="TWIN-S1",
+        depth_range_mm=(60.0, 240.0),
+    )
+
+
+@pytest.fixture(scope="module")
+def twin() -> Iterator[Twin]:
+    with Twin(CONFIG) as twin:
+        yield twin
+
+
+@pytest.fixture
+def rig(twin: Twin, bus: Bus, tmp_path: Path) -> Iterator[Rig]:
+    options = {"url": twin.arm_url}
+    rig = Rig(bus, lambda: arm_driver("serial-encoder", options), twin.sensor, tmp_path)
+    rig.arm.set_model(true_calibration(twin, tmp_path).arm)
+    rig.start()
+    until(lambda: rig.arm.fresh and rig.sensor.fresh, 240)
+    yield rig
+    rig.stop()
+    twin.faults.clear()
+
+
+def test_the_sphere_is_scanned_to_its_size(twin: Twin, rig: Rig, bus: Bus, tmp_path: Path) -> None:
+    scene = Scene(point_budget=100_000)
+    scanner = Scanner(bus, rig, scene, tmp_path / "scans")
+    scanner.set_calibration(true_calibration(twin, tmp_path))
+    until(lambda: scanner.why_not() is None)
+    scanner.start("sphere")
+    assert twin.hand.scan_part("sphere")
+    result = scanner.stop()
+    scanner.close()
+    scene.close()
+    assert result is not None
+    assert scanner.state().frames_without_joints <= 0.05 * result.frames
+    nominal = json.loads(json.dumps(twin.papers()["sphere.nominal.json"]))
+    points = read_cloud(result.folder / "cloud.ply").points_mm
+    near = np.linalg.norm(points - nominal["centre_mm"], axis=1) < nominal["radius_mm"] + 0.5
+    fit = fit_sphere(points[near])
+    assert fit.radius_mm == pytest.approx(nominal["radius_mm"], abs=0.03)
+    np.testing.assert_allclose(fit.centre_mm, nominal["centre_mm"], atol=0.06)
+
+
+def test_a_touch_of_the_hand_is_heard_and_averaged(twin: Twin, rig: Rig, bus: Bus) -> None:
+    heard: list[ButtonEvent] = []
+    rig.arm.on_button = heard.append
+    rig.arm._bus.call = lambda callback, *args: callback(*args)  # type: ignore[method-assign]
+    assert twin.hand.touch("crest", 0)
+    until(lambda: any(event.pressed for event in heard))
+    press = next(event for event in heard if event.pressed)
+    assert press.button is Button.PRIMARY
+    mean = rig.arm.average(0.15, until_ns=press.stamp_ns)
+    assert mean.samples > 100
+    assert mean.scatter_rad.max() < 1e-4
+
+
+def test_a_pair_is_captured_over_the_block_and_refused_on_the_way(twin: Twin, rig: Rig) -> None:
+    assert twin.hand.hold_over_object()
+    until(lambda: rig.arm.stillness().still)
+    taken = rig.capture_pair()
+    assert taken.laser is not None
+    assert taken.ambient.image.shape == (CONFIG.height_px, CONFIG.width_px)
+    assert len(extract_stripe(taken.laser.image).u) > CONFIG.width_px / 2
+    assert taken.laser.image.mean() < taken.ambient.image.mean() / 2
+
+
+def test_garbage_and_lost_packets_are_counted_and_harmless(twin: Twin, rig: Rig) -> None:
+    twin.faults.corrupt_rate = twin.faults.garbage_rate = twin.faults.drop_rate = 0.02
+    until(lambda: rig.arm.link().lost > 20 and rig.arm.link().corrupt > 20)
+    assert rig.arm.link().state == "connected"
+    until(lambda: rig.arm.stillness().still)
+    assert rig.arm.average().samples > 100
+
+
+def test_an_unplugged_arm_and_a_lost_camera_come_back(twin: Twin, rig: Rig) -> None:
+    twin.faults.unplugged = twin.faults.camera_lost = True
+    until(lambda: rig.arm.link().state == rig.sensor.link().state == "lost", 3)
+    with pytest.raises(Refusal):
+        rig.capture_pair()
+    twin.faults.unplugged = twin.faults.camera_lost = False
+    until(lambda: rig.arm.link().state == rig.sensor.link().state == "connected", 20)
+    assert rig.arm.info is not None
+
+
+def test_an_arm_that_stalls_is_lost_and_found(twin: Twin, rig: Rig) -> None:
+    twin.faults.stalled = True
+    until(lambda: rig.arm.link().state == "lost", 2)
+    twin.faults.stalled = False
+    until(lambda: rig.arm.link().state == "connected", 20)
