@@ -1,0 +1,111 @@
+"""The demo as a newcomer starts it, and a real browser to look at it with."""
+
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, sync_playwright
+
+ROOT = Path(__file__).resolve().parents[2]
+START_UP_S = 120
+"""The first start compiles the inner loops."""
+# software rendering, and none of the browser's own talk to the outside
+CHROMIUM_FLAGS = [
+    "--no-sandbox",
+    "--disable-gpu",
+    "--use-gl=angle",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--ignore-gpu-blocklist",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--disable-quic",
+]
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Browser]:
+    """Debian's chromium; where it is missing the tests skip, except in CI."""
+    path = shutil.which("chromium") or shutil.which("chromium-browser")
+    if path is None:
+        if os.environ.get("CI"):
+            pytest.fail("chromium is not installed, and CI must run the browser tests")
+        pytest.skip("chromium is not installed")
+    with sync_playwright() as playwright:
+        running = playwright.chromium.launch(executable_path=path, args=CHROMIUM_FLAGS)
+        yield running
+        running.close()
+
+
+class Demo:
+    """``crenel demo`` in a process of its own."""
+
+    def __init__(self, data: Path) -> None:
+        self.data = data
+        self.process = subprocess.Popen(
+            [
+                *(sys.executable, "-c", "from app.cli import main; main()"),
+                *("demo", "--no-open", "--port", "0", "--data", str(data)),
+            ],
+            cwd=ROOT,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+        self.errors: list[str] = []
+        self.listener = threading.Thread(target=self._listen, daemon=True)
+        self.listener.start()
+        watchdog = threading.Timer(START_UP_S, self.process.kill)
+        watchdog.start()
+        assert self.process.stdout is not None
+        told = ""
+        for line in self.process.stdout:
+            told += line
+            if "http://" in line:
+                break
+        watchdog.cancel()
+        address = re.search(r"http://\S+", told)
+        assert address, f"the demo did not start: {told}{''.join(self.errors)}"
+        self.address = address.group()
+
+    def _listen(self) -> None:
+        assert self.process.stderr is not None
+        with self.process.stderr:
+            self.errors.extend(self.process.stderr)
+
+    def end(self) -> int:
+        """Ends the demo as Ctrl-C does; returns its exit status."""
+        if self.process.poll() is None:
+            self.process.send_signal(signal.SIGINT)
+        try:
+            return self.process.wait(20)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            raise
+        finally:
+            self.listener.join(5)
+            assert self.process.stdout is not None
+            self.process.stdout.close()
+
+
+@pytest.fixture
+def demo(tmp_path: Path) -> Iterator[Demo]:
+    running = Demo(tmp_path / "data")
+    yield running
+    running.end()
+
+
+@pytest.fixture(scope="session")
+def pictures() -> Path:
+    """Where the screenshots are left for people to look at."""
+    folder = ROOT / "test-output" / "e2e"
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder

@@ -1,0 +1,124 @@
+"""A newcomer's path through the demo, in a real browser: calibrated by the hand, then scanning."""
+
+import re
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from playwright.sync_api import Browser, ConsoleMessage, Page, expect
+
+from app.files.clouds import read_cloud
+from tests.e2e.conftest import Demo
+
+STEPS = ("devices", "setup", "touch", "place", "capture", "solve")
+PATIENCE_S = 120
+"""How long one step by the hand may take on a busy machine."""
+
+
+class Visit:
+    """A page that keeps what went wrong in it, and takes numbered screenshots."""
+
+    def __init__(self, page: Page, pictures: Path) -> None:
+        self.page = page
+        self.pictures = pictures
+        self.taken = 0
+        self.faults: list[str] = []
+        page.on("console", self._console)
+        page.on("pageerror", lambda error: self.faults.append(str(error)))
+
+    def _console(self, message: ConsoleMessage) -> None:
+        if message.type == "error":
+            self.faults.append(f"{message.text} ({message.location.get('url')})")
+
+    def look(self, name: str) -> None:
+        self.taken += 1
+        self.page.screenshot(path=self.pictures / f"{self.taken:02d}-{name}.png")
+
+    def ask(self, path: str) -> dict[str, Any]:
+        """What the server answers to the page's own question."""
+        found = self.page.evaluate("path => fetch(path).then(answer => answer.json())", path)
+        assert isinstance(found, dict)
+        return found
+
+    def wait_until(self, what: str, path: str, done: Callable[[dict[str, Any]], bool]) -> None:
+        """Asks until the answer satisfies; the page goes on meanwhile."""
+        last = self.ask(path)
+        end = time.monotonic() + PATIENCE_S
+        while not done(last):
+            assert time.monotonic() < end, f"{what}: still {last}"
+            self.page.wait_for_timeout(300)
+            last = self.ask(path)
+
+
+def test_the_whole_path_from_the_first_page_to_a_saved_cloud(
+    demo: Demo, browser: Browser, pictures: Path, tmp_path: Path
+) -> None:
+    page = browser.new_page(viewport={"width": 1440, "height": 900})
+    visit = Visit(page, pictures)
+    page.goto(demo.address)
+    page.get_by_role("button", name="Calibrate").click()
+    page.get_by_role("button", name="Start calibration").click()
+    calibrate(visit)
+    scan(visit, tmp_path)
+    page.get_by_role("link", name="Records").click()
+    expect(page.get_by_text("active")).to_be_visible()
+    visit.look("records")
+    page.close()
+    assert not visit.faults, "\n".join(visit.faults)
+    assert demo.end() in (0, 130)
+    assert not demo.errors, "".join(demo.errors)
+
+
+def calibrate(visit: Visit) -> None:
+    page = visit.page
+    for step in STEPS:
+        visit.wait_until(
+            f"step {step}",
+            "/api/flow",
+            lambda view, step=step: view["step"] == step and view["busy"] is None,
+        )
+        page.wait_for_timeout(500)
+        visit.look(step)
+        page.get_by_role("button", name="Let the hand do it").click()
+        page.wait_for_timeout(1500)
+        visit.look(f"{step}-by-the-hand")
+    visit.wait_until("step review", "/api/flow", lambda view: view["step"] == "review")
+    page.wait_for_timeout(500)
+    visit.look("review")
+    for tab in ("Picture", "Error budget", "Numbers"):
+        page.get_by_role("tab", name=tab).or_(page.get_by_text(tab, exact=True)).first.click()
+        page.wait_for_timeout(300)
+        visit.look(f"review-{tab.lower().replace(' ', '-')}")
+    result = visit.ask("/api/flow")["picture"]["result"]
+    assert result["verdict"] == "good"
+    assert 0 < result["total_um"] < 50
+    page.get_by_role("button", name="Accept this calibration").click()
+    page.wait_for_timeout(500)
+    assert visit.ask("/api/home")["calibration"]["active"]
+
+
+def scan(visit: Visit, folder: Path) -> None:
+    page = visit.page
+    page.get_by_role("link", name="Scan").click()
+    start = page.get_by_role("button", name="Start scan")
+    expect(start).to_be_enabled(timeout=20_000)
+    visit.look("scan-ready")
+    start.click()
+    page.get_by_role("button", name="Let the hand do it").click()
+    visit.wait_until("scanning", "/api/scan", lambda scan: scan["points"] > 30000)
+    visit.look("scanning")
+    page.get_by_role("button", name="Stop the scan").click()
+    visit.wait_until("stopping", "/api/scan", lambda scan: scan["state"] == "idle")
+    visit.look("scanned")
+    page.get_by_role("link", name="Records").click()
+    with page.expect_download() as download:
+        page.get_by_role("link", name=re.compile("PLY")).or_(
+            page.get_by_role("button", name=re.compile("PLY"))
+        ).first.click()
+    saved = folder / "cloud.ply"
+    download.value.save_as(saved)
+    points = read_cloud(saved).points_mm
+    assert len(points) > 30000
+    assert np.isfinite(points).all()
