@@ -1,0 +1,112 @@
+"""Journals in memory, contacts at will, and a station on which all is well."""
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from app.files.sensor import SensorSheet
+from app.guide.journal import fold
+from app.guide.library import Library
+from app.guide.live import Chosen, ConnectedArm, ConnectedSensor, Live
+from app.guide.state import CalibrationState, after
+from app.guide.touching import touch_report
+from app.metrology.arm import Arm, geometric_jacobian, tip_centres
+from app.metrology.crenellated import Crenellated, probing_face
+from app.station.device_state import DeviceState
+from app.station.stillness import Stillness
+
+CHOICES = {"arm": "a", "object": "b", "sensor": "s"}
+
+
+@dataclass(frozen=True)
+class Row:
+    number: int
+    kind: str
+    payload: Mapping[str, object]
+    session_id: str = "s1"
+    at: str = "2026-01-01T00:00:00Z"
+
+
+def state_after(*rows: tuple[str, Mapping[str, object]]) -> CalibrationState:
+    """The state that rows lead to, after passing through JSON as on the disk."""
+    journal = [Row(i + 1, kind, json.loads(json.dumps(p))) for i, (kind, p) in enumerate(rows)]
+    return fold(journal, CalibrationState(), after)
+
+
+def started(step: str = "devices") -> tuple[str, dict[str, object]]:
+    return "started", {"choices": CHOICES, "step": step}
+
+
+def point(face: str, q_rad: object = (0.0,) * 6) -> tuple[str, dict[str, object]]:
+    return "point_taken", {"face": face, "q_rad": [float(q) for q in np.ravel(q_rad)]}
+
+
+def captured(**changes: object) -> tuple[str, dict[str, object]]:
+    payload: dict[str, object] = {
+        "ambient": "images/capture-1-ambient.png",
+        "laser": "images/capture-1-laser.png",
+        "q_rad": [0.0] * 6,
+        "width_px": 1280,
+        "height_px": 1024,
+        "outcome": {"corners": [], "outline": [], "stripe": [], "findings": [], "result": None},
+    }
+    return "image_captured", {**payload, **changes}
+
+
+def reach_tip(arm: Arm, target_mm: np.ndarray, q_rad: np.ndarray) -> np.ndarray:
+    """Angles that bring the tip's centre to a target, by Gauss-Newton from a start."""
+    q = q_rad.copy()
+    for _ in range(60):
+        off = target_mm - tip_centres(arm, q[None])[0]
+        if np.linalg.norm(off) < 1e-9:
+            return q
+        J = geometric_jacobian(arm, q, arm.tip.centre_mm)[:3]
+        step = np.linalg.pinv(J) @ off
+        q = q + step * min(1.0, 0.2 / float(np.abs(step).max()))
+    raise AssertionError("the tip cannot get there")
+
+
+REST_RAD = np.radians([10.0, -40.0, 60.0, 20.0, 35.0, -15.0])
+
+
+def touched(arm: Arm, block: Crenellated, face: str, place_mm: object) -> np.ndarray:
+    """Angles with the tip in contact with a place (3,) on a face; the block stands unturned
+    in front of the arm."""
+    origin = tip_centres(arm, REST_RAD[None])[0]
+    normal, _ = probing_face(block, face)
+    target = origin + np.asarray(place_mm) + arm.tip.radius_mm * normal
+    return reach_tip(arm, target, REST_RAD)
+
+
+CONNECTED = DeviceState("Arm", "connected", "test device", 0.01, 1000.0, 10, 0, 0)
+SENSOR = SensorSheet(
+    name="sensor", serial_number="S-1", width_px=1280, height_px=1024, stripe_axis="u"
+)
+
+
+def live_of(
+    state: CalibrationState, arm: Arm | None, block: Crenellated | None, **changes: object
+) -> Live:
+    """A station on which all is well, changed where a test says so."""
+    report = touch_report(state.counted, arm, block) if arm and block else None
+    live = Live(
+        rev=state.rev,
+        arm_link=CONNECTED,
+        sensor_link=replace(CONNECTED, title="Sensor"),
+        arm=ConnectedArm("A-1", 6),
+        sensor=ConnectedSensor("S-1", 1280, 1024),
+        stillness=Stillness(True, 2.0, 1.0, "Still"),
+        library=Library({}, {}, {}, ()),
+        chosen=Chosen(arm, block, SENSOR if arm else None),
+        touch=report,
+        corners_seen=20,
+        picture_findings=(),
+        seen=None,
+        has_hand=False,
+        busy=None,
+        hand_running=False,
+        trouble=None,
+    )
+    return replace(live, **changes)  # type: ignore[arg-type]

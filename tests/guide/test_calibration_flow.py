@@ -1,0 +1,265 @@
+"""The view: every step says what to do, and every disabled action why."""
+
+import json
+from dataclasses import asdict, replace
+
+import numpy as np
+import pytest
+
+from app.guide.calibration_flow import view_of
+from app.guide.live import Live
+from app.guide.outcome import Outcome, from_payload, to_payload
+from app.guide.permissions import why_not
+from app.guide.state import STEPS, CalibrationState
+from app.guide.touching import suggested_places
+from app.guide.view import (
+    Action,
+    BudgetRow,
+    Busy,
+    CalibrationResult,
+    FlowView,
+    ObjectPicture,
+    ResultPicture,
+    StillPicture,
+)
+from app.metrology.arm import Arm
+from app.metrology.crenellated import Crenellated
+from app.station.findings import Finding, Quality
+from app.station.stillness import Stillness
+from tests.guide.builders import (
+    CONNECTED,
+    captured,
+    live_of,
+    point,
+    started,
+    state_after,
+    touched,
+)
+
+FACES = ("crest", "front", "right")
+
+
+@pytest.fixture(scope="module")
+def contacts(arm: Arm, block: Crenellated) -> list[tuple[str, dict[str, object]]]:
+    return [
+        point(face, touched(arm, block, face, place))
+        for face in FACES
+        for place in suggested_places(block, face)
+    ]
+
+
+def action(view: FlowView, name: str) -> Action:
+    return next(action for action in view.actions if action.name == name)
+
+
+def outcome(verdict: Quality = "good") -> Outcome:
+    result = CalibrationResult(
+        verdict=verdict,
+        verdict_text=f"It is {verdict}.",
+        reprojection_rms_px=0.1,
+        laser_plane_rms_um=5.0,
+        alignment_rms_um=5.0,
+        depth_range_mm=(100.0, 120.0),
+        probe_matrix=np.eye(4).tolist(),
+        faces=[],
+        budget=[BudgetRow("contact points", 12.0)],
+        total_um=12.0,
+        worst=[],
+        comparison=None,
+        condition_number=5.0,
+        distortion=[0.0] * 5,
+    )
+    return Outcome([], [], [], [Finding("good", "It fits.")], result)
+
+
+def solved_state(contacts: list[tuple[str, dict[str, object]]]) -> CalibrationState:
+    rows = [started("touch"), *contacts, captured()]
+    inputs = state_after(*rows).inputs
+    return state_after(*rows, ("solved", {"inputs": inputs, "outcome": to_payload(outcome())}))
+
+
+def states(contacts: list[tuple[str, dict[str, object]]]) -> dict[str, CalibrationState]:
+    found = {step: state_after(started(step), *contacts) for step in STEPS[:-2]}
+    found["solve"] = state_after(started("touch"), *contacts, captured())
+    found["review"] = solved_state(contacts)
+    return found
+
+
+@pytest.mark.parametrize("still", [True, False])
+@pytest.mark.parametrize("connected", [True, False])
+@pytest.mark.parametrize("step", STEPS)
+def test_every_step_tells_what_to_do_and_why_not(
+    step: str,
+    connected: bool,
+    still: bool,
+    arm: Arm,
+    block: Crenellated,
+    contacts: list[tuple[str, dict[str, object]]],
+) -> None:
+    state = states(contacts)[step]
+    live = live_of(state, arm, block, seen=outcome() if step == "review" else None)
+    if not connected:
+        lost = replace(CONNECTED, state="lost", text="The arm was lost; reconnecting.")
+        live = replace(live, arm_link=lost)
+    if not still:
+        live = replace(live, stillness=Stillness(False, 800.0, 90.0, "Moved 0.8 mm"))
+    view = view_of(state, live)
+    assert view.step == step
+    assert view.running
+    assert view.instruction.endswith(".")
+    assert [s.id for s in view.steps] == list(STEPS)
+    assert [s.state for s in view.steps].count("current") == 1
+    assert sum(a.primary and a.enabled for a in view.actions) <= 1
+    for each in view.actions:
+        assert each.enabled == (each.why_not == "")
+        assert each.label
+        assert each.enabled == (why_not(state, live, each.name, each.args) == "")
+    json.dumps(asdict(view), allow_nan=False)
+
+
+def test_a_lost_arm_is_said_and_no_point_can_be_taken(
+    arm: Arm, block: Crenellated, contacts: list[tuple[str, dict[str, object]]]
+) -> None:
+    state = state_after(started("touch"), *contacts)
+    lost = replace(CONNECTED, state="lost", text="No data from the arm for 3 s")
+    view = view_of(state, live_of(state, arm, block, arm_link=lost))
+    assert "No data from the arm" in action(view, "take_point").why_not
+    assert view.findings[0].quality == "bad"
+    assert "kept" in view.findings[0].remedy
+    assert isinstance(view.picture, ObjectPicture)
+    assert len(view.picture.points) == 27
+
+
+def test_the_touch_step_goes_on_only_once_the_object_is_fixed(
+    arm: Arm, block: Crenellated, contacts: list[tuple[str, dict[str, object]]]
+) -> None:
+    few = state_after(started("touch"), *contacts[:18])
+    view = view_of(few, live_of(few, arm, block))
+    assert "left" in action(view, "confirm_touch").why_not
+    assert action(view, "take_point").primary
+    enough = state_after(started("touch"), *contacts)
+    view = view_of(enough, live_of(enough, arm, block))
+    assert action(view, "confirm_touch").enabled
+    assert action(view, "confirm_touch").primary
+    assert view.progress is not None
+    assert (view.progress.done, view.progress.of) == (27, 27)
+    assert view.number is not None
+    assert view.number.value == pytest.approx(0.0, abs=0.01)
+
+
+def test_a_point_on_a_wrong_face_is_offered_for_removal_and_blocks(
+    arm: Arm, block: Crenellated, contacts: list[tuple[str, dict[str, object]]]
+) -> None:
+    wrong = point("crest", touched(arm, block, "front", (1.0, -12.0, 7.5)))
+    state = state_after(started("touch"), *contacts, wrong)
+    view = view_of(state, live_of(state, arm, block))
+    assert "Remove point 28" in action(view, "confirm_touch").why_not
+    assert action(view, "void_point").args == {"index": 27}
+    assert action(view, "void_point").enabled
+
+
+def test_another_arm_or_sensor_than_chosen_is_told_before_it_matters(
+    arm: Arm, block: Crenellated
+) -> None:
+    state = state_after(started("setup"))
+    live = live_of(state, arm, block)
+    assert live.arm is not None
+    assert live.sensor is not None
+    seven = replace(live, arm=replace(live.arm, joint_count=7))
+    assert "7 joints" in action(view_of(state, seven), "confirm_setup").why_not
+    small = replace(live, sensor=replace(live.sensor, width_px=640))
+    assert "640" in action(view_of(state, small), "confirm_setup").why_not
+    other = replace(live, sensor=replace(live.sensor, serial_number="S-9"))
+    view = view_of(state, other)
+    assert action(view, "confirm_setup").enabled
+    assert any("S-9" in finding.text for finding in view.findings)
+    nothing = live_of(state, None, None)
+    assert "Choose the arm" in action(view_of(state, nothing), "confirm_setup").why_not
+
+
+def test_a_refused_solve_says_why_and_offers_the_ways_back(
+    arm: Arm, block: Crenellated, contacts: list[tuple[str, dict[str, object]]]
+) -> None:
+    rows = [started("touch"), *contacts, captured()]
+    refused = {
+        "inputs": state_after(*rows).inputs,
+        "code": "image-dark",
+        "what": "the picture is dark",
+        "why": "2 % of full scale",
+        "remedy": "Raise the exposure",
+    }
+    state = state_after(*rows, ("solve_refused", refused))
+    view = view_of(state, live_of(state, arm, block))
+    assert view.step == "solve"
+    assert isinstance(view.picture, StillPicture)
+    assert view.findings[0].text == "the picture is dark: 2 % of full scale."
+    assert view.findings[0].remedy == "Raise the exposure"
+    assert action(view, "retake").primary
+    state = state_after(*rows, ("solve_refused", refused), ("point_voided", {"index": 3}))
+    assert view_of(state, live_of(state, arm, block)).findings == []
+
+
+def test_a_bad_calibration_cannot_be_accepted(
+    arm: Arm, block: Crenellated, contacts: list[tuple[str, dict[str, object]]]
+) -> None:
+    state = solved_state(contacts)
+    view = view_of(state, live_of(state, arm, block, seen=outcome("bad")))
+    assert isinstance(view.picture, ResultPicture)
+    assert action(view, "accept").why_not == "It is bad."
+    assert action(view, "repeat").primary
+    view = view_of(state, live_of(state, arm, block, seen=outcome("attention")))
+    assert action(view, "accept").enabled
+
+
+def test_an_ended_session_is_shown_and_takes_no_more_commands(
+    arm: Arm, block: Crenellated, contacts: list[tuple[str, dict[str, object]]]
+) -> None:
+    state = replace(solved_state(contacts), ended="accepted")
+    live = live_of(state, arm, block, seen=outcome())
+    view = view_of(state, live)
+    assert not view.running
+    assert [a.name for a in view.actions] == ["repeat"]
+    assert {s.state for s in view.steps} == {"done"}
+    assert why_not(state, live, "accept", {})
+
+
+@pytest.mark.parametrize(
+    ("name", "args"),
+    [
+        ("conjure", {}),
+        ("choose", {}),
+        ("choose", {"field": "arm", "id": "../../etc"}),
+        ("select_face", {"face": "inside"}),
+        ("void_point", {"index": 99}),
+        ("void_point", {"index": "0"}),
+        ("back", {"to": "review"}),
+        ("back", {"to": 3}),
+        ("let_hand", {}),
+        ("stop_hand", {}),
+        ("accept", {}),
+        ("capture", {}),
+    ],
+)
+@pytest.mark.parametrize("step", ["setup", "touch"])
+def test_what_makes_no_sense_here_is_declined_with_a_reason(
+    name: str, args: dict[str, object], step: str, arm: Arm, block: Crenellated
+) -> None:
+    state = state_after(started(step))
+    assert why_not(state, live_of(state, arm, block), name, args)
+
+
+def test_while_something_is_at_work_only_stopping_is_possible(arm: Arm, block: Crenellated) -> None:
+    state = state_after(started("touch"), point("crest", np.zeros(6)))
+    busy: Live = live_of(
+        state, arm, block, busy=Busy("The hand at work", 0.3), hand_running=True, has_hand=True
+    )
+    view = view_of(state, busy)
+    assert action(view, "stop_hand").enabled
+    assert not action(view, "undo").enabled
+    assert "the hand at work" in action(view, "undo").why_not
+
+
+def test_an_outcome_comes_back_from_the_journal_as_it_was() -> None:
+    there = outcome()
+    back = from_payload(json.loads(json.dumps(to_payload(there))))
+    assert back == there

@@ -1,0 +1,127 @@
+"""The fold: whatever the rows, the state follows from them and from nothing else."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from app.guide.state import STEPS
+from tests.guide.builders import captured, point, started, state_after
+
+CONFIRMED = {
+    "setup": "devices_confirmed",
+    "touch": "setup_confirmed",
+    "place": "touch_confirmed",
+    "capture": "place_confirmed",
+}
+
+
+def confirmed_up_to(step: str) -> list[tuple[str, dict[str, object]]]:
+    order = list(CONFIRMED)
+    return [(CONFIRMED[name], {}) for name in order[: order.index(step) + 1]]
+
+
+def test_each_confirmation_leads_to_the_next_step() -> None:
+    for step in CONFIRMED:
+        assert state_after(started(), *confirmed_up_to(step)).step == step
+
+
+def test_undoing_keeps_the_point_in_the_journal_and_its_number() -> None:
+    state = state_after(
+        started("touch"), point("crest"), point("crest"), ("point_voided", {"index": 1})
+    )
+    assert [c.index for c in state.counted] == [0]
+    state = state_after(
+        started("touch"), point("crest"), ("point_voided", {"index": 0}), point("front")
+    )
+    assert [(c.index, c.face) for c in state.counted] == [(1, "front")]
+
+
+def test_points_of_another_object_do_not_count_until_it_is_chosen_again() -> None:
+    rows = [started("touch"), point("crest"), ("chosen", {"field": "object", "id": "other"})]
+    assert state_after(*rows).counted == ()
+    rows.append(("chosen", {"field": "object", "id": "b"}))
+    assert len(state_after(*rows).counted) == 1
+
+
+def test_a_picture_of_another_sensor_does_not_count() -> None:
+    rows = [started("capture"), captured()]
+    assert state_after(*rows).picture is not None
+    rows.append(("chosen", {"field": "sensor", "id": "other"}))
+    assert state_after(*rows).picture is None
+
+
+def test_going_back_keeps_everything_and_says_what_is_stale() -> None:
+    rows = [started("touch"), point("crest"), ("touch_confirmed", {}), ("place_confirmed", {})]
+    rows += [captured(), ("went_back", {"to": "touch"})]
+    state = state_after(*rows)
+    assert state.step == "touch"
+    assert state.reached == "solve"
+    assert state.picture is not None
+    assert len(state.counted) == 1
+
+
+def test_a_result_is_stale_as_soon_as_an_input_changed() -> None:
+    rows = [started("touch"), point("crest"), captured()]
+    inputs = state_after(*rows).inputs
+    rows.append(("solved", {"inputs": inputs, "outcome": {"total_um": 1.0}}))
+    solved = state_after(*rows)
+    assert solved.step == "review"
+    assert solved.outcome == {"total_um": 1.0}
+    for change in (
+        ("point_voided", {"index": 0}),
+        point("front"),
+        ("retaken", {}),
+        ("chosen", {"field": "arm", "id": "other"}),
+    ):
+        assert state_after(*rows, change).outcome is None
+
+
+def test_a_solve_that_was_overtaken_does_not_open_the_review() -> None:
+    rows = [started("touch"), point("crest"), captured()]
+    inputs = state_after(*rows).inputs
+    rows += [("went_back", {"to": "touch"}), point("front")]
+    state = state_after(*rows, ("solved", {"inputs": inputs, "outcome": {}}))
+    assert state.step == "touch"
+    assert state.outcome is None
+
+
+def test_every_capture_has_a_number_of_its_own() -> None:
+    rows = [started("capture"), captured(), ("retaken", {}), captured()]
+    state = state_after(*rows)
+    assert state.picture is not None
+    assert state.picture.number == 2
+    assert state_after(*rows, ("retaken", {})).captures == 2
+
+
+def test_a_row_of_an_unknown_kind_is_not_passed_over() -> None:
+    with pytest.raises(ValueError, match="unknown kind: conjured"):
+        state_after(started(), ("conjured", {}))
+
+
+KINDS = st.sampled_from(
+    [
+        *((kind, {}) for kind in CONFIRMED.values()),
+        point("crest"),
+        point("front"),
+        ("point_voided", {"index": 0}),
+        ("point_voided", {"index": 7}),
+        ("face_selected", {"face": "left"}),
+        captured(),
+        ("retaken", {}),
+        ("solve_started", {}),
+        ("capture_kept", {}),
+        ("went_back", {"to": "touch"}),
+        ("chosen", {"field": "object", "id": "other"}),
+    ]
+)
+
+
+@given(st.lists(KINDS, max_size=30))
+def test_whatever_happened_the_state_is_whole(rows: list[tuple[str, dict[str, object]]]) -> None:
+    state = state_after(started(), *rows)
+    assert state.step in STEPS
+    assert STEPS.index(state.reached) >= STEPS.index(state.step)
+    assert state.rev == len(rows) + 1
+    assert [c.index for c in state.contacts] == list(range(len(state.contacts)))
+    taken = sum(kind == "point_taken" for kind, _ in rows)
+    assert len(state.contacts) == taken

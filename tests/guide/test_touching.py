@@ -1,0 +1,148 @@
+"""The touch step: places that lie on the object, and points judged as they come."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from app.guide.state import CalibrationState
+from app.guide.touching import (
+    WANTED,
+    face_progress,
+    next_face,
+    same_place,
+    suggested_places,
+    touch_report,
+    wanted_on,
+)
+from app.metrology.arm import Arm
+from app.metrology.crenellated import FACES, Crenellated, probing_face
+from tests.guide.builders import point, started, state_after, touched
+
+widths = st.floats(1.5, 12.0)
+
+
+@st.composite
+def blocks(draw: st.DrawFn) -> Crenellated:
+    merlons = draw(st.integers(2, 6))
+    edges = np.cumsum([0.0, *(draw(widths) for _ in range(2 * merlons - 1))]).tolist()
+    depth, step, foot = draw(widths) + 2, draw(widths) + 2, draw(widths) + 2
+    return Crenellated("b", "1", tuple(edges), -depth, depth, step, 0.0, -foot, 0.002)
+
+
+@given(blocks(), st.sampled_from(FACES))
+def test_every_suggested_place_lies_on_its_face_clear_of_the_edges(
+    block: Crenellated, face: str
+) -> None:
+    places = np.array(suggested_places(block, face))
+    assert WANTED - 1 <= len(places) <= WANTED
+    normal, offset_mm = probing_face(block, face)
+    assert places @ normal == pytest.approx(offset_mm)
+    x, edges = places[:, 0], np.array(block.edges_x_mm)
+    clear = 0.2
+    if face in ("crest", "floor"):
+        own = [slice(i, i + 2) for i in range(0 if face == "crest" else 1, len(edges) - 1, 2)]
+        on_one = [(x > edges[s][0] + clear) & (x < edges[s][1] - clear) for s in own]
+        assert np.any(on_one, axis=0).all()
+    if face in ("front", "back"):
+        high = places[:, 2] > block.floor_z_mm
+        merlon = [(x > a) & (x < b) for a, b in zip(edges[::2], edges[1::2], strict=True)]
+        assert np.any(merlon, axis=0)[high].all()
+        assert (places[:, 2] > block.base_z_mm).all()
+        assert (places[:, 2] < block.crest_z_mm).all()
+    if face not in ("front", "back"):
+        assert (places[:, 1] > block.front_y_mm).all()
+        assert (places[:, 1] < block.back_y_mm).all()
+
+
+@given(blocks(), st.sampled_from(FACES))
+def test_suggested_places_do_not_lie_on_one_line(block: Crenellated, face: str) -> None:
+    places = np.array(suggested_places(block, face))
+    spread = np.linalg.svd(places - places.mean(axis=0), compute_uv=False)
+    assert spread[1] > 0.5
+
+
+def session(arm: Arm, block: Crenellated, faces: tuple[str, ...], count: int) -> CalibrationState:
+    rows = [started("touch")]
+    for face in faces:
+        for place in suggested_places(block, face)[:count]:
+            rows.append(point(face, touched(arm, block, face, place)))
+    return state_after(*rows)
+
+
+def test_what_is_missing_is_said_until_an_alignment_is_possible(
+    arm: Arm, block: Crenellated
+) -> None:
+    report = touch_report(session(arm, block, ("crest", "front"), 9).counted, arm, block)
+    assert report.alignment is None
+    assert "left" in report.missing
+    assert all(p.at_mm is None and p.residual_um is None for p in report.points)
+
+
+def test_points_that_agree_have_small_residuals_and_their_place(
+    arm: Arm, block: Crenellated
+) -> None:
+    report = touch_report(session(arm, block, ("crest", "front", "right"), 9).counted, arm, block)
+    assert report.missing == ""
+    assert report.rms_um == pytest.approx(0.0, abs=0.01)
+    assert report.suspects == ()
+    places = [p.at_mm for p in report.points]
+    expected = [q for f in ("crest", "front", "right") for q in suggested_places(block, f)]
+    assert np.array(places) == pytest.approx(np.array(expected), abs=1e-4)
+
+
+def test_a_point_on_another_face_is_told_with_the_face_it_lies_on(
+    arm: Arm, block: Crenellated
+) -> None:
+    rows = [started("touch")]
+    for face in ("crest", "front", "right"):
+        for place in suggested_places(block, face):
+            rows.append(point(face, touched(arm, block, face, place)))
+    rows.append(point("crest", touched(arm, block, "front", (1.0, -12.0, 7.5))))
+    report = touch_report(state_after(*rows).counted, arm, block)
+    assert report.suspects == (27,)
+    (finding,) = report.findings
+    assert finding.quality == "bad"
+    assert "Point 28 misses the crest face" in finding.text
+    assert finding.remedy
+
+
+def test_a_point_off_its_face_is_named_an_outlier(arm: Arm, block: Crenellated) -> None:
+    rows = [started("touch")]
+    rng = np.random.default_rng(5)
+    for face in ("crest", "front", "right"):
+        normal, _ = probing_face(block, face)
+        for i, place in enumerate(suggested_places(block, face)):
+            off_mm = 0.2 if (face, i) == ("front", 4) else rng.normal(0.0, 0.005)
+            rows.append(point(face, touched(arm, block, face, place + off_mm * normal)))
+    report = touch_report(state_after(*rows).counted, arm, block)
+    assert report.suspects == (13,)
+    assert report.findings[0].quality == "attention"
+    assert "µm" in report.findings[0].text
+    assert report.points[13].residual_um == pytest.approx(200.0, abs=15.0)
+
+
+def test_the_same_place_twice_is_noticed(arm: Arm, block: Crenellated) -> None:
+    state = session(arm, block, ("crest",), 3)
+    place = np.array(suggested_places(block, "crest")[1])
+    near = touched(arm, block, "crest", place + [0.1, 0.1, 0.0])
+    far = touched(arm, block, "crest", place + [1.0, 0.0, 0.0])
+    assert same_place(near, state.counted, arm) == 1
+    assert same_place(far, state.counted, arm) is None
+    assert same_place(near, (), arm) is None
+
+
+def test_either_end_and_either_long_side_will_do() -> None:
+    none = dict.fromkeys(FACES, 0)
+    wanted = wanted_on(none)
+    assert wanted["crest"] == wanted["front"] == wanted["right"] == WANTED
+    wanted = wanted_on({**none, "left": 2, "right": 1, "back": 1})
+    assert wanted["left"] == wanted["back"] == WANTED
+    assert wanted["right"] == wanted["front"] == wanted["floor"] == 0
+
+
+def test_a_complete_face_gives_way_to_the_next(arm: Arm, block: Crenellated) -> None:
+    report = touch_report(session(arm, block, ("crest",), 9).counted, arm, block)
+    assert next_face(face_progress(report, "crest", block), "crest") == "front"
+    report = touch_report(session(arm, block, ("crest",), 8).counted, arm, block)
+    assert next_face(face_progress(report, "crest", block), "crest") == "crest"
