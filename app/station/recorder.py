@@ -2,6 +2,7 @@
 
 import queue
 import threading
+import time
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,6 +15,8 @@ from hardware.clock import now_ns
 
 QUEUE_FRAMES = 256
 POLL_S = 0.05
+# What a killed process may lose.
+FLUSH_S = 0.5
 # Joints are recorded from a little before the scan, so that its first frame has them around it.
 LEAD_NS = 200_000_000
 
@@ -77,27 +80,32 @@ class Recorder:
         self._thread.join()
 
     def _run(self) -> None:
-        last_ns = 0
         try:
             with self._writer:
-                while True:
-                    try:
-                        frame = self._frames.get(timeout=POLL_S)
-                    except queue.Empty:
-                        self._write_joints()
-                        continue
-                    if frame is None:
-                        break
-                    last_ns = frame.stamp_ns
-                    self._write_joints()
-                    self._writer.stripe(
-                        frame.stamp_ns, frame.stripe, frame.width_px, frame.height_px
-                    )
+                last_ns = self._write_frames()
                 if self._arm.fresh:
                     self._arm.at(last_ns, LATE_S)
                 self._write_joints()
         except Refusal as refusal:
             self.failure = refusal
+
+    def _write_frames(self) -> int:
+        """Until told to end; the last frame's stamp."""
+        last_ns, flushed_s = 0, time.monotonic()
+        while True:
+            if time.monotonic() - flushed_s > FLUSH_S:
+                self._writer.flush()
+                flushed_s = time.monotonic()
+            try:
+                frame = self._frames.get(timeout=POLL_S)
+            except queue.Empty:
+                self._write_joints()
+                continue
+            if frame is None:
+                return last_ns
+            last_ns = frame.stamp_ns
+            self._write_joints()
+            self._writer.stripe(frame.stamp_ns, frame.stripe, frame.width_px, frame.height_px)
 
     def _write_joints(self) -> None:
         window = self._arm.window(self._joints_after_ns + 1, now_ns())
