@@ -185,15 +185,18 @@ def _agreeing(rows: Rows) -> NDArray[np.bool_]:
 
 def _inflation(rows: Rows, kept: NDArray[np.bool_]) -> Floats:
     """Factors (N,) on the deviations, one for each line: scatter beyond what its points
-    say, and likeness of neighbours (speckle; an edge that runs along the pixels)."""
+    say, likeness of neighbours (speckle), and what all points of a line share."""
     factor = np.ones(len(kept))
     off = rows.residuals / rows.sigma
     for number in np.unique(rows.line):
         own = (rows.line == number) & kept
         if own.sum() < FEWEST_TO_JUDGE:
             continue
-        beyond = max(float(np.mean(off[own] ** 2)), 1.0)
-        factor[rows.line == number] = np.sqrt(beyond * neighbours_alike(rows.places[own], off[own]))
+        variance = max(float(np.mean(off[own] ** 2)), 1.0)
+        variance *= neighbours_alike(rows.places[own], off[own])
+        # a shared error does not average out along the line
+        variance += float(np.sum((rows.shared_px / rows.sigma[own]) ** 2))
+        factor[rows.line == number] = np.sqrt(variance)
     return factor
 
 

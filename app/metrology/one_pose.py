@@ -26,6 +26,9 @@ from app.metrology.stripe import Image, Stripe, extract_stripe
 
 Progress = Callable[[str, float], None]
 
+# How well a hand brings a probe's sphere onto a ground face, time after time.
+TOUCH_SD_MM = 0.005
+
 
 @dataclass(frozen=True)
 class OnePoseInputs:
@@ -240,8 +243,8 @@ def _assembled(
 def arm_excess(inputs: OnePoseInputs, alignment: Alignment) -> float:
     """How much more the contacts scatter than the arm's encoders explain; 1 at least.
 
-    The arm's geometry, its model's errors and the hand make up the rest, so the
-    calibration pose is taken to be as much worse than its encoders as the contacts are.
+    What is left beyond a hand's touch is the arm's geometry, so the calibration pose is
+    taken to be as much worse than its encoders as the contacts are.
     """
     noise = tip_covariances(inputs.arm, inputs.contact_q_rad)
     if not np.any(noise):
@@ -249,7 +252,8 @@ def arm_excess(inputs: OnePoseInputs, alignment: Alignment) -> float:
     normals = np.array([probing_face(inputs.block, face)[0] for face in inputs.features])
     normals = normals @ alignment.T_arm_obj[:3, :3].T
     variances = np.einsum("ij,ijk,ik->i", normals, noise, normals)[~alignment.outliers]
-    return max(alignment.sigma_mm / float(np.sqrt(np.mean(variances))), 1.0)
+    unexplained = (alignment.sigma_mm**2 - TOUCH_SD_MM**2) / float(np.mean(variances))
+    return float(np.sqrt(max(unexplained, 1.0)))
 
 
 def _faugeras(detection: ObjectDetection, block: Crenellated) -> FaugerasSolution:

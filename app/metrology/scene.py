@@ -17,6 +17,9 @@ from app.metrology.stripe import Stripe
 # After the camera's parameters come two tilts (rad) and the offset (mm) of the plane.
 PLANE = slice(COUNT, COUNT + 3)
 BLOCK = slice(COUNT + 3, None)
+# An edge's points share an error that noise does not show: shading beside the edge,
+# a chamfer or burr, and the pixels' grid where the edge runs along it.
+SHARED_EDGE_PX = 0.015
 
 
 @dataclass(frozen=True)
@@ -50,7 +53,8 @@ class Rows:
     """Observation equations of one kind: residuals (N,) over sigma (N,), by the parameters.
 
     ``places`` (N, 2) are the pixels they were observed at, ``line`` (N,) numbers the
-    straight line that each belongs to (one number for all corners).
+    straight line that each belongs to (one number for all corners); ``shared_px`` is
+    the standard deviation of an error that all points of one line have in common.
     """
 
     residuals: Floats
@@ -58,6 +62,7 @@ class Rows:
     jacobian: Floats  # (N, P): derivative of the residuals
     places: Floats
     line: NDArray[np.int64]
+    shared_px: float = 0.0
 
 
 def coordinates(block: Crenellated) -> Floats:
@@ -119,7 +124,7 @@ def edge_rows(scene: Scene, measured: Sequence[EdgePoints]) -> Rows:
         J[every, BLOCK.start + ends[:, 0, k]] += to_normal[:, k] * (1 - share)
         J[every, BLOCK.start + ends[:, 1, k]] += to_normal[:, k] * share
     sigma = np.concatenate([edge.sigma_px for edge in measured])
-    return Rows(residuals, sigma, -J, uv, line)
+    return Rows(residuals, sigma, -J, uv, line, SHARED_EDGE_PX)
 
 
 def stripe_rows(scene: Scene, stripe: Stripe, fit: LaserPlaneFit) -> Rows:
