@@ -27,13 +27,13 @@ export function Actions({ actions, onAct, children }: ActionsProps) {
     return i < 0 ? undefined : `${id}${i}`;
   };
   return (
-    <div className={styles.actions}>
+    <>
       {primary.map((action) => (
         <div key={keyOf(action)} className={styles.primary}>
           <ActionButton action={action} onAct={onAct} />
         </div>
       ))}
-      {children}
+      <div className={styles.middle}>{children}</div>
       <div className={styles.foot}>
         {reasons.map(({ why, labels }, i) => (
           <p key={why} id={`${id}${i}`} className={styles.why}>
@@ -46,7 +46,7 @@ export function Actions({ actions, onAct, children }: ActionsProps) {
           ))}
         </div>
       </div>
-    </div>
+    </>
   );
 }
 
