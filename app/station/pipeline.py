@@ -1,11 +1,13 @@
 """A running scan: frames to stripes, stripes to the recording, to points, to the display."""
 
 import logging
+import os
 import queue
 import threading
 import time
 from collections import deque
 from collections.abc import Callable
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
@@ -20,7 +22,7 @@ from app.metrology.frames import Floats
 from app.metrology.laser_plane import LaserPlane
 from app.metrology.reconstruct import arm_points
 from app.metrology.refusal import Refusal
-from app.metrology.stripe import extract_stripe
+from app.metrology.stripe import Stripe, extract_stripe
 from app.station.arm_side import LATE_S, ArmSide
 from app.station.recorder import Recorder, StripeFrame
 from app.station.sensor_side import SensorSide
@@ -28,6 +30,7 @@ from hardware.interfaces import Frame
 
 log = logging.getLogger(__name__)
 
+CORES = os.cpu_count() or 1
 TAP_FRAMES = 64
 POINTS_QUEUE_FRAMES = 256
 POLL_S = 0.1
@@ -63,7 +66,7 @@ class Counts:
 
 
 class ScanPipeline:
-    """Three stages on three threads, with bounded queues between them.
+    """Stages on threads of their own, with bounded queues between them.
 
     The recording comes first and drops nothing: when the disk is slow the frames
     wait, and those that then find the tap full are counted as lost. Points are
@@ -86,6 +89,7 @@ class ScanPipeline:
         self._cloud_path = folder / "cloud.ply"
         self._show = show
         self._made: deque[tuple[float, int]] = deque()
+        self._extracting: queue.Queue[tuple[Frame, Future[Stripe]] | None] = queue.Queue(2 * CORES)
         self._stripes: queue.Queue[StripeFrame | None] = queue.Queue(POINTS_QUEUE_FRAMES)
         self._lost_before = sensor.reader.link().lost
         self._recorder = Recorder(
@@ -96,7 +100,8 @@ class ScanPipeline:
         )
         self._tap = sensor.frames.tap(TAP_FRAMES)
         self._threads = [
-            threading.Thread(target=self._extract_all, name="scan-extract", daemon=True),
+            threading.Thread(target=self._take_all, name="scan-take", daemon=True),
+            threading.Thread(target=self._record_all, name="scan-record", daemon=True),
             threading.Thread(target=self._make_cloud, name="scan-points", daemon=True),
         ]
         for thread in self._threads:
@@ -130,31 +135,37 @@ class ScanPipeline:
             thread.join()
         self._recorder.close()
 
-    def _extract_all(self) -> None:
-        while True:
-            frame = self._tap.get(POLL_S)
-            if frame is not None:
-                self._extract(frame)
-            elif self._tap.finished:
-                self._stripes.put(None)
-                return
+    def _take_all(self) -> None:
+        """Sends frames to be extracted on all cores; waits when they are behind."""
+        with ThreadPoolExecutor(CORES, "scan-extract") as pool:
+            while not self._tap.finished:
+                frame = self._tap.get(POLL_S)
+                if frame is None:
+                    continue
+                if frame.laser_on:
+                    work = pool.submit(extract_stripe, frame.image, self._calibration.stripe_axis)
+                    self._extracting.put((frame, work))
+                else:
+                    self.counts.frames_without_laser += 1
+        self._extracting.put(None)
 
-    def _extract(self, frame: Frame) -> None:
-        if not frame.laser_on:
-            self.counts.frames_without_laser += 1
-            return
-        try:
-            stripe = extract_stripe(frame.image, self._calibration.stripe_axis)
-        except Refusal as refusal:
-            self.failure = self.failure or refusal
-            return
-        self.counts.frames += 1
-        height, width = frame.image.shape
-        taken = StripeFrame(self.counts.frames - 1, frame.mid_exposure_ns, stripe, width, height)
-        if not len(stripe.u):
-            self.counts.frames_without_stripe += 1
-        if self._recorder.put(taken):
-            self._stripes.put(taken)
+    def _record_all(self) -> None:
+        """Hands stripes on in the order of their frames, to the recording first."""
+        while (taken := self._extracting.get()) is not None:
+            frame, work = taken
+            try:
+                stripe = work.result()
+            except Refusal as refusal:
+                self.failure = self.failure or refusal
+                continue
+            self.counts.frames += 1
+            self.counts.frames_without_stripe += not len(stripe.u)
+            height, width = frame.image.shape
+            number = self.counts.frames - 1
+            found = StripeFrame(number, frame.mid_exposure_ns, stripe, width, height)
+            if self._recorder.put(found):
+                self._stripes.put(found)
+        self._stripes.put(None)
 
     def _make_cloud(self) -> None:
         """Writes the cloud; goes on showing points where the disk fails."""
