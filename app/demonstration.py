@@ -9,32 +9,35 @@ from app.api.wiring import Parts
 from app.files.atomic import write_atomically
 from app.files.failures import files_refused
 from hardware.registry import arm_driver
-from hardware.twin.station import Twin, TwinConfig
+from hardware.twin.station import Twin
 
 FOLDERS = {"arm.json": "arms", "object.json": "objects", "sensor.json": "sensors"}
 PAPERS_NAME = "simulated"
 
 
 @contextmanager
-def simulated_parts(
-    data: Path, hosts: tuple[str, ...] = (), config: TwinConfig | None = None
-) -> Iterator[Parts]:
-    """A running twin as the parts of a station; the real serial driver reads its arm.
+def simulated_parts(data: Path, hosts: tuple[str, ...] = ()) -> Iterator[Parts]:
+    """A running twin as the parts of a station.
 
     Raises:
         Refusal: the data folder cannot be written.
     """
-    with Twin(config) as twin:
-        put_papers(twin, data)
-        options = {"url": twin.arm_url}
-        yield Parts(
-            name="Demonstration",
-            data=data,
-            arm=lambda: arm_driver("serial-encoder", options),
-            sensor=twin.sensor,
-            hosts=hosts,
-            hand=twin.hand,
-        )
+    with Twin() as twin:
+        yield parts_of(twin, data, hosts)
+
+
+def parts_of(twin: Twin, data: Path, hosts: tuple[str, ...] = ()) -> Parts:
+    """A station on a started twin; the real serial driver reads its arm."""
+    put_papers(twin, data)
+    options = {"url": twin.arm_url}
+    return Parts(
+        name="Demonstration",
+        data=data,
+        arm=lambda: arm_driver("serial-encoder", options),
+        sensor=twin.sensor,
+        hosts=hosts,
+        hand=twin.hand,
+    )
 
 
 def put_papers(twin: Twin, data: Path) -> None:

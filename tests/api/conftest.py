@@ -1,0 +1,95 @@
+"""A real server on the twin, which the tests of this room share."""
+
+import socket
+import threading
+import time
+import uuid
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import httpx
+import pytest
+
+from app.api.context import Context
+from app.demonstration import parts_of
+from app.main import build_app, make_server
+from hardware.twin.station import Twin, TwinConfig
+
+
+@dataclass
+class Server:
+    """A running server, its insides, and the twin under it."""
+
+    port: int
+    data: Path
+    context: Context
+    twin: Twin
+    http: httpx.Client
+
+    @property
+    def address(self) -> str:
+        return f"http://127.0.0.1:{self.port}"
+
+    @property
+    def live(self) -> str:
+        return f"ws://127.0.0.1:{self.port}/api/live"
+
+    def flow(self) -> dict[str, object]:
+        return dict(self.http.get("/api/flow").json())
+
+    def command(
+        self, name: str, rev: object = None, key: str = "", **args: object
+    ) -> httpx.Response:
+        """Posts a command, by default on the present view."""
+        body = {
+            "name": name,
+            "args": args,
+            "rev": self.flow()["rev"] if rev is None else rev,
+            "key": key or uuid.uuid4().hex,
+        }
+        return self.http.post("/api/flow/command", json=body)
+
+    def wait(self, ready: Callable[[dict[str, object]], bool], timeout_s: float = 90.0) -> None:
+        """Until the flow's view is as wanted."""
+        deadline = time.monotonic() + timeout_s
+        while not ready(view := self.flow()):
+            assert time.monotonic() < deadline, view
+            time.sleep(0.05)
+
+
+@pytest.fixture(scope="session")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
+    data = tmp_path_factory.mktemp("station")
+    with Twin(TwinConfig(pace=3.0)) as twin, socket.socket() as listening:
+        listening.bind(("127.0.0.1", 0))
+        listening.listen()
+        app = build_app(parts_of(twin, data))
+        running = make_server(app)
+        thread = threading.Thread(target=running.run, kwargs={"sockets": [listening]})
+        thread.start()
+        port = listening.getsockname()[1]
+        with httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=20.0) as http:
+            yield Server(port, data, app.state.context, twin, http)
+        running.should_exit = True
+        thread.join(20.0)
+        assert not thread.is_alive()
+
+
+@pytest.fixture
+def touching(server: Server) -> Server:
+    """A new session at the touch step, with the arm at rest."""
+    if server.flow()["running"]:
+        server.command("abandon").raise_for_status()
+    server.http.post("/api/flow/start").raise_for_status()
+    for name in ("confirm_devices", "confirm_setup"):
+        server.wait(lambda view, n=name: enabled(view, n))  # type: ignore[misc]
+        server.command(name).raise_for_status()
+    server.wait(lambda view: enabled(view, "take_point"))
+    return server
+
+
+def enabled(view: dict[str, object], name: str) -> bool:
+    actions = view["actions"]
+    assert isinstance(actions, list)
+    return any(action["name"] == name and action["enabled"] for action in actions)

@@ -1,0 +1,175 @@
+"""The guided calibration over HTTP, on the twin: done once, done in order, lost never."""
+
+import json
+import time
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import httpx
+
+from app.files.calibrate import calibrate_session
+from hardware.clock import now_ns
+from hardware.interfaces import Button
+from tests.api.conftest import Server, enabled
+
+
+def points(view: dict[str, object]) -> list[int]:
+    picture = view["picture"]
+    assert isinstance(picture, dict)
+    return [point["index"] for point in picture["points"]]
+
+
+def test_the_same_command_twice_acts_once(touching: Server) -> None:
+    rev = touching.flow()["rev"]
+    first = touching.command("take_point", rev=rev, key="one-click")
+    again = touching.command("take_point", rev=rev, key="one-click")
+    assert first.status_code == again.status_code == 200
+    assert points(again.json()) == [0]
+
+
+def test_of_two_tabs_at_once_only_one_takes_the_point(touching: Server) -> None:
+    rev = touching.flow()["rev"]
+    with ThreadPoolExecutor(6) as tabs:
+        answers = list(tabs.map(lambda _: touching.command("take_point", rev=rev), range(6)))
+    codes = sorted(answer.status_code for answer in answers)
+    assert codes == [200, 409, 409, 409, 409, 409]
+    stale = next(answer for answer in answers if answer.status_code == 409)
+    assert stale.headers["content-type"] == "application/problem+json"
+    assert stale.json()["code"] == "stale-view"
+    assert points(stale.json()["view"]) == points(touching.flow()) == [0]
+
+
+def test_the_same_place_is_no_second_point(touching: Server) -> None:
+    touching.command("take_point").raise_for_status()
+    answer = touching.command("take_point")
+    assert answer.status_code == 422
+    assert answer.json()["code"] == "same-place"
+    assert "point 1" in answer.json()["detail"]
+    assert answer.json()["remedy"]
+    assert points(touching.flow()) == [0]
+
+
+def test_the_arms_buttons_take_points_and_take_them_back(touching: Server) -> None:
+    hand = touching.twin.hand
+    for index in (0, 1):
+        assert hand.touch("crest", index)
+        touching.wait(lambda view, n=index: len(points(view)) == n + 1, 10.0)  # type: ignore[misc]
+    press = touching.twin.device.press
+    press(Button.UNDO, True, now_ns())
+    press(Button.UNDO, False, now_ns() + 50_000_000)
+    touching.wait(lambda view: points(view) == [0], 10.0)
+    assert touching.command("undo").status_code == 200
+    assert touching.command("undo").status_code == 422
+
+
+def test_a_point_in_motion_is_declined_and_said(touching: Server) -> None:
+    with ThreadPoolExecutor(1) as elsewhere:
+        moving = elsewhere.submit(touching.twin.hand.hold_over_object)
+        touching.wait(lambda view: not enabled(view, "take_point"), 10.0)
+        answer = touching.command("take_point")
+        moving.result(30.0)
+    assert answer.status_code == 422
+    assert "still" in answer.json()["detail"]
+    assert points(touching.flow()) == []
+
+
+def test_back_and_forth_keeps_the_points(touching: Server) -> None:
+    touching.command("take_point").raise_for_status()
+    view = touching.command("back").json()
+    assert view["step"] == "setup"
+    assert [s["state"] for s in view["steps"]][:3] == ["done", "current", "stale"]
+    view = touching.command("confirm_setup").json()
+    assert points(view) == [0]
+
+
+def test_commands_that_belong_elsewhere_are_declined(touching: Server) -> None:
+    for name in ("solve", "accept", "confirm_place", "no_such_command"):
+        answer = touching.command(name)
+        assert answer.status_code == 422
+        assert answer.json()["code"] == "not-now"
+        assert answer.json()["detail"]
+
+
+def test_starting_twice_resumes_the_open_session(touching: Server) -> None:
+    before = touching.flow()
+    again = touching.http.post("/api/flow/start").json()
+    assert again["session_id"] == before["session_id"]
+    assert again["rev"] == before["rev"]
+
+
+def test_the_hand_stops_when_told(touching: Server) -> None:
+    touching.command("let_hand").raise_for_status()
+    touching.wait(lambda view: len(points(view)) >= 2, 20.0)
+    # stopping needs no fresh view
+    assert touching.command("stop_hand", rev=0).status_code == 200
+    touching.wait(lambda view: view["busy"] is None, 10.0)
+    taken = points(touching.flow())
+    time.sleep(0.5)
+    view = touching.flow()
+    assert points(view) == taken
+    assert view["step"] == "touch"
+
+
+def test_a_whole_calibration_by_the_hand(server: Server, tmp_path: Path) -> None:
+    http = server.http
+    if server.flow()["running"]:
+        server.command("abandon").raise_for_status()
+    http.post("/api/flow/start").raise_for_status()
+    server.command("let_hand", all=True).raise_for_status()
+    server.wait(lambda view: view["busy"] is None)
+    view = http.get("/api/flow").json()
+    assert view["step"] == "review", view["findings"]
+
+    result = view["picture"]["result"]
+    assert result["verdict"] == "good"
+    assert 0 < result["total_um"] < 50
+    assert len(view["picture"]["points"]) == 27
+    assert len(view["picture"]["corners"]) >= 8
+    image = http.get(view["picture"]["image_url"])
+    assert image.headers["content-type"] == "image/png"
+    assert image.content.startswith(b"\x89PNG")
+
+    # the folder alone gives the same calibration
+    folder = server.data / "sessions" / view["session_id"]
+    calibrate_session(folder, tmp_path / "again.json")
+    again = json.loads((tmp_path / "again.json").read_text())
+    kept = json.loads((folder / "calibration.json").read_text())
+    assert {k for k in kept if kept[k] != again[k]} <= {"created_at", "operator"}
+    assert again["probe_matrix"] == result["probe_matrix"]
+
+    assert http.get("/api/home").json()["calibration"] is None
+    rev = view["rev"]
+    accepted = server.command("accept", rev=rev, key="accepted-once")
+    assert accepted.json()["running"] is False
+    assert server.command("accept", rev=rev, key="accepted-once").status_code == 200
+    (summary,) = http.get("/api/calibrations").json()
+    assert summary["active"] is True
+    assert summary["arm_serial"] == "TWIN-A1"
+    home = http.get("/api/home").json()
+    assert home["calibration"]["id"] == summary["id"]
+    assert home["next"]["page"] == "scan"
+    file = http.get(f"/api/calibrations/{summary['id']}/calibration.json")
+    assert file.json() == kept
+    scan_with_it(http, server)
+
+
+def scan_with_it(http: httpx.Client, server: Server) -> None:
+    """A short scan with the calibration just made, saved when stopped."""
+    assert http.post("/api/scan/start", json={"name": "Shell"}).json()["state"] == "running"
+    assert http.post("/api/scan/start", json={}).json()["code"] == "busy"
+    assert http.post("/api/scan/hand", json={"on": True}).json()["hand_running"] is True
+    deadline = time.monotonic() + 30
+    while http.get("/api/scan").json()["points"] < 1000:
+        assert time.monotonic() < deadline
+        time.sleep(0.1)
+    assert http.post("/api/stop").status_code == 204
+    devices = http.post("/api/laser", json={"on": False}).json()
+    assert devices["laser_on"] is False
+    deadline = time.monotonic() + 10
+    while not (scans := http.get("/api/scans").json()):
+        assert time.monotonic() < deadline
+        time.sleep(0.05)
+    assert scans[0]["name"] == "Shell"
+    assert scans[0]["points"] >= 1000
+    cloud = http.get(f"/api/scans/{scans[0]['id']}/cloud.ply").content
+    assert f"element vertex {scans[0]['points']}".encode() in cloud[:500]

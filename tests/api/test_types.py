@@ -1,0 +1,171 @@
+"""The browser's types and the server's shapes are the same."""
+
+import re
+import types
+from dataclasses import fields, is_dataclass
+from pathlib import Path
+from typing import Literal, Union, get_args, get_origin, get_type_hints
+
+import pytest
+
+from app.api import schema
+from app.guide import view
+from app.station import device_state, findings, preview, rig
+
+TYPES = Path(__file__).resolve().parents[2] / "frontend/src/api/types.ts"
+SHAPES: dict[str, type] = {
+    "LiveNumber": view.LiveNumber,
+    "Finding": findings.Finding,
+    "Action": view.Action,
+    "Step": view.Step,
+    "BlockGeometry": view.BlockGeometry,
+    "TouchedPoint": view.TouchedPoint,
+    "FaceProgress": view.FaceProgress,
+    "ChoiceOption": view.ChoiceOption,
+    "Choice": view.Choice,
+    "DeviceLine": view.DeviceLine,
+    "ImageCorner": view.ImageCorner,
+    "BudgetRow": view.BudgetRow,
+    "FaceResult": view.FaceResult,
+    "WorstPoint": view.WorstPoint,
+    "Comparison": view.Comparison,
+    "CalibrationResult": view.CalibrationResult,
+    "FlowView": view.FlowView,
+    "FlowCommand": schema.FlowCommand,
+    "Problem": schema.Problem,
+    "DeviceState": device_state.DeviceState,
+    "Devices": rig.Devices,
+    "ScanState": schema.ScanState,
+    "CalibrationSummary": schema.CalibrationSummary,
+    "ScanSummary": schema.ScanSummary,
+    "Station": schema.Station,
+    "Home": schema.Home,
+    "PreviewHeader": preview.PreviewHeader,
+}
+PICTURES = {
+    "devices": view.DevicesPicture,
+    "choices": view.ChoicesPicture,
+    "object": view.ObjectPicture,
+    "camera": view.CameraPicture,
+    "still": view.StillPicture,
+    "result": view.ResultPicture,
+}
+
+
+def source() -> str:
+    text = re.sub(r"/\*.*?\*/", "", TYPES.read_text(), flags=re.S)
+    return re.sub(r"//.*", "", text)
+
+
+def interfaces() -> dict[str, str]:
+    """The body of each exported interface."""
+    found = {}
+    for match in re.finditer(r"export interface (\w+) \{", source()):
+        found[match[1]] = body_from(source(), match.end())
+    return found
+
+
+def body_from(text: str, start: int) -> str:
+    depth, end = 1, start
+    while depth:
+        depth += {"{": 1, "}": -1}.get(text[end], 0)
+        end += 1
+    return text[start : end - 1]
+
+
+def members(body: str) -> dict[str, str]:
+    """Field names with their types; what is nested in braces is left as it is."""
+    parts, depth, part = [], 0, ""
+    for char in body:
+        depth += {"{": 1, "}": -1}.get(char, 0)
+        if char == ";" and depth == 0:
+            parts.append(part)
+            part = ""
+        else:
+            part += char
+    parts.append(part)
+    named = [re.match(r"\s*(\w+)(\??):\s*(.+)", p, flags=re.S) for p in parts]
+    return {m[1]: m[3].strip() + (" | undefined" if m[2] else "") for m in named if m}
+
+
+def kind_of(hint: object) -> set[str]:
+    """The primitive kinds that a Python type is sent as; nested shapes are 'object'."""
+    origin = get_origin(hint)
+    if origin in (Union, types.UnionType):
+        return set().union(*(kind_of(arg) for arg in get_args(hint)))
+    if origin is Literal or hint is str:
+        return {"string"}
+    if hint is bool:
+        return {"boolean"}
+    if hint in (int, float):
+        return {"number"}
+    if hint is type(None):
+        return {"null"}
+    if origin is not None and "Mapping" not in str(origin) and origin is not dict:
+        return {"array"}
+    return {"object"}
+
+
+def kind_in_types(text: str) -> set[str]:
+    """The same, of a TypeScript type."""
+    text = re.sub(r"\{.*\}", "object", text.strip(), flags=re.S)
+    kinds = set()
+    for part in (p.strip() for p in text.split("|")):
+        if part.endswith("[]") or part.startswith("[") or part == "Vec3":
+            kinds.add("array")
+        elif part in ("number", "string", "boolean", "null"):
+            kinds.add(part)
+        elif part == "undefined":
+            kinds.add("null")
+        elif part.startswith('"') or part == "Quality":
+            kinds.add("string")
+        else:
+            kinds.add("object")
+    return kinds
+
+
+def hints_of(shape: type) -> dict[str, object]:
+    names = [f.name for f in fields(shape)] if is_dataclass(shape) else list(shape.model_fields)
+    hints = get_type_hints(shape)
+    return {name: hints[name] for name in names}
+
+
+def assert_same(shape: type, body: str) -> None:
+    there, here = members(body), hints_of(shape)
+    assert set(there) == set(here), shape.__name__
+    for name, hint in here.items():
+        assert kind_of(hint) == kind_in_types(there[name]), f"{shape.__name__}.{name}"
+
+
+def test_every_interface_has_its_shape() -> None:
+    assert set(interfaces()) == set(SHAPES)
+
+
+@pytest.mark.parametrize("name", SHAPES)
+def test_a_shape_has_the_fields_of_its_interface(name: str) -> None:
+    assert_same(SHAPES[name], interfaces()[name])
+
+
+@pytest.mark.parametrize("kind", PICTURES)
+def test_a_picture_has_the_fields_of_its_variant(kind: str) -> None:
+    text = source()
+    union = text[text.index("export type Picture") :]
+    start = union.index(f'{{ kind: "{kind}"') if f'{{ kind: "{kind}"' in union else -1
+    if start < 0:
+        start = re.search(rf'\{{\s*kind: "{kind}"', union).start()  # type: ignore[union-attr]
+    assert_same(PICTURES[kind], body_from(union, start + 1))
+
+
+def test_a_live_request_is_what_the_browser_sends() -> None:
+    text = source()
+    union = text[text.index("export type LiveRequest") :]
+    for shape, kind in ((schema.PreviewRequest, "preview"), (schema.PreviewAck, "preview_ack")):
+        start = union.index(f'{{ type: "{kind}"')
+        assert_same(shape, body_from(union, start + 1))
+
+
+def test_this_check_sees_a_difference() -> None:
+    with pytest.raises(AssertionError):
+        assert_same(view.Step, "id: string; title: string;")
+    with pytest.raises(AssertionError):
+        assert_same(view.Comparison, "with_name: string; max_um: number | null; rms_um: number;")
