@@ -11,15 +11,7 @@ import cv2
 import numpy as np
 
 from hardware.twin.camera import LaserSheet, Optics, sight_lines
-from hardware.twin.casting import (
-    Image,
-    band_around,
-    cast_laser,
-    cast_room,
-    lattice,
-    refine_room,
-    trace_fan,
-)
+from hardware.twin.casting import Image, cast_room, lattice, refine_room
 from hardware.twin.kinematics import Floats
 from hardware.twin.noise import (
     POOL,
@@ -32,11 +24,13 @@ from hardware.twin.noise import (
     speckle_tile,
     speckled,
 )
+from hardware.twin.striping import band_around, cast_laser, trace_fan
 from hardware.twin.tracing import Ints, bundle
 from hardware.twin.world import Scene, shape_rows
 
-FINE, COARSE = 89, 13
-"""Rays over a pixel at an edge: for measuring, and for a preview while things move."""
+FINE, QUICK, SMEARED = 89, 13, 0
+"""Rays over a pixel at an edge: for measuring; while the sensor drifts; and while it moves
+so fast that the exposure smears the picture, which is then cast at half its size."""
 FAN_RAYS = 1500
 SPARE_RAD = 0.15
 """Added to the field of view and to the laser's fan when things out of sight are left out."""
@@ -121,12 +115,22 @@ class Renderer:
         in_cam = self.optics.T_cam_sensor[:3, :3] @ towards
         lights = np.ascontiguousarray(into[:, :3, :3] @ in_cam)
         look = np.array([light.directed, light.ambient, light.groove_shade, light.texture])
-        codes = np.empty(self._lines.shape[:2], dtype=np.int32)
-        wide = np.empty(self._lines.shape[:2], dtype=np.float32)
+        lines = self._lines if rays > SMEARED else np.ascontiguousarray(self._lines[::2, ::2])
+        codes = np.empty(lines.shape[:2], dtype=np.int32)
+        wide = np.empty(lines.shape[:2], dtype=np.float32)
         scene = (kinds, rows, eyes, lights, look, self._grain, codes, wide)
-        cast_room(self._lines, *scene)
-        refine_room(self._lines, lattice(rays), *scene)
-        image = self._blurred(wide)[1:-1, 1:-1].copy()
+        cast_room(lines, *scene)
+        if rays > SMEARED:
+            refine_room(lines, lattice(rays), *scene)
+            image = self._blurred(wide)[1:-1, 1:-1].copy()
+        else:
+            height, width = self._lines.shape[:2]
+            half = np.array([[0.5, 0.0, 0.0], [0.0, 0.5, 0.0]])
+            flags = cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
+            whole = cv2.warpAffine(
+                wide, half, (width, height), flags=flags, borderMode=cv2.BORDER_REPLICATE
+            )
+            image = cast(Image, whole)[1:-1, 1:-1].copy()
         self._room = (T_arm_sensor.copy(), rays, image)
         return image
 
@@ -214,7 +218,7 @@ class Renderer:
             T_arm_sensor: (4, 4) where the sensor truly is.
             room: the room's light times exposure; 1 is nominal, 0 is dark.
             laser: the laser's light times exposure.
-            rays: over a pixel at an edge, one of 13, 21, 34, 55, 89, 144.
+            rays: over a pixel at an edge, ``FINE``, ``QUICK`` or ``SMEARED``, or 21, 34, 55, 144.
         """
         detector = self.detector
         height, width = self.optics.height_px, self.optics.width_px

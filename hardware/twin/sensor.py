@@ -6,6 +6,7 @@ due delays it, as a camera that is read out slowly would.
 """
 
 import threading
+import time
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -17,11 +18,17 @@ from hardware.interfaces import Frame, LinkHealth, SensorInfo
 from hardware.twin.faults import Faults
 from hardware.twin.kinematics import Floats
 from hardware.twin.noise import Digits
-from hardware.twin.render import COARSE, FINE, Renderer
+from hardware.twin.render import FINE, QUICK, SMEARED, Renderer
 
 EXPOSURE_RANGE_US = (50.0, 20_000.0)
 READOUT_NS = 3_000_000
-HELD_RAYS = 34
+HELD = 34
+"""Rays over a pixel at an edge while a hand holds the sensor and trembles."""
+SMEAR_MM = 0.15
+"""The sensor's way in one exposure from which on its pictures of the room are smeared."""
+LEVER_MM = 130.0
+SHARE_OF_A_CORE = 0.5
+"""Rendering takes no more of the machine than this; the frame rate gives way."""
 WAKE_S = 0.05
 STALE_NS = 300_000_000
 """Frames that nobody asked for this long are forgotten, as in a camera's ring of buffers."""
@@ -61,7 +68,8 @@ class Studio:
         with self._lock:
             if self._renderer is None:
                 self._renderer = self._make()
-                self._renderer.picture(self._sensor_pose(now_ns()), 1.0, 1.0, COARSE)
+                for rays in (QUICK, SMEARED):
+                    self._renderer.picture(self._sensor_pose(now_ns()), 1.0, 1.0, rays)
 
     def expose(self, mid_ns: int, exposure_us: float, laser_on: bool) -> Digits:
         """What the camera sees; ``mid_ns`` is the middle of the exposure."""
@@ -71,12 +79,21 @@ class Studio:
             share = exposure_us / renderer.detector.nominal_exposure_us
             lit = self.lamps.room if self.lamps.room_with_laser or not laser_on else 0.0
             T = self._sensor_pose(mid_ns)
-            if self._last is not None and np.array_equal(T, self._last):
-                rays = FINE
-            else:
-                rays = HELD_RAYS if self._resting(mid_ns) else COARSE
+            rays = self._rays(T, mid_ns, exposure_us)
             self._last = T
             return renderer.picture(T, lit * share, share if laser_on else 0.0, rays)
+
+    def _rays(self, T: Floats, mid_ns: int, exposure_us: float) -> int:
+        """How finely it is worth to render a picture taken at a pose."""
+        if self._last is not None and np.array_equal(T, self._last):
+            return FINE
+        if self._resting(mid_ns):
+            return HELD
+        half_ns = round(exposure_us * 500)
+        first, last = self._sensor_pose(mid_ns - half_ns), self._sensor_pose(mid_ns + half_ns)
+        way = float(np.linalg.norm(last[:3, 3] - first[:3, 3]))
+        turn = float(np.linalg.norm(last[:3, :3] - first[:3, :3])) / np.sqrt(2)
+        return SMEARED if way + LEVER_MM * turn > SMEAR_MM else QUICK
 
 
 class TwinSensor:
@@ -119,11 +136,14 @@ class TwinSensor:
                 mid_ns, sequence = round(self._due_ns), self._sequence
                 exposure_us, laser_on = self._exposure_us, self._laser_on
                 self._sequence += 1
+            before_s = time.thread_time()
             image = self._studio.expose(mid_ns, exposure_us, laser_on)
+            cost_ns = (time.thread_time() - before_s) * 1e9
             with self._state:
                 self._check_open()
                 late_ns = now_ns() - mid_ns - exposure_us * 500 - READOUT_NS - self._period_ns
-                self._due_ns = max(self._due_ns, mid_ns + self._period_ns + max(0.0, late_ns))
+                wait_ns = max(self._period_ns + max(0.0, late_ns), cost_ns / SHARE_OF_A_CORE)
+                self._due_ns = max(self._due_ns, mid_ns + wait_ns)
                 if self._rng.random() < self._studio.faults.frame_drop_rate:
                     self._health.lost += 1
                     continue

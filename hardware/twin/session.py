@@ -14,7 +14,7 @@ import cv2
 import numpy as np
 
 from hardware.twin.camera import LaserSheet, Optics, to_pixels
-from hardware.twin.contact import FACES, contact_pose, contact_spot
+from hardware.twin.contact import contact_pose, contact_spot
 from hardware.twin.kinematics import (
     ArmModel,
     Floats,
@@ -291,15 +291,3 @@ def render_scan(
         q = reach(rig.arm, T_arm_sensor @ np.linalg.inv(rig.T_flange_sensor), q, rng)
         image = renderer.picture(T_arm_sensor, room=0.0, laser=1.0)
         yield ScanFrame(image, _reported(rig, plan, q, rng))
-
-
-__all__ = [
-    "FACES",
-    "Rig",
-    "ScanFrame",
-    "SessionPlan",
-    "draw_rig",
-    "render_scan",
-    "render_session",
-    "truth_of",
-]

@@ -7,7 +7,7 @@ import pytest
 from hardware.twin.camera import sight_lines, to_pixels
 from hardware.twin.kinematics import Floats, rotation_about, translation
 from hardware.twin.noise import QUIET, Detector
-from hardware.twin.render import Renderer
+from hardware.twin.render import SMEARED, Renderer
 from hardware.twin.variety import sensor_for
 from hardware.twin.world import Ball, Box, Comb, Light, Scene, Shell, Thing, shell_height, table
 
@@ -166,6 +166,19 @@ def test_a_merlon_hides_the_floor_behind_it_from_camera_and_laser() -> None:
     assert brightness(1.0, 0.0) > 0.8
     assert brightness(-18.0, 0.0) == 0.0
     assert brightness(-7.15, 0.0) < 0.05  # seen past the edge of the second merlon: not at all
+
+
+def test_a_smeared_picture_is_the_same_picture_less_sharp() -> None:
+    optics, sheet = sensor_for(BLOCK)
+    renderer = Renderer(block_scene(), optics, sheet, QUIET)
+    T = over_block(renderer.scene)
+    smeared = renderer.room_light(T, SMEARED)
+    sharp = renderer.room_light(T)
+    assert sharp.shape == smeared.shape
+    apart = np.abs(cv2.GaussianBlur(sharp, (0, 0), 2.0) - cv2.GaussianBlur(smeared, (0, 0), 2.0))
+    assert apart.mean() < 0.005
+    assert np.percentile(apart, 99.5) < 0.1
+    assert np.abs(np.diff(sharp, axis=0)).max() > 1.2 * np.abs(np.diff(smeared, axis=0)).max()
 
 
 def test_noise_is_as_the_detector_says() -> None:
