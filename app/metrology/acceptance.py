@@ -28,7 +28,7 @@ _LEAST_AGREEING = 0.8
 # Share of the edges in the frame that makes the object whole.
 _WHOLE = 0.9
 # Below this support at the small scale nothing like the block was found.
-LEAST_SUPPORT = 0.45
+LEAST_SUPPORT = 0.5
 # Share of straight segments in three perpendicular directions that makes a block.
 _BLOCK_LIKE = 0.7
 

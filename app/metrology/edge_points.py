@@ -65,8 +65,11 @@ def _room(
 
 
 def block_ahead(frame: Wireframe, camera: Camera) -> bool:
-    """Whether all of the block lies before the camera and within its half space of view."""
+    """Whether the block lies before the camera, and the camera before its front and above it."""
     if not all(np.isfinite(one).all() for one in (camera.matrix, camera.translation_mm)):
+        return False
+    _, y, z = camera.centre_mm
+    if y >= frame.starts_mm[:, 1].min() or z <= frame.starts_mm[:, 2].max():
         return False
     depth = frame.starts_mm @ camera.rotation[2] + camera.translation_mm[2]
     return bool(depth.min() > 0.1 * depth.max() > 0)

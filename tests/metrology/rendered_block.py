@@ -1,0 +1,97 @@
+"""Pictures of a block by the twin's ray caster, which shares no code with what is tested."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.camera import Camera
+from app.metrology.crenellated import Crenellated
+from hardware.twin.camera import LaserSheet, Optics, looking_at, sheet_through
+from hardware.twin.noise import Detector
+from hardware.twin.render import Renderer
+from hardware.twin.variety import made_from, random_comb
+from hardware.twin.world import Box, Comb, Light, Scene, Thing
+
+WIDTH, HEIGHT = 800, 640
+
+
+@dataclass(frozen=True)
+class Rendered:
+    """A picture of a block, the block's certificate, and the camera (object frame) that took it."""
+
+    image: NDArray[np.uint8]
+    block: Crenellated
+    camera: Camera
+
+
+def certificate(comb: Comb) -> Crenellated:
+    """The certificate of a twin's block."""
+    return Crenellated(
+        "rendered",
+        "R-1",
+        comb.edges_x_mm,
+        comb.front_y_mm,
+        comb.back_y_mm,
+        comb.crest_z_mm,
+        comb.floor_z_mm,
+        comb.base_z_mm,
+        0.002,
+    )
+
+
+def _optics(comb: Comb, azimuth: float, elevation: float, roll: float, fill: float) -> Optics:
+    x = comb.edges_x_mm
+    low = np.array([x[0], comb.front_y_mm, comb.base_z_mm])
+    high = np.array([x[-1], comb.back_y_mm, comb.crest_z_mm])
+    flat = np.cos(elevation)
+    away = np.array([np.sin(azimuth) * flat, -np.cos(azimuth) * flat, np.sin(elevation)])
+    eye = (low + high) / 2 + 135.0 * away
+    T = looking_at(eye, (low + high) / 2, np.array([1.0, 0.0, 0.0]), roll)
+    box = np.array([np.where(np.array(bits), high, low) for bits in np.ndindex(2, 2, 2)])
+    in_cam = box @ T[:3, :3].T + T[:3, 3]
+    reach = np.abs(in_cam[:, :2] / in_cam[:, 2:]).max(axis=0)
+    focal = fill * 0.5 * float(np.min([WIDTH, HEIGHT] / reach))
+    return Optics(WIDTH, HEIGHT, focal, focal, 405.0, 315.0, (-0.04, 0.0, 0.0, 0.0, 0.0), T)
+
+
+def _sheet(comb: Comb) -> LaserSheet:
+    middle = (comb.front_y_mm + comb.back_y_mm) / 2
+    sheet = sheet_through(
+        np.array([0.0, 1.0, -0.02]), np.array([0.0, middle, 0.0]), np.array([0.0, middle, 130.0])
+    )
+    return replace(sheet, half_angle_rad=0.5)
+
+
+def rendered(
+    seed: int,
+    *,
+    merlons: int | None = None,
+    azimuth: float = 0.1,
+    elevation: float = 0.95,
+    roll: float = 0.0,
+    fill: float = 0.85,
+    laser: float = 0.0,
+    table: float | None = None,
+    shade: float = 0.3,
+    blur_px: float = 0.7,
+) -> Rendered:
+    """One picture of a random block. ``table`` is the brightness of what it stands on, if any."""
+    rng = np.random.default_rng(seed)
+    comb = random_comb(rng, merlons)
+    optics = _optics(comb, azimuth, elevation, roll, fill)
+    things = [Thing("block", made_from(comb, 0.002, rng), np.eye(4))]
+    if table is not None:
+        under = np.eye(4)
+        under[2, 3] = comb.base_z_mm - 0.01
+        slab = Box((-1500.0, -1500.0, -30.0), (1500.0, 1500.0, 0.0))
+        things.append(Thing("table", slab, under, table))
+    light = Light((0.3, -0.4, 1.0), groove_shade=shade)
+    renderer = Renderer(
+        Scene(tuple(things), light), optics, _sheet(comb), Detector(blur_px=blur_px), seed
+    )
+    image = np.asarray(renderer.picture(np.eye(4), 1.0, laser, 55), dtype=np.uint8)
+    T = optics.T_cam_sensor
+    lens = np.array(optics.distortion)
+    camera = Camera(optics.matrix, T[:3, :3], T[:3, 3], WIDTH, HEIGHT, lens)
+    return Rendered(image, certificate(comb), camera)

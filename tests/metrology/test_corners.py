@@ -1,0 +1,178 @@
+"""The object found, named and measured in pictures that the twin renders."""
+
+from dataclasses import replace
+
+import cv2
+import numpy as np
+import pytest
+
+from app.metrology.camera import project
+from app.metrology.corners import ObjectDetection, detect_object
+from app.metrology.crenellated import corners as corners_of
+from app.metrology.edge_points import stations
+from app.metrology.refusal import Refusal
+from app.metrology.stripe import extract_stripe
+from app.metrology.visibility import wireframe
+from tests.metrology.rendered_block import Rendered, rendered
+
+
+def corner_errors(found: ObjectDetection, shown: Rendered) -> np.ndarray:
+    """Distances (N,) in px of the corners from where the true camera has them."""
+    points = corners_of(shown.block)
+    true = project(shown.camera, np.array([points[corner.name] for corner in found.corners]))
+    got = np.array([[corner.u, corner.v] for corner in found.corners])
+    return np.hypot(*(got - true).T)
+
+
+def refused(image, block, stripe=None) -> Refusal:
+    with pytest.raises(Refusal) as caught:
+        detect_object(image, block, stripe)
+    return caught.value
+
+
+@pytest.fixture(scope="module")
+def plain() -> Rendered:
+    return rendered(1, merlons=4)
+
+
+@pytest.mark.parametrize(
+    ("seed", "look"),
+    [
+        (2, {}),
+        (3, {"roll": 3.0, "merlons": 3}),
+        (4, {"roll": 1.3, "azimuth": -0.5, "merlons": 5}),
+        (5, {"roll": -0.6, "azimuth": 0.45, "elevation": 0.75}),
+        (6, {"fill": 0.4, "table": 0.3, "elevation": 1.1}),
+        (7, {"table": 1.3, "shade": 0.7}),
+        (8, {"merlons": 6, "azimuth": -0.2, "shade": 0.0}),
+    ],
+)
+def test_any_block_from_any_side(seed, look):
+    shown = rendered(seed, **look)
+    found = detect_object(shown.image, shown.block)
+    errors = corner_errors(found, shown)
+    assert len(errors) >= 10
+    # The certificate alone is 2 µm, some 0.04 px, a coordinate off.
+    assert np.median(errors) < 0.25
+    assert errors.max() < 1.5
+
+
+def test_the_stripe_over_the_edges_is_left_out(plain):
+    lit = rendered(1, merlons=4, laser=0.9)
+    stripe = extract_stripe(lit.image)
+    found = detect_object(lit.image, lit.block, stripe)
+    assert np.median(corner_errors(found, lit)) < 0.25
+    points = np.vstack([edge.uv_px for edge in found.edges])
+    on_stripe = np.interp(points[:, 0], stripe.u, stripe.v, left=-99, right=-99)
+    covered = np.interp(points[:, 0], stripe.u, np.arange(len(stripe.u)), left=-99, right=-99)
+    nearest = np.abs(stripe.u[np.clip(np.rint(covered).astype(int), 0, len(stripe.u) - 1)])
+    beside = np.abs(nearest - points[:, 0]) < 1.0
+    assert np.abs(points[beside, 1] - on_stripe[beside]).min() > 2.0
+
+
+def test_deviations_of_edge_points_are_those_of_their_scatter(plain):
+    found = detect_object(plain.image, plain.block)
+    at = stations(wireframe(plain.block), found.camera, 1.0, 0.0)
+    names = np.array(wireframe(plain.block).names)
+    z = []
+    for edge in found.edges:
+        line = at.uv_px[names[at.edge] == edge.edge]
+        nearest = np.argmin(((edge.uv_px[:, None] - line) ** 2).sum(axis=2), axis=1)
+        off = ((edge.uv_px - line[nearest]) * edge.normal).sum(axis=1)
+        if len(off) >= 20:
+            z.append((off - off.mean()) / edge.sigma_px)
+    assert 0.5 < np.concatenate(z).std() < 1.3
+
+
+def test_corner_covariances_hold(plain):
+    found = detect_object(plain.image, plain.block)
+    points = corners_of(plain.block)
+    true = project(plain.camera, np.array([points[c.name] for c in found.corners]))
+    mm_per_px = 135.0 / plain.camera.matrix[0, 0]
+    made = (plain.block.standard_uncertainty_mm / mm_per_px) ** 2 * np.eye(2)
+    squares = [
+        (np.array([c.u, c.v]) - at) @ np.linalg.inv(c.covariance_px2 + made) @ ([c.u, c.v] - at)
+        for c, at in zip(found.corners, true, strict=True)
+    ]
+    assert np.median(squares) < 4.0
+
+
+@pytest.mark.parametrize("flip", [np.s_[:, ::-1], np.s_[::-1]])
+def test_a_mirrored_picture_is_refused(plain, flip):
+    refusal = refused(np.ascontiguousarray(plain.image[flip]), plain.block)
+    assert refusal.code == "object-mirrored"
+    assert "mirror" in refusal.line
+
+
+def test_a_mirrored_certificate_is_refused(plain):
+    edges = tuple(-x for x in reversed(plain.block.edges_x_mm))
+    refusal = refused(plain.image, replace(plain.block, edges_x_mm=edges))
+    assert refusal.code == "object-mirrored"
+
+
+@pytest.mark.parametrize("edge", [0, 3, 4, 7])
+@pytest.mark.parametrize("by_mm", [0.15, 1.0])
+def test_one_edge_of_other_measure_is_refused(plain, edge, by_mm):
+    edges = list(plain.block.edges_x_mm)
+    edges[edge] += by_mm
+    refusal = refused(plain.image, replace(plain.block, edges_x_mm=tuple(edges)))
+    assert refusal.code == "object-does-not-match"
+    assert plain.block.name in refusal.what
+
+
+def test_another_block_is_refused(plain):
+    assert refused(plain.image, rendered(9).block).code == "object-does-not-match"
+
+
+def test_a_longer_block_that_begins_alike_is_refused(plain):
+    shorter = replace(plain.block, edges_x_mm=plain.block.edges_x_mm[:-2])
+    assert refused(plain.image, shorter).code == "object-does-not-match"
+
+
+def test_a_block_that_reads_alike_both_ways_is_refused(plain):
+    edges = (-20.0, -12.0, -5.0, 5.0, 12.0, 20.0)
+    shown = rendered(2)
+    assert refused(shown.image, replace(shown.block, edges_x_mm=edges)).code in (
+        "object-ambiguous",
+        "object-does-not-match",
+    )
+
+
+def test_pictures_without_a_block(plain):
+    rng = np.random.default_rng(1)
+    noise = rng.integers(20, 200, plain.image.shape).astype(np.uint8)
+    assert refused(noise, plain.block).code == "object-not-found"
+    board = (np.indices(plain.image.shape) // 60).sum(axis=0) % 2 * 150 + 40
+    assert refused(board.astype(np.uint8), plain.block).code in (
+        "object-not-found",
+        "object-does-not-match",
+    )
+    assert refused(np.zeros(plain.image.shape, np.uint8), plain.block).code == "image-dark"
+
+
+def test_a_blurred_picture_is_measured_or_refused_as_blurred(plain):
+    soft = cv2.GaussianBlur(plain.image, (0, 0), 1.5)
+    assert np.median(corner_errors(detect_object(soft, plain.block), plain)) < 0.5
+    assert refused(cv2.GaussianBlur(plain.image, (0, 0), 6.0), plain.block).code == "image-blurred"
+
+
+def test_an_overexposed_picture_is_refused_as_such(plain):
+    bright = np.clip(plain.image.astype(float) * 4, 0, 255).astype(np.uint8)
+    assert refused(bright, plain.block).code == "image-saturated"
+
+
+def test_a_noisy_picture(plain):
+    noise = np.random.default_rng(3).normal(0, 10, plain.image.shape)
+    noisy = np.clip(plain.image + noise, 0, 255).astype(np.uint8)
+    found = detect_object(noisy, plain.block)
+    assert np.median(corner_errors(found, plain)) < 0.6
+
+
+def test_a_block_half_out_of_the_picture_is_refused(plain):
+    shown = np.ascontiguousarray(plain.image[:, : plain.image.shape[1] // 3])
+    assert refused(shown, plain.block).code in ("object-cut-off", "object-does-not-match")
+
+
+def test_twelve_bits(plain):
+    found = detect_object(plain.image.astype(np.uint16) * 16, plain.block)
+    assert np.median(corner_errors(found, plain)) < 0.25

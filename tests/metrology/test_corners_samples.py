@@ -1,0 +1,85 @@
+"""The object in the sample sessions' pictures, whose true lens is known."""
+
+import json
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from scipy.optimize import least_squares
+
+from app.metrology.camera import Camera, project
+from app.metrology.corners import ObjectDetection, detect_object
+from app.metrology.crenellated import Crenellated
+from app.metrology.crenellated import corners as corners_of
+from app.metrology.frames import rotation_from_vector
+from app.metrology.refusal import Refusal
+
+PICTURES = [("one-pose", 0), ("many-poses", 0), ("many-poses", 7), ("metal", 0), ("metal", 2)]
+
+
+def block_of(session: Path) -> Crenellated:
+    sheet = json.loads((session / "object.json").read_text())
+    sheet["edges_x_mm"] = tuple(sheet["edges_x_mm"])
+    return Crenellated(**{k: v for k, v in sheet.items() if k not in ("format", "version")})
+
+
+def picture_of(session: Path, pose: int) -> np.ndarray:
+    return cv2.imread(str(session / "images" / f"pose{pose:02d}_ambient.png"), cv2.IMREAD_GRAYSCALE)
+
+
+def off_the_true_lens(found: ObjectDetection, session: Path) -> float:
+    """Rms in px of the corners about the true lens's picture of the block, posed to fit best."""
+    truth = json.loads((session / "truth.json").read_text())["camera"]
+    block = block_of(session)
+    points = np.array([corners_of(block)[corner.name] for corner in found.corners])
+    pixels = np.array([[corner.u, corner.v] for corner in found.corners])
+    spread = [np.sqrt(np.trace(corner.covariance_px2)) for corner in found.corners]
+    sd = np.hypot(spread, 0.05)[:, None]
+    start = found.camera
+
+    def off(step):
+        turn = rotation_from_vector(step[:3])
+        camera = Camera(
+            np.array(truth["matrix"]),
+            turn @ start.rotation,
+            start.translation_mm + step[3:],
+            1280,
+            1024,
+            np.array(truth["distortion"]),
+        )
+        return ((project(camera, points) - pixels) / sd).ravel()
+
+    return float(np.sqrt(np.mean(off(least_squares(off, np.zeros(6)).x) ** 2)))
+
+
+@pytest.mark.parametrize(("name", "pose"), PICTURES)
+def test_corners_lie_where_the_true_lens_puts_them(samples, name, pose):
+    session = samples / name
+    found = detect_object(picture_of(session, pose), block_of(session))
+    assert len(found.corners) >= 20
+    # In their own deviations and the certificate's: about 1.
+    assert off_the_true_lens(found, session) < 1.5
+    assert found.rms_px < 0.25
+
+
+@pytest.mark.parametrize("quarter", [1, 2, 3])
+def test_the_camera_may_be_rolled(samples, quarter):
+    session = samples / "one-pose"
+    image = picture_of(session, 0)
+    upright = detect_object(image, block_of(session))
+    rolled = detect_object(np.ascontiguousarray(np.rot90(image, quarter)), block_of(session))
+    assert rolled.camera.centre_mm == pytest.approx(upright.camera.centre_mm, abs=0.2)
+    assert {c.name for c in rolled.corners} == {c.name for c in upright.corners}
+
+
+@pytest.mark.parametrize("name", ["one-pose", "metal"])
+def test_wrong_readings_are_refused(samples, name):
+    session = samples / name
+    image = picture_of(session, 0)
+    with pytest.raises(Refusal) as caught:
+        detect_object(np.ascontiguousarray(image[:, ::-1]), block_of(session))
+    assert caught.value.code == "object-mirrored"
+    with pytest.raises(Refusal) as caught:
+        detect_object(image, block_of(samples / "many-poses"))
+    assert caught.value.code == "object-does-not-match"
