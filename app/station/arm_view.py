@@ -129,13 +129,13 @@ class ArmView:
             return
         self._laser_on = on
         self._field.color = LASER if on else IDLE
-        self._field.opacity = 0.30 if on else 0.12
+        self._field.opacity = 0.18 if on else 0.10
         self._rim.colors = np.array(LASER if on else IDLE, dtype=np.uint8)
 
     def _add_field(self, name: str, outline_mm: Floats) -> None:
         self._laser_on = False
         self._field = add_mesh(
-            self._server, f"{name}/field", fan_mesh(outline_mm), IDLE, opacity=0.12, both_sides=True
+            self._server, f"{name}/field", fan_mesh(outline_mm), IDLE, opacity=0.10, both_sides=True
         )
         around = np.stack([outline_mm, np.roll(outline_mm, -1, axis=0)], axis=1) * M_PER_MM
         self._rim = self._server.scene.add_line_segments(

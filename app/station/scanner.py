@@ -10,7 +10,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Literal
 
-from app.files.failures import files_refused
+from app.files.failures import files_refused, refusal_of
 from app.metrology.refusal import Refusal
 from app.station.bus import Bus
 from app.station.findings import Finding
@@ -19,7 +19,9 @@ from app.station.rig import Rig
 from app.station.scan_words import blocked, findings_of
 from app.station.scene import Scene
 
-PUBLISH_S = 0.2
+# The drawn arm moves ten times a second, the numbers change five times.
+WATCH_S = 0.1
+PUBLISH_TICKS = 2
 # A scan does not start with less, and stops before the disk is so full that it
 # could not complete its files.
 START_FREE_BYTES = 500_000_000
@@ -94,6 +96,7 @@ class Scanner:
         self._lock = threading.RLock()
         self._calibration: ScanCalibration | None = None
         self._scan: _Running | None = None
+        self._published: ScanState | None = None
         self._closing = threading.Event()
         self._watcher = threading.Thread(target=self._watch, name="scan-state", daemon=True)
         self._watcher.start()
@@ -222,9 +225,11 @@ class Scanner:
         return scan is not None and (scan.ended_s is None or scan.stopping)
 
     def _no_room(self, needed: int) -> Refusal | None:
-        with files_refused(self._scans_dir):
+        try:
             self._scans_dir.mkdir(parents=True, exist_ok=True)
             free = shutil.disk_usage(self._scans_dir).free
+        except OSError as error:
+            return refusal_of(error, self._scans_dir)
         if free >= needed:
             return None
         return Refusal(
@@ -258,18 +263,28 @@ class Scanner:
         )
 
     def _watch(self) -> None:
-        """Publishes the state, and stops a scan that the disk does not let go on."""
-        while not self._closing.wait(PUBLISH_S):
+        """Moves the drawn arm, publishes the state, and stops a scan that the disk ends."""
+        tick = 0
+        while not self._closing.wait(WATCH_S):
             sample = self._rig.arm.latest()
             if sample is not None:
                 self._scene.set_arm(sample.joints_rad)
             self._scene.set_laser(self._rig.sensor.laser_on)
-            scan = self._scan
-            if scan is not None and scan.ended_s is None:
-                scan.pipeline.failure = scan.pipeline.failure or self._no_room(STOP_FREE_BYTES)
-                if scan.pipeline.trouble is not None:
-                    self.stop()
-            self._publish()
+            tick += 1
+            if tick % PUBLISH_TICKS == 0:
+                self._stop_when_full()
+                self._publish()
+
+    def _stop_when_full(self) -> None:
+        scan = self._scan
+        if scan is not None and scan.ended_s is None:
+            scan.pipeline.failure = scan.pipeline.failure or self._no_room(STOP_FREE_BYTES)
+            if scan.pipeline.trouble is not None:
+                self.stop()
 
     def _publish(self) -> None:
-        self._bus.publish("scan", self.state())
+        """Says how the scan is, if that has changed."""
+        state = self.state()
+        if state != self._published:
+            self._published = state
+            self._bus.publish("scan", state)

@@ -190,8 +190,8 @@ class Scene:
         size_mm = float(np.linalg.norm(high - low))
         if size_mm > CLOUD_GROWTH * self._seen_size_mm:
             self._seen_size_mm = size_mm
-            radius_mm = max(0.58 * size_mm, SMALLEST_LOOK_MM)
-            self._eye.look(M_PER_MM * (low + high) / 2, M_PER_MM * radius_mm)
+            centre_mm = (low + high) / 2 + np.array([0.0, 0.0, 0.18 * size_mm])
+            self._eye.look(M_PER_MM * centre_mm, M_PER_MM * max(0.62 * size_mm, SMALLEST_LOOK_MM))
 
     def _run(self) -> None:
         while not self._stopping.wait(FLUSH_S):

@@ -170,7 +170,7 @@ def test_the_view_follows_the_cloud_until_somebody_turns_it(scene: Scene) -> Non
     add(scene, surface(2000))
     until(lambda: scene.points_shown > 0)
     followed = untouched.listen().said["SetCameraLookAtMessage"]
-    np.testing.assert_allclose(followed["look_at"], [0.7, 0.08, 0.0], atol=0.01)
+    np.testing.assert_allclose(followed["look_at"], [0.7, 0.08, 0.015], atol=0.01)
     assert turned.listen().said["SetCameraLookAtMessage"]["initial"] is True
     untouched.close()
     turned.close()
