@@ -6,6 +6,7 @@ from starlette.status import HTTP_204_NO_CONTENT
 from app.api.context import Context, TheContext
 from app.api.schema import Exposure, ScanStart, ScanState, Switch
 from app.guide.commands import stop_hand
+from app.metrology.refusal import Refusal
 from app.station.rig import Devices
 
 router = APIRouter(prefix="/api")
@@ -20,6 +21,9 @@ def scan(context: TheContext) -> ScanState:
 @router.post("/scan/start")
 def start_scan(context: TheContext, asked: ScanStart | None = None) -> ScanState:
     """Starts a scan and switches the laser on."""
+    job = context.jobs.current
+    if job is not None:
+        raise Refusal("busy", "A scan cannot start now", job.text or job.title, "Wait, or stop it")
     context.scanner.start(asked.name if asked else "")
     return context.scan_state()
 

@@ -42,6 +42,8 @@ BODIES: dict[str, Callable[[CalibrationState, Live], Body]] = {
 
 def view_of(state: CalibrationState, live: Live) -> FlowView:
     """Everything that the browser shows of the calibration, for any state."""
+    if state.ended in ("abandoned", "repeated"):
+        state = CalibrationState(choices=state.choices)
     body = BODIES[state.step](state, live)
     running = bool(state.session_id) and not state.ended
     return FlowView(
@@ -81,7 +83,7 @@ def _common(state: CalibrationState, live: Live) -> list[Action]:
             actions.append(
                 offer(state, live, "let_hand", "Let the hand do everything", {"all": True})
             )
-    if state.step != "devices":
+    if state.step not in ("devices", "review"):
         actions.append(offer(state, live, "back", "Back"))
     actions.append(
         offer(

@@ -24,6 +24,7 @@ from app.station.findings import Finding
 from app.station.jobs import Jobs
 from app.station.preview import Preview
 from app.station.rig import Rig
+from app.station.scanner import ScanState
 from app.station.scene import Scene
 
 KIND = "calibration"
@@ -128,6 +129,7 @@ class Guide:
             corners_seen=len(preview.header.corners) if preview else 0,
             picture_findings=tuple(preview.header.findings) if preview else (),
             seen=self._seen(),
+            scanning=self._scanning(),
             has_hand=self.station.hand is not None,
             busy=Busy(job.text or job.title, job.fraction) if job is not None else None,
             hand_running=self.hand_running,
@@ -141,6 +143,10 @@ class Guide:
         if self._outcome[0] is not payload:
             self._outcome = (payload, from_payload(payload) if payload else None)
         return self._outcome[1]
+
+    def _scanning(self) -> bool:
+        scan = self.station.bus.latest("scan")
+        return isinstance(scan, ScanState) and scan.state in ("running", "stopping")
 
     def _connected_arm(self) -> ConnectedArm | None:
         info = self.station.rig.arm.info

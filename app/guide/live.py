@@ -61,6 +61,7 @@ class Live:
     """Exposure, saturation and sharpness of the live picture."""
     seen: Outcome | None
     """What the solve, or before it the capture, found in the pictures."""
+    scanning: bool
     has_hand: bool
     busy: Busy | None
     hand_running: bool

@@ -123,6 +123,8 @@ def _place(state: CalibrationState, live: Live, args: Args) -> str:
 
 
 def _capture(state: CalibrationState, live: Live, args: Args) -> str:
+    if live.scanning:
+        return "A scan is running and has the laser. Stop it first."
     if missing := _place(state, live, args):
         return missing
     return "" if live.stillness.still else f"Hold the arm still. {live.stillness.text}."

@@ -86,7 +86,7 @@ def solve(folder: SessionFolder, in_use: Calibration | None, progress: Progress)
         outline=outline(result.detection, session.block),
         stripe=_shown(result.stripe),
         findings=[Finding(f.quality, f.text, f.remedy) for f in result.findings],
-        result=_result(result, sheet, _compare(result, session.block, sheet, in_use)),
+        result=_result(result, sheet, compare(result, session.block, sheet, in_use)),
     )
 
 
@@ -125,7 +125,7 @@ def _result(
     )
 
 
-def _compare(
+def compare(
     result: OnePoseCalibration,
     block: Crenellated,
     sheet: CalibrationFile,

@@ -104,6 +104,7 @@ def live_of(
         corners_seen=20,
         picture_findings=(),
         seen=None,
+        scanning=False,
         has_hand=False,
         busy=None,
         hand_running=False,

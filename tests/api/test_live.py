@@ -1,0 +1,150 @@
+"""The live connection: hello, snapshot, what changes, beats; the preview at its reader's pace."""
+
+import json
+import struct
+import time
+
+import pytest
+from websockets.exceptions import ConnectionClosed, InvalidStatus
+from websockets.sync.client import ClientConnection, connect
+
+from tests.api.conftest import Server
+
+
+def message(socket: ClientConnection, timeout_s: float = 5.0) -> dict[str, object]:
+    """The next text message; pictures are passed over."""
+    deadline = time.monotonic() + timeout_s
+    while True:
+        received = socket.recv(max(deadline - time.monotonic(), 0.0))
+        if isinstance(received, str):
+            return dict(json.loads(received))
+
+
+def picture(socket: ClientConnection, timeout_s: float) -> dict[str, object] | None:
+    """The header of the next picture, None when none comes in time."""
+    deadline = time.monotonic() + timeout_s
+    while (left_s := deadline - time.monotonic()) > 0:
+        try:
+            received = socket.recv(left_s)
+        except TimeoutError:
+            return None
+        if isinstance(received, bytes):
+            (length,) = struct.unpack(">I", received[:4])
+            assert received[4 + length :].startswith(b"\xff\xd8\xff")
+            return dict(json.loads(received[4 : 4 + length]))
+    return None
+
+
+def test_hello_comes_first_then_the_whole_state_then_beats(server: Server) -> None:
+    with connect(server.live) as socket:
+        assert message(socket)["type"] == "hello"
+        seen: set[object] = set()
+        beats = 0
+        deadline = time.monotonic() + 10
+        while beats < 2 or not {"devices", "flow", "scan", "home"} <= seen:
+            assert time.monotonic() < deadline, seen
+            received = message(socket)
+            assert received["type"] in ("topic", "beat", "event")
+            seen.add(received.get("name"))
+            beats += received["type"] == "beat"
+
+
+def test_what_one_tab_does_the_other_sees(touching: Server) -> None:
+    with connect(touching.live) as socket:
+        assert message(socket)["type"] == "hello"
+        rev = touching.command("select_face", face="front").json()["rev"]
+        deadline = time.monotonic() + 5
+        while True:
+            assert time.monotonic() < deadline
+            received = message(socket)
+            if received.get("name") == "flow" and received["value"]["rev"] == rev:  # type: ignore[index]
+                break
+        assert received["value"]["instruction"].startswith("Touch the front face")  # type: ignore[index]
+
+
+def test_an_event_is_numbered_and_told_once(server: Server) -> None:
+    with connect(server.live) as one, connect(server.live) as other:
+        for socket in (one, other):
+            while message(socket).get("type") != "topic":
+                pass
+        event = server.context.bus.event("test", "Something happened.", "good")
+        for socket in (one, other):
+            while (received := message(socket))["type"] != "event":
+                pass
+            assert received == {
+                "type": "event",
+                "id": event.id,
+                "kind": "test",
+                "quality": "good",
+                "text": "Something happened.",
+            }
+
+
+def test_the_next_picture_waits_for_the_last_to_be_acknowledged(server: Server) -> None:
+    with connect(server.live) as socket:
+        assert picture(socket, 0.5) is None
+        socket.send(json.dumps({"type": "preview", "on": True}))
+        first = picture(socket, 10.0)
+        assert first is not None
+        assert first["width_px"] == 1280
+        assert picture(socket, 1.0) is None
+        socket.send(json.dumps({"type": "preview_ack", "seq": first["seq"]}))
+        second = picture(socket, 10.0)
+        assert second is not None
+        assert second["seq"] > first["seq"]  # type: ignore[operator]
+        socket.send(json.dumps({"type": "preview", "on": False}))
+        socket.send(json.dumps({"type": "preview_ack", "seq": second["seq"]}))
+        assert picture(socket, 1.0) is None
+
+
+def drain(socket: ClientConnection) -> None:
+    for _ in range(1000):
+        socket.recv(5.0)
+
+
+@pytest.mark.parametrize(
+    "sent",
+    [
+        "not json",
+        "[]",
+        '{"type": "preview"}',
+        '{"type": "preview", "on": "yes"}',
+        '{"type": "reboot"}',
+        '{"type": "preview", "on": true, "more": 1}',
+        '{"type": "preview", "on": true, "pad": "' + "x" * 5000 + '"}',
+        b"\x00\x01",
+        "x" * 200_000,
+    ],
+    ids=lambda value: repr(value[:30]),
+)
+def test_a_malformed_message_ends_this_connection_alone(server: Server, sent: str | bytes) -> None:
+    with connect(server.live) as bystander, connect(server.live) as socket:
+        socket.send(sent)
+        with pytest.raises(ConnectionClosed) as closed:
+            drain(socket)
+        assert closed.value.rcvd is not None
+        assert closed.value.rcvd.code in (1008, 1009)
+        assert message(bystander)["type"] == "hello"
+
+
+def test_a_tab_that_does_not_read_delays_nobody(server: Server) -> None:
+    bus = server.context.bus
+    with (
+        connect(server.live, max_queue=1, close_timeout=0.1),
+        connect(server.live, max_size=None) as reader,
+    ):
+        for count in range(60):
+            # far more than the buffers of a connection that nobody reads can hold
+            bus.publish("bulk", f"{count} " + "x" * 1_000_000)
+            while not str(message(reader).get("value", "")).startswith(f"{count} "):
+                pass
+        bus.publish("bulk", None)
+
+
+def test_a_foreign_page_gets_no_live_connection(server: Server) -> None:
+    with pytest.raises(InvalidStatus) as refused:
+        connect(server.live, origin="http://evil.example")  # type: ignore[arg-type]
+    assert refused.value.response.status_code == 403
+    own = f"http://127.0.0.1:{server.port}"
+    with connect(server.live, origin=own) as socket:  # type: ignore[arg-type]
+        assert message(socket)["type"] == "hello"

@@ -1,0 +1,142 @@
+"""The server as a process: killed, doubled, told to end."""
+
+import json
+import os
+import signal
+import socket
+import sqlite3
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import httpx
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+START_S = 60.0
+
+
+def command(*arguments: str) -> list[str]:
+    return [sys.executable, "-c", "from app.cli import main; main()", *arguments]
+
+
+@contextmanager
+def demo(data: Path, port: int = 0) -> Iterator[tuple[subprocess.Popen[str], str]]:
+    """A demo server and its address; killed at the end if it still runs."""
+    asked = command("demo", "--no-open", "--port", str(port), "--data", str(data))
+    with subprocess.Popen(
+        asked, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
+    ) as process:
+        try:
+            assert process.stdout is not None
+            line = process.stdout.readline()
+            assert "http://" in line, line
+            yield process, next(word for word in line.split() if word.startswith("http://"))
+        finally:
+            process.kill()
+
+
+def run(*arguments: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        command(*arguments), cwd=ROOT, capture_output=True, text=True, timeout=START_S, check=False
+    )
+
+
+def test_a_server_killed_at_the_touch_step_loses_no_point(tmp_path: Path) -> None:
+    with demo(tmp_path) as (process, address), httpx.Client(base_url=address) as http:
+        http.post("/api/flow/start").raise_for_status()
+        view = start_hand(http)
+        deadline = time.monotonic() + START_S
+        while view["step"] != "touch" or len(view["picture"]["points"]) < 6:  # type: ignore[index]
+            assert time.monotonic() < deadline
+            time.sleep(0.1)
+            view = http.get("/api/flow").json()
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+
+    with demo(tmp_path) as (process, address), httpx.Client(base_url=address) as http:
+        again = http.get("/api/flow").json()
+        assert again["session_id"] == view["session_id"]
+        assert again["step"] == "touch"
+        kept = again["picture"]["points"]
+        assert kept[: len(view["picture"]["points"])] == view["picture"]["points"]  # type: ignore[index]
+        assert len(kept) <= len(view["picture"]["points"]) + 1  # type: ignore[index]
+        probing = (tmp_path / "sessions" / again["session_id"] / "probing.csv").read_text()
+        assert abs(len(probing.splitlines()) - 1 - len(kept)) <= 1
+
+        second = run("demo", "--no-open", "--port", "0", "--data", str(tmp_path))
+        assert second.returncode == 1
+        assert f"process {process.pid}" in second.stderr
+        assert len(second.stderr.strip().splitlines()) == 1
+
+        process.send_signal(signal.SIGTERM)
+        process.wait(15.0)
+        assert process.returncode in (0, 128 + signal.SIGTERM)
+    check = sqlite3.connect(tmp_path / "station.db")
+    assert check.execute("PRAGMA integrity_check").fetchone() == ("ok",)
+    check.close()
+
+
+def start_hand(http: httpx.Client) -> dict[str, object]:
+    view = http.get("/api/flow").json()
+    asked = {"name": "let_hand", "args": {"all": True}, "rev": view["rev"], "key": "k"}
+    answer = http.post("/api/flow/command", json=asked)
+    assert answer.status_code == 200, answer.text
+    return dict(answer.json())
+
+
+def test_the_demo_takes_the_next_port_when_its_own_is_busy(tmp_path: Path) -> None:
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        port = taken.getsockname()[1]
+        with demo(tmp_path, port) as (process, address):
+            assert int(address.rstrip("/").rsplit(":", 1)[1]) > port
+            process.send_signal(signal.SIGINT)
+            process.wait(15.0)
+            assert process.returncode in (0, 128 + signal.SIGINT, -signal.SIGINT)
+
+
+SETTINGS = """
+[arm]
+driver = "serial-encoder"
+url = "socket://127.0.0.1:9"
+
+[sensor]
+driver = "folder"
+path = "{folder}"
+"""
+
+
+def test_serving_on_a_busy_port_is_refused_in_one_line(tmp_path: Path) -> None:
+    (tmp_path / "station.toml").write_text(SETTINGS.format(folder=tmp_path))
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        port = str(taken.getsockname()[1])
+        done = run("serve", "--config", str(tmp_path / "station.toml"), "--port", port)
+    assert done.returncode == 1
+    assert port in done.stderr
+    assert len(done.stderr.strip().splitlines()) == 1
+    assert "Traceback" not in done.stderr
+
+
+def test_an_unknown_driver_is_refused_in_one_line(tmp_path: Path) -> None:
+    text = SETTINGS.format(folder=tmp_path).replace('"serial-encoder"', '"serial-encodr"')
+    (tmp_path / "station.toml").write_text(text)
+    done = run("serve", "--config", str(tmp_path / "station.toml"), "--port", "0")
+    assert done.returncode == 1
+    assert "serial-encodr" in done.stderr
+    assert "serial-encoder" in done.stderr
+    assert not (tmp_path / "data").exists()
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() == 0, reason="root may write all")
+def test_a_folder_that_may_not_be_written_is_refused(tmp_path: Path) -> None:
+    tmp_path.chmod(0o500)
+    done = run("demo", "--no-open", "--port", "0", "--data", str(tmp_path / "data"))
+    assert done.returncode == 1
+    assert json.dumps(str(tmp_path))[1:-1] in done.stderr

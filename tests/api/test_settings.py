@@ -1,0 +1,73 @@
+"""station.toml: read with its defaults, refused with the key's name."""
+
+from pathlib import Path
+
+import pytest
+
+from app.metrology.refusal import Refusal
+from app.settings import read_settings
+
+GOOD = """
+[station]
+name = "Room 2"
+data = "records"
+hosts = ["station.local"]
+[arm]
+driver = "serial-encoder"
+url = "/dev/ttyUSB0"
+[sensor]
+driver = "opencv"
+source = 0
+"""
+
+
+def write(tmp_path: Path, text: str) -> Path:
+    path = tmp_path / "station.toml"
+    path.write_text(text)
+    return path
+
+
+def test_a_whole_file(tmp_path: Path) -> None:
+    settings = read_settings(write(tmp_path, GOOD))
+    assert settings.name == "Room 2"
+    assert settings.data == tmp_path / "records"
+    assert settings.hosts == ("station.local",)
+    assert (settings.arm.driver, settings.arm.options) == (
+        "serial-encoder",
+        {"url": "/dev/ttyUSB0"},
+    )
+    assert (settings.sensor.driver, settings.sensor.options) == ("opencv", {"source": 0})
+
+
+def test_only_the_devices_are_needed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "share"))
+    settings = read_settings(write(tmp_path, '[arm]\ndriver="a"\n[sensor]\ndriver="b"\n'))
+    assert settings.data == tmp_path / "share/crenel/station"
+
+
+@pytest.mark.parametrize(
+    ("change", "named"),
+    [
+        (("[arm]", "[alm]"), "[arm]"),
+        (('driver = "opencv"', ""), "driver"),
+        (('name = "Room 2"', "name = 2"), "name"),
+        (('name = "Room 2"', 'nmae = "Room 2"'), "nmae"),
+        (('"station.local"', "5"), "hosts"),
+        (('driver = "serial-encoder"', "driver = [1]"), "driver"),
+        (("[sensor]", "[sensor"), "station.toml"),
+        (("[sensor]", "[extra]\n[sensor]"), "extra"),
+    ],
+)
+def test_what_is_wrong_is_named(tmp_path: Path, change: tuple[str, str], named: str) -> None:
+    assert change[0] in GOOD
+    with pytest.raises(Refusal) as caught:
+        read_settings(write(tmp_path, GOOD.replace(*change, 1)))
+    assert named in caught.value.line
+    assert "station.toml" in caught.value.line
+
+
+def test_a_missing_file_is_named(tmp_path: Path) -> None:
+    with pytest.raises(Refusal) as caught:
+        read_settings(tmp_path / "station.toml")
+    assert caught.value.code == "settings-missing"
+    assert "crenel demo" in caught.value.line

@@ -1,0 +1,100 @@
+"""The 3D view through the server's own origin: everything comes, only the camera goes."""
+
+import dataclasses
+
+import msgspec
+import pytest
+import viser
+from viser import _messages as viser_messages
+from websockets.exceptions import ConnectionClosed
+from websockets.sync.client import connect
+
+from app.api.viewer import passed
+from tests.api.conftest import Server
+
+CAMERA = viser_messages.ViewerCameraMessage(
+    wxyz=(1.0, 0.0, 0.0, 0.0),
+    position=(1.0, 2.0, 3.0),
+    fov=0.8,
+    near=0.1,
+    far=100.0,
+    image_height=600,
+    image_width=800,
+    look_at=(0.0, 0.0, 0.0),
+    up_direction=(0.0, 0.0, 1.0),
+)
+PROTOCOL = f"viser-v{viser.__version__}"
+
+
+def as_sent(message: viser_messages.Message) -> bytes:
+    """A message as viser's browser client packs it."""
+    return msgspec.msgpack.encode({"type": type(message).__name__, **dataclasses.asdict(message)})
+
+
+def test_a_camera_message_is_passed_on_whole() -> None:
+    through = passed(as_sent(CAMERA))
+    assert through is not None
+    assert viser_messages.Message.deserialize(through) == CAMERA
+
+
+def test_no_other_message_is_passed_on() -> None:
+    kinds = viser_messages.Message.get_subclasses()
+    assert len(kinds) > 50
+    for kind in kinds:
+        if kind is not viser_messages.ViewerCameraMessage:
+            fields = {field.name: None for field in dataclasses.fields(kind)}
+            assert passed(msgspec.msgpack.encode({"type": kind.__name__, **fields})) is None
+    tunnel = viser_messages.ShareUrlRequest()
+    assert passed(as_sent(tunnel)) is None
+
+
+@pytest.mark.parametrize(
+    "sent",
+    [
+        b"",
+        b"\xc1",
+        b"\x93\x01\x02\x03",
+        msgspec.msgpack.encode({"type": "ViewerCameraMessage"}),
+        msgspec.msgpack.encode(
+            {"type": "ViewerCameraMessage", **dataclasses.asdict(CAMERA), "more": 1}
+        ),
+        msgspec.msgpack.encode(
+            {"type": "ViewerCameraMessage", **dataclasses.asdict(CAMERA), "fov": "wide"}
+        ),
+        as_sent(CAMERA)[:-3],
+    ],
+)
+def test_a_message_that_only_looks_like_a_camera_is_dropped(sent: bytes) -> None:
+    assert passed(sent) is None
+
+
+def test_the_viewers_page_comes_through_with_a_policy_of_its_own(server: Server) -> None:
+    page = server.http.get("/viewer/", headers={"accept-encoding": "gzip"})
+    assert page.status_code == 200
+    assert "<title>Viser</title>" in page.text
+    policy = page.headers["content-security-policy"]
+    assert "frame-ancestors 'self'" in policy
+    assert "connect-src 'self' data: blob:" in policy
+    assert server.http.get("/viewer").status_code == 307
+    assert server.http.get("/viewer/nothing.js").status_code == 404
+
+
+def test_the_scene_comes_through_and_cameras_do_not_end_it(server: Server) -> None:
+    address = f"ws://127.0.0.1:{server.port}/viewer"
+    with connect(address, subprotocols=[PROTOCOL], max_size=None) as socket:  # type: ignore[list-item]
+        assert socket.subprotocol == PROTOCOL
+        assert isinstance(socket.recv(10.0), bytes)
+        socket.send(as_sent(viser_messages.ShareUrlRequest()))
+        socket.send(b"\x00 nonsense")
+        socket.send(as_sent(CAMERA))
+        server.context.scene.set_laser(True)
+        assert isinstance(socket.recv(10.0), bytes)
+
+
+def test_a_page_of_another_version_is_turned_away_as_viser_does(server: Server) -> None:
+    address = f"ws://127.0.0.1:{server.port}/viewer/"
+    with (
+        connect(address, subprotocols=["viser-v0.0.1"]) as socket,  # type: ignore[list-item]
+        pytest.raises(ConnectionClosed),
+    ):
+        socket.recv(10.0)

@@ -1,0 +1,127 @@
+"""From a session's folder to the result that is shown, on sessions that the twin renders."""
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from app.files.calibrate import calibration_from, one_pose_inputs, origin_of
+from app.files.images import read_grey, write_png
+from app.files.session import read_session
+from app.guide.live import Chosen
+from app.guide.session_folder import SessionFolder
+from app.guide.solving import compare, look_at, solve
+from app.guide.view import Comparison
+from app.metrology.one_pose import calibrate_one_pose
+from app.metrology.refusal import Refusal
+from app.station.capture import Capture
+from app.station.joints import JointMean
+from hardware.interfaces import Frame
+from hardware.twin.session import SessionPlan, render_session
+
+
+@dataclass(frozen=True)
+class InUse:
+    """A calibration that was accepted before."""
+
+    name: str
+    file: Path
+
+
+def quiet(text: str, share: float) -> None:
+    assert text
+    assert 0 <= share <= 1
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> SessionFolder:
+    path = tmp_path_factory.mktemp("session")
+    render_session(path, 11, SessionPlan(contacts_per_face=9))
+    return SessionFolder(path)
+
+
+def test_a_session_is_solved_as_it_is_shown(folder: SessionFolder) -> None:
+    first = solve(folder, None, quiet)
+    assert first.result is not None
+    assert first.result.verdict == "good"
+    assert first.result.comparison is None
+    assert first.result.worst
+    assert first.result.total_um == pytest.approx(
+        float(np.sqrt(np.sum([row.value_um**2 for row in first.result.budget])))
+    )
+    assert len(first.corners) >= 8
+    assert all(corner.residual_px is not None for corner in first.corners)
+    assert first.outline
+    assert 50 < len(first.stripe) <= 400
+
+
+def test_a_calibration_is_compared_with_the_one_in_use(
+    folder: SessionFolder, tmp_path: Path
+) -> None:
+    session = read_session(folder.path)
+    pose = session.poses[0]
+    result = calibrate_one_pose(one_pose_inputs(session, pose))
+    sheet = calibration_from(result, origin_of(session, pose, ""))
+    in_use = InUse("the first", tmp_path / "calibration.json")
+
+    def compared(**changes: object) -> Comparison | None:
+        changed = {**json.loads(sheet.model_dump_json()), **changes}
+        in_use.file.write_text(json.dumps({"format": "crenel/calibration", "version": 1} | changed))
+        return compare(result, session.block, sheet, in_use)
+
+    same = compared()
+    assert same is not None
+    assert same.with_name == "the first"
+    assert same.max_um == pytest.approx(0.0, abs=1e-6)
+    moved = np.array(sheet.probe_matrix)
+    moved[2, 3] += 0.1
+    shifted = compared(probe_matrix=moved.tolist())
+    assert shifted is not None
+    assert shifted.rms_um == pytest.approx(100.0, rel=1e-6)
+    assert shifted.max_um == pytest.approx(100.0, rel=1e-6)
+    other = {"arm": "A", "object": "B", "sensor": "another"}
+    assert compared(serial_numbers=other) is None
+    in_use.file.write_text("damaged")
+    assert compare(result, session.block, sheet, in_use) is None
+    assert compare(result, session.block, sheet, None) is None
+
+
+def test_a_refused_solve_leaves_no_calibration_of_before(tmp_path: Path) -> None:
+    render_session(tmp_path, 12, SessionPlan(contacts_per_face=5, width_px=640, height_px=512))
+    folder = SessionFolder(tmp_path)
+    folder.calibration.write_text("of before")
+    session = read_session(tmp_path)
+    black = np.zeros((512, 640), np.uint8)
+    write_png(session.poses[0].ambient, black)
+    with pytest.raises(Refusal) as caught:
+        solve(folder, None, quiet)
+    assert caught.value.code == "image-dark"
+    assert caught.value.remedy
+    assert not folder.calibration.exists()
+
+
+def capture_of(folder: SessionFolder, ambient: np.ndarray) -> tuple[Capture, Chosen]:
+    session = read_session(folder.path)
+    pose = session.poses[0]
+    assert pose.laser is not None
+    frames = [
+        Frame(i, 0, image, 5000.0, i > 0)
+        for i, image in enumerate((ambient, read_grey(pose.laser)))
+    ]
+    mean = JointMean(pose.q_rad, pose.q_rad * 0, 10, 0, 1)
+    chosen = Chosen(session.arm, session.block, session.sensor)
+    return Capture(frames[0], frames[1], "pair", mean), chosen
+
+
+def test_a_fresh_picture_is_looked_at_at_once(folder: SessionFolder) -> None:
+    ambient = read_grey(read_session(folder.path).poses[0].ambient)
+    seen = look_at(*capture_of(folder, ambient))
+    assert len(seen.corners) >= 8
+    assert seen.stripe
+    assert not [finding for finding in seen.findings if finding.quality == "bad"]
+    seen = look_at(*capture_of(folder, np.zeros_like(ambient)))
+    assert seen.corners == ()
+    assert seen.findings[0].quality == "bad"
+    assert seen.findings[0].remedy
