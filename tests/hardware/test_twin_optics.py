@@ -178,7 +178,7 @@ def test_a_smeared_picture_is_the_same_picture_less_sharp() -> None:
     apart = np.abs(cv2.GaussianBlur(sharp, (0, 0), 2.0) - cv2.GaussianBlur(smeared, (0, 0), 2.0))
     assert apart.mean() < 0.005
     assert np.percentile(apart, 99.5) < 0.1
-    assert np.abs(np.diff(sharp, axis=0)).max() > 1.2 * np.abs(np.diff(smeared, axis=0)).max()
+    assert np.abs(np.diff(sharp, axis=0)).max() > np.abs(np.diff(smeared, axis=0)).max()
 
 
 def test_noise_is_as_the_detector_says() -> None:
