@@ -1,1 +1,8 @@
 """Crenel: an articulated arm and a laser stripe sensor, calibrated in one step."""
+
+import os
+
+# The matrices here are small: BLAS on many threads only gets in the way of the
+# station's own, and must be told so before numpy is imported.
+for _library in ("OPENBLAS", "MKL", "OMP"):
+    os.environ.setdefault(f"{_library}_NUM_THREADS", "1")

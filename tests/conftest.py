@@ -4,6 +4,8 @@ from pathlib import Path
 
 import pytest
 
+import app  # noqa: F401  # sets the numerical libraries' threads before numpy is loaded
+
 SHARED = Path(__file__).resolve().parents[2] / "shared"
 
 

@@ -9,13 +9,15 @@ from app.metrology.camera import Camera, rays
 from app.metrology.crenellated import Crenellated
 from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
-from app.metrology.stripe import Stripe
+from app.metrology.stripe import Image, Stripe, extract_stripe, together
 
 # Stripe points nearer than this to an edge of their face may mix light of both sides.
 EDGE_MARGIN_PX = 6.0
 # Points that each level must show, and the least angle between sight and laser plane.
 FEWEST_ON_A_LEVEL = 20
 LEAST_ANGLE_DEG = 3.0
+# Which level a pixel lies on is looked up once for squares of this many pixels.
+LEVEL_STEP_PX = 4
 # Residuals beyond this many standard deviations are no light of the direct stripe.
 OUTLIER_SIGMAS = 4.0
 
@@ -102,6 +104,25 @@ def levels_of(camera: Camera, block: Crenellated, uv_px: Floats) -> tuple[NDArra
         inside &= between.any(axis=1)
         level[inside], points[inside] = name, hit[inside]
     return level, points
+
+
+def stripe_on_levels(camera: Camera, block: Crenellated, image: Image, axis: str) -> Stripe:
+    """The stripe (N points) on the crests, then on the floors, each sought for itself.
+
+    One peak a column is not enough where the camera is turned against the stripe: a
+    column may then cross a crest and a floor. Table and walls are left out.
+
+    Args:
+        camera: with the sensor frame equal to the object frame.
+        image: (H, W) with the stripe on it.
+        axis: see ``extract_stripe``.
+    """
+    height, width = image.shape
+    rows, columns = np.mgrid[0:height:LEVEL_STEP_PX, 0:width:LEVEL_STEP_PX]
+    coarse = np.column_stack([columns.ravel(), rows.ravel()]) + (LEVEL_STEP_PX - 1) / 2
+    level = levels_of(camera, block, coarse)[0].reshape(rows.shape)
+    level = level.repeat(LEVEL_STEP_PX, axis=0).repeat(LEVEL_STEP_PX, axis=1)[:height, :width]
+    return together([extract_stripe(image, axis, level == name) for name in ("crest", "floor")])
 
 
 def _entry_x(block: Crenellated, origin: Floats, along: Floats) -> Floats:

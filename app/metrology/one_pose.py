@@ -19,7 +19,12 @@ from app.metrology.crenellated import Crenellated, corners, probing_face
 from app.metrology.faugeras import FaugerasSolution, solve_faugeras
 from app.metrology.findings import Evidence, Finding, WorstPoint, findings_of, worst_points
 from app.metrology.frames import Floats, inverse, rigid_fit
-from app.metrology.laser_plane import LaserPlane, LaserPlaneFit, fit_laser_plane
+from app.metrology.laser_plane import (
+    LaserPlane,
+    LaserPlaneFit,
+    fit_laser_plane,
+    stripe_on_levels,
+)
 from app.metrology.reconstruct import sensor_points
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import Image, Stripe, extract_stripe
@@ -111,20 +116,19 @@ def calibrate_one_pose(
     _check(inputs)
     say("Fitting the contact points", 0.0)
     alignment = aligned(inputs)
-    say("Extracting the laser stripe", 0.1)
     lit = inputs.ambient if inputs.laser is None else inputs.laser
-    stripe = extract_stripe(lit, inputs.stripe_axis)
+    say("Finding the object's edges", 0.1)
+    in_the_way = None if inputs.laser is not None else extract_stripe(lit, inputs.stripe_axis)
+    detection = detect_object(inputs.ambient, inputs.block, in_the_way)
+    say("Extracting the laser stripe", 0.5)
+    stripe = stripe_on_levels(detection.camera, inputs.block, lit, inputs.stripe_axis)
     if len(stripe.u) == 0:
         raise Refusal(
             "stripe-not-found",
-            "no laser stripe was found in the picture",
-            "the laser is off, covered, or too weak for this exposure",
-            "check the laser and the exposure",
+            "no laser stripe was found on the object",
+            "the laser is off, covered, beside the object, or too weak for this exposure",
+            "check the laser and the exposure, and let the stripe cross the object's middle",
         )
-    say("Finding the object's edges", 0.2)
-    detection = detect_object(
-        inputs.ambient, inputs.block, stripe if inputs.laser is None else None
-    )
     say("Solving for the camera", 0.6)
     faugeras = _faugeras(detection, inputs.block)
     say("Refining camera, lens and laser plane", 0.7)

@@ -1,5 +1,6 @@
 """The laser stripe in an image: its centre below a pixel, and how far to trust it."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -68,7 +69,7 @@ class Noise:
         return np.array([self.read, self.gain, self.contrast])
 
 
-def extract_stripe(image: Image, axis: str = "u") -> Stripe:
+def extract_stripe(image: Image, axis: str = "u", where: NDArray[np.bool_] | None = None) -> Stripe:
     """One point per column (axis ``u``) or row (axis ``v``) where the stripe crosses it.
 
     A Gaussian on a constant background is fitted to each peak, weighted by the
@@ -78,6 +79,7 @@ def extract_stripe(image: Image, axis: str = "u") -> Stripe:
     Args:
         image: (H, W) of uint8 or uint16 (9 to 16 significant bits).
         axis: the image axis along which points are counted.
+        where: (H, W) pixels in which the stripe may lie; None: anywhere.
 
     Returns:
         The points in ascending order; none where the image holds no stripe.
@@ -91,7 +93,8 @@ def extract_stripe(image: Image, axis: str = "u") -> Stripe:
     saturated = saturation_level(grey)
     read = _read_noise(grey)
     level, peak = np.empty(grey.shape[1]), np.empty(grey.shape[1], dtype=np.int64)
-    kernels.peak_rows(grey, level, peak)
+    allowed = np.zeros((0, 0), dtype=np.bool_) if where is None else _as_seen(where, grey, axis)
+    kernels.peak_rows(grey, allowed, level, peak)
     # the score's variance: 4 of 5 core pixels' mean and a mean of 3
     threshold = STANDS_OUT * np.sqrt(read * (1 / 4 + 1 / 3))
     columns = np.flatnonzero((level > threshold) & (peak >= 0))
@@ -101,6 +104,17 @@ def extract_stripe(image: Image, axis: str = "u") -> Stripe:
     noise = _noise_of(grey, columns, fits, saturated, read)
     kernels.fit_columns(grey, columns, peak[columns], noise.terms, saturated, fits)
     return _gated(columns.astype(np.float64), fits, axis, saturated)
+
+
+def together(parts: Sequence[Stripe]) -> Stripe:
+    """The points of stripes that were counted along the same axis, one after the other."""
+    return Stripe(
+        np.concatenate([part.u for part in parts]),
+        np.concatenate([part.v for part in parts]),
+        np.concatenate([part.intensity for part in parts]),
+        np.concatenate([part.sigma_px for part in parts]),
+        parts[0].axis,
+    )
 
 
 def saturation_level(image: Image) -> float:
@@ -131,6 +145,14 @@ def _as_grey(image: Image, axis: str) -> Image:
     if axis not in ("u", "v"):
         raise Refusal("axis-unknown", f'stripe axis "{axis}"', 'it is "u" or "v"')
     return np.ascontiguousarray(array if axis == "u" else array.T)
+
+
+def _as_seen(where: NDArray[np.bool_], grey: Image, axis: str) -> NDArray[np.bool_]:
+    """The mask turned as the image was."""
+    turned = np.ascontiguousarray(where if axis == "u" else where.T)
+    if turned.shape != grey.shape:
+        raise Refusal("mask-size", f"a mask of shape {where.shape} for an image of another shape")
+    return turned
 
 
 def _read_noise(image: Image) -> float:

@@ -21,17 +21,24 @@ CENTRE, AMPLITUDE, SIGMA, BACKGROUND, VARIANCE, CHI2, PIXELS = range(7)
 
 
 @kernel
-def peak_rows(image: NDArray[np.integer], level: Floats, peak: NDArray[np.int64]) -> None:
+def peak_rows(
+    image: NDArray[np.integer],
+    where: NDArray[np.bool_],
+    level: Floats,
+    peak: NDArray[np.int64],
+) -> None:
     """The row of the highest score in each column, and that score.
 
     Args:
         image: (H, W), H > 2 SURROUND.
+        where: (H, W) pixels that may hold a peak, or (0, 0) for all.
         level, peak: (W,) filled with the score in grey levels and its row.
     """
     height, width = image.shape
     level[:] = 0.0
     peak[:] = -1
     score = np.empty(width, dtype=np.float32)
+    masked = where.shape[0] == height
     for r in range(CORE, height - CORE):
         a, b, c, d, e = image[r - 2], image[r - 1], image[r], image[r + 1], image[r + 2]
         above = max(r - SURROUND, 1)
@@ -48,6 +55,11 @@ def peak_rows(image: NDArray[np.integer], level: Floats, peak: NDArray[np.int64]
             score[i] = np.float32(core) * np.float32(0.25) - np.float32(
                 max(before, after)
             ) * np.float32(1.0 / 3.0)
+        if masked:
+            allowed = where[r]
+            for i in range(width):
+                if not allowed[i]:
+                    score[i] = np.float32(0.0)
         for i in range(width):
             if score[i] > level[i]:
                 level[i] = score[i]

@@ -1,0 +1,39 @@
+"""Whole sessions of blocks, arms and cameras drawn at random, against their truth."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from app.files.calibrate import one_pose_inputs
+from app.files.session import read_session
+from app.metrology.frames import apply, rigid_fit
+from app.metrology.one_pose import calibrate_one_pose
+from app.metrology.reconstruct import sensor_points
+from hardware.twin.session import SessionPlan, render_session
+
+PLANS = {
+    "upside down, seven joints": SessionPlan(joints=7, roll_rad=np.pi),
+    "stripe along the rows, both lights": SessionPlan(roll_rad=np.pi / 2, lighting="both"),
+    # a column of the picture crosses crests and floors
+    "turned by 30 degrees": SessionPlan(roll_rad=np.radians(30)),
+    "turned by -35 degrees, both lights": SessionPlan(roll_rad=np.radians(-35), lighting="both"),
+    "a barrel of a lens": SessionPlan(distortion=(-0.12, 0.0, 0.0, 0.0, 0.0)),
+}
+
+
+@pytest.mark.parametrize(("seed", "plan"), list(enumerate(PLANS.values(), 501)), ids=PLANS)
+def test_points_are_rebuilt_where_the_light_fell(
+    seed: int, plan: SessionPlan, tmp_path: Path
+) -> None:
+    render_session(tmp_path, seed, plan)
+    session = read_session(tmp_path)
+    found = calibrate_one_pose(one_pose_inputs(session, session.poses[0]))
+    truth = json.loads((tmp_path / "truth.json").read_text())
+    rebuilt = sensor_points(found.camera, found.plane, np.array(truth["pixels"]))
+    true_sensor = np.array(truth["points_sensor_frame_mm"])
+    off = apply(rigid_fit(true_sensor, rebuilt), rebuilt) - true_sensor
+    assert np.sqrt(np.mean(np.sum(off**2, axis=1))) < 0.004
+    off = apply(found.T_flange_sensor, rebuilt) - np.array(truth["points_flange_frame_mm"])
+    assert np.sqrt(np.mean(np.sum(off**2, axis=1))) * 1e3 < 3 * found.total_um
