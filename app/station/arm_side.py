@@ -17,7 +17,6 @@ from hardware.interfaces import ArmDriver, ArmInfo, ButtonEvent, JointSample
 
 # Packets may come late on a busy machine; their stamps are right nevertheless.
 LATE_S = 0.5
-FEWEST_SAMPLES = 3
 
 
 class ArmSide:
@@ -78,7 +77,9 @@ class ArmSide:
         last_ns = ring.last_stamp_ns() if ring else None
         if ring is None or arm is None or last_ns is None or not self.fresh:
             return UNKNOWN
-        return stillness(arm, ring.between(last_ns - int(WINDOW_S * 1e9), last_ns))
+        first_ns = last_ns - int(WINDOW_S * 1e9)
+        window = ring.between(first_ns, last_ns)
+        return stillness(arm, window) if ring.covers(window, first_ns, last_ns) else UNKNOWN
 
     def average(self, window_s: float = 0.2, until_ns: int | None = None) -> JointMean:
         """The joints' mean over a window in which the arm was still.
@@ -116,8 +117,8 @@ class ArmSide:
                 remedy="choose the arm first",
             )
         window = ring.between(first_ns, last_ns)
-        moved = stillness(arm, window)
-        if len(window) < FEWEST_SAMPLES or moved is UNKNOWN:
+        moved = stillness(arm, window) if ring.covers(window, first_ns, last_ns) else UNKNOWN
+        if moved is UNKNOWN:
             raise Refusal(
                 "no-joints",
                 f"only {len(window)} joint samples came in {(last_ns - first_ns) / 1e9:.2f} s",

@@ -29,7 +29,7 @@ class Stillness:
     text: str
 
 
-UNKNOWN = Stillness(False, float("nan"), float("nan"), "No arm data")
+UNKNOWN = Stillness(False, float("nan"), float("nan"), "Too little arm data yet")
 
 
 def stillness(arm: Arm, window: JointWindow) -> Stillness:

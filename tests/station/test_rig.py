@@ -113,6 +113,22 @@ def test_a_moving_arm_is_not_averaged_and_a_still_one_is(rig: Rig, bench: Bench)
     assert mean.samples == pytest.approx(100, abs=3)
 
 
+def test_an_arm_that_was_away_for_a_moment_is_not_called_still(rig: Rig, bench: Bench) -> None:
+    """Nobody knows where it was meanwhile."""
+    ready(rig)
+    newest = rig.arm.latest()
+    assert newest is not None
+    bench.arm_silent = True
+    time.sleep(0.15)
+    bench.arm_silent = False
+    until(lambda: (now := rig.arm.latest()) and now.stamp_ns > newest.stamp_ns + 50_000_000)
+    latest = rig.arm.latest()
+    assert latest is not None
+    with pytest.raises(Refusal) as refused:
+        rig.arm.average(0.2, until_ns=newest.stamp_ns + 220_000_000)
+    assert refused.value.code == "no-joints"
+
+
 def test_a_press_is_averaged_over_what_came_before_it(rig: Rig, bench: Bench) -> None:
     ready(rig)
     time.sleep(0.1)
@@ -178,7 +194,7 @@ def test_a_capture_is_refused_while_the_arm_moves(rig: Rig, bench: Bench) -> Non
     with pytest.raises(Refusal) as refused:
         rig.capture_pair()
     assert refused.value.code == "arm-moving"
-    assert "hold it still" in refused.value.line
+    assert "hold it still" in refused.value.line.lower()
 
 
 def test_a_capture_is_refused_when_the_arm_moved_meanwhile(rig: Rig, bench: Bench) -> None:
