@@ -88,6 +88,7 @@ async def socket(browser: WebSocket) -> None:
             compression=None,
             max_size=None,
             proxy=None,
+            close_timeout=1,
         )
     except (OSError, InvalidHandshake, TimeoutError):
         await browser.accept()

@@ -40,7 +40,7 @@ def test_of_two_tabs_at_once_only_one_takes_the_point(touching: Server) -> None:
 
 
 def test_the_same_place_is_no_second_point(touching: Server) -> None:
-    touching.command("take_point").raise_for_status()
+    touching.do("take_point")
     answer = touching.command("take_point")
     assert answer.status_code == 422
     assert answer.json()["code"] == "same-place"
@@ -74,11 +74,11 @@ def test_a_point_in_motion_is_declined_and_said(touching: Server) -> None:
 
 
 def test_back_and_forth_keeps_the_points(touching: Server) -> None:
-    touching.command("take_point").raise_for_status()
-    view = touching.command("back").json()
+    touching.do("take_point")
+    view = touching.do("back")
     assert view["step"] == "setup"
     assert [s["state"] for s in view["steps"]][:3] == ["done", "current", "stale"]
-    view = touching.command("confirm_setup").json()
+    view = touching.do("confirm_setup")
     assert points(view) == [0]
 
 
@@ -98,7 +98,7 @@ def test_starting_twice_resumes_the_open_session(touching: Server) -> None:
 
 
 def test_the_hand_stops_when_told(touching: Server) -> None:
-    touching.command("let_hand").raise_for_status()
+    touching.do("let_hand")
     touching.wait(lambda view: len(points(view)) >= 2, 20.0)
     # stopping needs no fresh view
     assert touching.command("stop_hand", rev=0).status_code == 200
@@ -113,9 +113,9 @@ def test_the_hand_stops_when_told(touching: Server) -> None:
 def test_a_whole_calibration_by_the_hand(server: Server, tmp_path: Path) -> None:
     http = server.http
     if server.flow()["running"]:
-        server.command("abandon").raise_for_status()
+        server.do("abandon")
     http.post("/api/flow/start").raise_for_status()
-    server.command("let_hand", all=True).raise_for_status()
+    server.do("let_hand", all=True)
     server.wait(lambda view: view["busy"] is None)
     view = http.get("/api/flow").json()
     assert view["step"] == "review", view["findings"]

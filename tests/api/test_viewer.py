@@ -81,7 +81,7 @@ def test_the_viewers_page_comes_through_with_a_policy_of_its_own(server: Server)
 
 def test_the_scene_comes_through_and_cameras_do_not_end_it(server: Server) -> None:
     address = f"ws://127.0.0.1:{server.port}/viewer"
-    with connect(address, subprotocols=[PROTOCOL], max_size=None) as socket:  # type: ignore[list-item]
+    with connect(address, subprotocols=[PROTOCOL], max_size=None, close_timeout=0.5) as socket:  # type: ignore[list-item]
         assert socket.subprotocol == PROTOCOL
         assert isinstance(socket.recv(10.0), bytes)
         socket.send(as_sent(viser_messages.ShareUrlRequest()))
