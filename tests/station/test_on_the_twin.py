@@ -1,5 +1,6 @@
 """The machine room on the simulated station: real serial driver, rendered pictures, faults."""
 
+import asyncio
 import json
 from collections.abc import Iterator
 from pathlib import Path
@@ -95,12 +96,15 @@ def test_the_sphere_is_scanned_to_its_size(twin: Twin, rig: Rig, bus: Bus, tmp_p
 
 
 def test_a_touch_of_the_hand_is_heard_and_averaged(twin: Twin, rig: Rig, bus: Bus) -> None:
-    heard: list[ButtonEvent] = []
-    rig.arm.on_button = heard.append
-    rig.arm._bus.call = lambda callback, *args: callback(*args)  # type: ignore[method-assign]
-    assert twin.hand.touch("crest", 0)
-    until(lambda: any(event.pressed for event in heard))
-    press = next(event for event in heard if event.pressed)
+    async def scenario() -> ButtonEvent:
+        loop = asyncio.get_running_loop()
+        bus.attach(loop)
+        pressed: asyncio.Future[ButtonEvent] = loop.create_future()
+        rig.arm.on_button = lambda event: event.pressed and pressed.set_result(event)
+        assert await asyncio.to_thread(twin.hand.touch, "crest", 0)
+        return await asyncio.wait_for(pressed, 10)
+
+    press = asyncio.run(scenario())
     assert press.button is Button.PRIMARY
     mean = rig.arm.average(0.15, until_ns=press.stamp_ns)
     assert mean.samples > 100
