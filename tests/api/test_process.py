@@ -9,26 +9,35 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
 
 import httpx
+import numpy as np
 import pytest
+
+from app.files.images import write_png
+from app.files.software import SOFTWARE
+from hardware.twin.station import Twin
 
 ROOT = Path(__file__).resolve().parents[2]
 START_S = 60.0
+Running = tuple[subprocess.Popen[str], str]
 
 
 def command(*arguments: str) -> list[str]:
     return [sys.executable, "-c", "from app.cli import main; main()", *arguments]
 
 
+def demo(data: Path, port: int = 0) -> AbstractContextManager[Running]:
+    return running("demo", "--no-open", "--port", str(port), "--data", str(data))
+
+
 @contextmanager
-def demo(data: Path, port: int = 0) -> Iterator[tuple[subprocess.Popen[str], str]]:
-    """A demo server and its address; killed at the end if it still runs."""
-    asked = command("demo", "--no-open", "--port", str(port), "--data", str(data))
+def running(*arguments: str) -> Iterator[Running]:
+    """A server's process and its address; killed at the end if it still runs."""
     with subprocess.Popen(
-        asked, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
+        command(*arguments), cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
     ) as process:
         try:
             assert process.stdout is not None
@@ -100,10 +109,14 @@ def test_the_demo_takes_the_next_port_when_its_own_is_busy(tmp_path: Path) -> No
             assert process.returncode in (0, 128 + signal.SIGINT, -signal.SIGINT)
 
 
+NOWHERE = "socket://127.0.0.1:9"
 SETTINGS = """
+[station]
+name = "Room 2"
+
 [arm]
 driver = "serial-encoder"
-url = "socket://127.0.0.1:9"
+url = "{url}"
 
 [sensor]
 driver = "folder"
@@ -111,8 +124,37 @@ path = "{folder}"
 """
 
 
+def test_a_station_on_real_drivers(tmp_path: Path) -> None:
+    write_png(tmp_path / "picture.png", np.full((240, 320), 90, np.uint8))
+    with Twin() as twin:
+        text = SETTINGS.format(folder=tmp_path, url=twin.arm_url)
+        (tmp_path / "station.toml").write_text(text)
+        config, data = str(tmp_path / "station.toml"), str(tmp_path / "data")
+        asked = running("serve", "--config", config, "--data", data, "--port", "0")
+        with asked as (process, address), httpx.Client(base_url=address) as http:
+            assert http.get("/api/home").json()["station"] == {
+                "name": "Room 2",
+                "version": SOFTWARE.version,
+                "has_hand": False,
+                "simulated": False,
+            }
+            http.post("/api/flow/start").raise_for_status()
+            deadline = time.monotonic() + START_S
+            while not (view := http.get("/api/flow").json())["actions"][0]["enabled"]:
+                assert time.monotonic() < deadline, view
+                time.sleep(0.1)
+            assert "TWIN-A1" in view["picture"]["devices"][0]["text"]
+            assert "let_hand" not in [action["name"] for action in view["actions"]]
+            laser = http.post("/api/laser", json={"on": True})
+            assert laser.status_code == 422
+            assert laser.json()["code"] == "no-laser-switch"
+            assert http.post("/api/laser", json={"on": False}).status_code == 200
+            process.send_signal(signal.SIGTERM)
+            process.wait(15.0)
+
+
 def test_serving_on_a_busy_port_is_refused_in_one_line(tmp_path: Path) -> None:
-    (tmp_path / "station.toml").write_text(SETTINGS.format(folder=tmp_path))
+    (tmp_path / "station.toml").write_text(SETTINGS.format(folder=tmp_path, url=NOWHERE))
     with socket.socket() as taken:
         taken.bind(("127.0.0.1", 0))
         taken.listen()
@@ -125,7 +167,9 @@ def test_serving_on_a_busy_port_is_refused_in_one_line(tmp_path: Path) -> None:
 
 
 def test_an_unknown_driver_is_refused_in_one_line(tmp_path: Path) -> None:
-    text = SETTINGS.format(folder=tmp_path).replace('"serial-encoder"', '"serial-encodr"')
+    text = SETTINGS.format(folder=tmp_path, url=NOWHERE).replace(
+        '"serial-encoder"', '"serial-encodr"'
+    )
     (tmp_path / "station.toml").write_text(text)
     done = run("serve", "--config", str(tmp_path / "station.toml"), "--port", "0")
     assert done.returncode == 1
