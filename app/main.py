@@ -105,6 +105,7 @@ def demo(data: Path | None, host: str, port: int, open_browser: bool) -> None:
     from app.demonstration import simulated_parts
 
     listening = _listen(host, port, PORTS_TRIED)
+    print("Starting the simulated station; the first start takes some ten seconds.", flush=True)
     with simulated_parts(data or user_data_folder() / "demo", (host,)) as parts:
         _run(build_app(parts), listening, host, open_browser)
 
