@@ -22,7 +22,7 @@ _SIGMAS_TOGETHER = 1.5
 # Pixels of today's sensors are square; by how much a fitted camera may differ.
 _SQUARE = 0.005
 # Of the drawn edges' length, how much must show: faces of equal brightness hide some.
-_LEAST_SHOWN = 0.35
+_LEAST_SHOWN = 0.45
 # Of the points that show, how many must agree with the edge they were looked for on.
 _LEAST_AGREEING = 0.8
 # Share of the edges in the frame that makes the object whole.

@@ -46,6 +46,8 @@ _WORKING_PX = (640, 1280, 320)
 # A placing this much less supported than the best is no rival.
 _RIVAL = 0.85
 _RIVALS = 4
+# A reading the other way round with this share of the best's support leaves it in doubt.
+_DOUBTFUL = 0.95
 # A placing so well supported is the object, or one very like it; no other scale will tell more.
 _SURE = 0.8
 # Nor is one that explains less than this share of what the best does.
@@ -144,7 +146,9 @@ def _accepted(
         raise acceptance.mismatch(block, why)
     measured = good[0][1]
     share = acceptance.in_frame(measured)
-    if len(good) > 1 or acceptance.symmetric(block):
+    other_way = [one.support for one in found.found if one.mirrored != good[0][0].mirrored]
+    doubtful = max(other_way, default=0.0) > _DOUBTFUL * good[0][0].support
+    if len(good) > 1 or doubtful or acceptance.symmetric(block):
         raise acceptance.ambiguous(block, share)
     if good[0][0].mirrored:
         raise acceptance.mirror_refusal(block, share)
@@ -159,6 +163,7 @@ def _matching(
     """The different placings that all edges agree with, best first; if none, why not."""
     best = found.found[0].support
     blur_px = edge_blur_px(grey)
+    masked = np.where(hidden, np.nan, grey)
     good: list[tuple[Located, Survey]] = []
     why = ""
     for rival in found.found[:_RIVALS]:
@@ -176,7 +181,7 @@ def _matching(
         )
         against = "too few of its edges could be measured"
         if measured is not None:
-            against = acceptance.disagreement(grey, measured, block.standard_uncertainty_mm)
+            against = acceptance.disagreement(masked, measured, block.standard_uncertainty_mm)
             if not against and not _known(measured.camera, rival.mirrored, good, block):
                 good.append((rival, measured))
         why = why or against

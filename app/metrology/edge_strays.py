@@ -19,7 +19,7 @@ _MISSING = 0.2
 _PRESENT = 0.6
 # How far a stray is looked for, over the picture's longer side, and how far its points
 # may lie from a straight line.
-_FAR = 0.12
+_FAR = 0.1
 _STRAIGHT_PX = 1.5
 # Of the missing edge's stations, how many must see the stray, and its step over the usual.
 _SEEN = 0.7
@@ -37,13 +37,15 @@ def stray_edge(grey: Floats, found: Survey) -> str:
     has other measures.
 
     Args:
-        grey: (H, W) the picture.
+        grey: (H, W) the picture, NaN where it must not count.
         found: the edges measured in it.
     """
+    hidden = np.isnan(grey)
     smooth: Floats = np.asarray(
-        cv2.GaussianBlur(grey, (0, 0), max(1.0, found.blur_px)), dtype=np.float64
+        cv2.GaussianBlur(np.nan_to_num(grey), (0, 0), max(1.0, found.blur_px)), dtype=np.float64
     )
-    for part, step in _missing(found):
+    smooth[hidden] = np.nan
+    for part, step in _missing(found, _uncovered(hidden, found)):
         rows = np.flatnonzero(found.at.part == part)
         away_px = _stray(smooth, found, rows, step)
         if away_px is not None:
@@ -61,7 +63,7 @@ def overrun(grey: Floats, found: Survey) -> str:
     """Where the block goes on beyond its certificate's end, in words; empty where it does not.
 
     The long lower edge of the front face must end at its corners. ``grey`` (H, W): the
-    picture.
+    picture, NaN where it must not count.
     """
     at, frame = found.at, found.frame
     edge = frame.names.index("base:front")
@@ -110,13 +112,21 @@ def _stations_at(found: Survey, points_mm: Floats, along_mm: Floats, row: int) -
     return chosen(at, np.all((uv > 0) & (uv < limit), axis=1))
 
 
-def _missing(found: Survey) -> list[tuple[int, float]]:
+def _uncovered(hidden: NDArray[np.bool_], found: Survey) -> NDArray[np.bool_]:
+    """Which stations (N,) have all of their surroundings in sight."""
+    reach = 2 * int(np.ceil(3 + 2.5 * found.blur_px + found.at.half_length_px)) + 1
+    wide = cv2.dilate(hidden.astype(np.uint8), np.ones((reach, reach), np.uint8)) > 0
+    at = np.rint(found.at.uv_px).astype(np.int64)
+    return np.asarray(~wide[at[:, 1], at[:, 0]])
+
+
+def _missing(found: Survey, uncovered: NDArray[np.bool_]) -> list[tuple[int, float]]:
     """Missing parts and the step, from second to first region, that their likes show."""
     at = found.at
     kinds = [_kind(name) for name in found.frame.regions]
     alike: dict[tuple[str, str], list[tuple[int, int, int, float, float]]] = {}
     for part in np.unique(at.part):
-        rows = at.part == part
+        rows = (at.part == part) & uncovered
         one, other = (kinds[region] for region in at.regions[part])
         sense = 1.0 if one <= other else -1.0
         shown = rows & found.used
