@@ -7,8 +7,9 @@ import numpy as np
 
 from app.guide.state import Contact
 from app.guide.view import FaceProgress, TouchedPoint, Vec3
-from app.metrology.alignment import Alignment, align, beside_face, what_is_missing
+from app.metrology.alignment import Alignment, align
 from app.metrology.arm import Arm, tip_centres, tip_covariances
+from app.metrology.contacts import beside_face, what_is_missing
 from app.metrology.crenellated import FACES, Crenellated, probing_face
 from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal

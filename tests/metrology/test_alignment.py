@@ -5,7 +5,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.metrology.alignment import align, refuse_wrong_faces, what_is_missing
+from app.metrology.alignment import align, refuse_wrong_faces
+from app.metrology.contacts import what_is_missing
 from app.metrology.frames import inverse, vector_from_rotation
 from app.metrology.refusal import Refusal
 from tests.metrology.builders import BLOCK, TIP_RADIUS_MM, contacts_on, random_pose
