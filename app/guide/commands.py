@@ -108,26 +108,26 @@ def _retake(guide: Guide, args: Args, key: str | None) -> None:
 
 
 def _capture(guide: Guide, args: Args, key: str | None) -> None:
-    _job(guide, "Taking the picture", lambda progress: works.capture(guide, progress))
     guide.append("capture_started", {}, key)
+    _job(guide, "Taking the picture", lambda progress: works.capture(guide, progress))
 
 
 def _solve(guide: Guide, args: Args, key: str | None) -> None:
-    _job(guide, "Calibrating", lambda progress: works.calibrate(guide, progress))
     guide.append("solve_started", {}, key)
+    _job(guide, "Calibrating", lambda progress: works.calibrate(guide, progress))
 
 
 def _let_hand(guide: Guide, args: Args, key: str | None) -> None:
     hand = guide.station.hand
     assert hand is not None
     whole = args.get("all") is True
+    guide.append("hand_started", {"all": whole}, key)
     guide.hand_running = True
     try:
         _job(guide, "The hand at work", hand_work(guide, hand, whole))
     except Refusal:
         guide.hand_running = False
         raise
-    guide.append("hand_started", {"all": whole}, key)
 
 
 def _stop_hand(guide: Guide, args: Args, key: str | None) -> None:

@@ -15,7 +15,7 @@ from app.guide.outcome import Outcome, from_payload
 from app.guide.permissions import why_not
 from app.guide.session_folder import SessionFolder
 from app.guide.sheets import CHOOSING, Sheets, best_guess
-from app.guide.state import ENDS, FIELDS, CalibrationState, after
+from app.guide.state import ENDS, FIELDS, KINDS, CalibrationState, after
 from app.guide.touching import sentence
 from app.guide.view import Busy, CalibrationResult, FlowView
 from app.metrology.refusal import Refusal
@@ -126,6 +126,7 @@ class Guide:
             library=self.sheets.library(state.step in CHOOSING),
             chosen=self.sheets.chosen(state),
             touch=self.sheets.touch(state),
+            laser_on=rig.sensor.laser_on,
             corners_seen=len(preview.header.corners) if preview else 0,
             picture_findings=tuple(preview.header.findings) if preview else (),
             seen=self._seen(),
@@ -199,6 +200,7 @@ class Guide:
 
     def append(self, kind: str, payload: Mapping[str, object], key: str | None = None) -> None:
         """Writes a row, and brings state, folder and station in line with it."""
+        assert kind in KINDS, kind
         with self.lock:
             row = self._journal.append(self.state.session_id, kind, payload, key)
             self.state = after(self.state, row)

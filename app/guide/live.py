@@ -55,6 +55,7 @@ class Live:
     chosen: Chosen
     touch: TouchReport | None
     """None until an arm and an object are chosen."""
+    laser_on: bool
     corners_seen: int
     """Corners of the object found in the live picture."""
     picture_findings: tuple[Finding, ...]

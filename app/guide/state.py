@@ -136,7 +136,7 @@ FORWARD = {
     "capture_kept": "solve",
 }
 ENDS = ("accepted", "abandoned", "repeated")
-NOTES = ("solve_started", "hand_started", "hand_stopped")
+NOTES = ("capture_started", "solve_started", "hand_started", "hand_stopped")
 """Rows that record what was done, and change nothing that the flow hangs on."""
 
 
@@ -193,6 +193,8 @@ CHANGES: dict[str, Callable[[CalibrationState, Payload], CalibrationState]] = {
     "solve_refused": lambda state, payload: replace(state, refused=Refused(**payload)),
     "went_back": lambda state, payload: replace(state, step=payload["to"]),
 }
+KINDS = frozenset((*FORWARD, *ENDS, *NOTES, *CHANGES))
+"""Every kind of row there is."""
 
 
 def _contact(state: CalibrationState, payload: Payload) -> Contact:

@@ -1,8 +1,11 @@
 """The steps 'place', 'capture' and 'solve': the calibration picture. Pure."""
 
+from collections.abc import Sequence
+
 from app.guide.body import Body, lost_devices, offer
 from app.guide.live import Live
 from app.guide.state import CalibrationState, Capture
+from app.guide.touching import sentence
 from app.guide.view import CameraPicture, LiveNumber, StillPicture
 from app.station.findings import Finding
 
@@ -20,7 +23,7 @@ def place_step(state: CalibrationState, live: Live) -> Body:
         ),
         picture=CameraPicture(),
         number=_stillness(live),
-        findings=[*lost_devices(live), *_found(live), *live.picture_findings],
+        findings=[*lost_devices(live), *_picture_findings(live)],
         actions=[offer(state, live, "confirm_place", "The object is in the picture", primary=True)],
     )
 
@@ -41,7 +44,7 @@ def capture_step(state: CalibrationState, live: Live) -> Body:
         instruction="Hold still and take the picture. The laser switches itself.",
         picture=CameraPicture(),
         number=_stillness(live),
-        findings=[*lost_devices(live), *_found(live), *live.picture_findings],
+        findings=[*lost_devices(live), *_picture_findings(live)],
         actions=[offer(state, live, "capture", "Take the picture", primary=True)],
     )
 
@@ -104,7 +107,27 @@ def _stillness(live: Live) -> LiveNumber:
     )
 
 
-def _found(live: Live) -> list[Finding]:
+def _picture_findings(live: Live) -> list[Finding]:
+    """What is to be said of the live picture, each thing once."""
     if live.corners_seen >= FEWEST_CORNERS:
-        return [Finding("good", f"{live.corners_seen} corners of the object are found.")]
-    return []
+        found = Finding("good", f"{live.corners_seen} corners of the object are found.")
+        return [found, *_once(live.picture_findings)]
+    if live.laser_on:
+        return [
+            Finding(
+                "neutral",
+                "The laser is on, and beside it the object may be too dark to be found.",
+                "Switch it off to aim. For the picture it is switched by itself.",
+            )
+        ]
+    return _once(live.picture_findings)
+
+
+def _once(findings: Sequence[Finding]) -> list[Finding]:
+    told = {
+        sentence(finding.text): Finding(
+            finding.quality, sentence(finding.text), sentence(finding.remedy)
+        )
+        for finding in findings
+    }
+    return list(told.values())

@@ -184,10 +184,11 @@ def suggested_places(block: Crenellated, face: str) -> list[Vec3]:
 def _on_strips(
     strips: Sequence[tuple[float, float]], y_range: tuple[float, float], z: float
 ) -> list[Vec3]:
-    """Three rows across the strips' middles; with fewer than three strips, more a strip."""
-    chosen = [strips[i] for i in _spread(len(strips), 3)]
-    rows = _between(*y_range, -(-WANTED // len(chosen)))
-    return [((a + b) / 2, v, z) for a, b in chosen for v in rows][:WANTED]
+    """Three lines of three places, on as many strips as there are: never all in one line."""
+    a_strip = -(-3 // len(strips))
+    lines = [u for low, high in strips for u in _between(low, high, a_strip)]
+    chosen = [lines[i] for i in _spread(len(lines), 3)]
+    return [(u, v, z) for u in chosen for v in _between(*y_range, 3)]
 
 
 def _spread(count: int, wanted: int) -> list[int]:
@@ -199,6 +200,8 @@ def _between(low: float, high: float, count: int) -> list[float]:
     """Values spread between two edges, clear of both."""
     margin = max(EDGE_MARGIN_MM, 0.15 * (high - low))
     margin = min(margin, 0.4 * (high - low))
+    if count == 1:
+        return [(low + high) / 2]
     return [float(v) for v in np.linspace(low + margin, high - margin, count)]
 
 

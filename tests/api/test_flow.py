@@ -4,6 +4,7 @@ import json
 import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from typing import Any
 
 import httpx
 
@@ -129,6 +130,9 @@ def test_a_whole_calibration_by_the_hand(server: Server, tmp_path: Path) -> None
     assert image.headers["content-type"] == "image/png"
     assert image.content.startswith(b"\x89PNG")
 
+    view = step_by_step_to_the_review(server)
+    result = view["picture"]["result"]
+
     # the folder alone gives the same calibration
     folder = server.data / "sessions" / view["session_id"]
     calibrate_session(folder, tmp_path / "again.json")
@@ -151,6 +155,25 @@ def test_a_whole_calibration_by_the_hand(server: Server, tmp_path: Path) -> None
     file = http.get(f"/api/calibrations/{summary['id']}/calibration.json")
     assert file.json() == kept
     scan_with_it(http, server)
+
+
+def step_by_step_to_the_review(server: Server) -> dict[str, Any]:
+    """A new picture by the arm's button, then back to the points, the picture kept."""
+    assert server.do("retake")["step"] == "capture"
+    server.wait(lambda view: enabled(view, "capture"))
+    server.twin.device.press(Button.PRIMARY, True, now_ns())
+    server.twin.device.press(Button.PRIMARY, False, now_ns() + 50_000_000)
+    server.wait(lambda view: view["step"] == "solve" and view["busy"] is None)
+    server.do("solve")
+    server.wait(lambda view: view["step"] == "review")
+    server.do("back", to="touch")
+    server.do("confirm_touch")
+    server.do("confirm_place")
+    view = server.do("keep_picture")
+    assert view["step"] == "solve"
+    server.do("solve")
+    server.wait(lambda view: view["step"] == "review")
+    return server.flow()
 
 
 def scan_with_it(http: httpx.Client, server: Server) -> None:

@@ -101,6 +101,7 @@ def live_of(
         library=Library({}, {}, {}, ()),
         chosen=Chosen(arm, block, SENSOR if arm else None),
         touch=report,
+        laser_on=False,
         corners_seen=20,
         picture_findings=(),
         seen=None,

@@ -177,6 +177,22 @@ def test_another_arm_or_sensor_than_chosen_is_told_before_it_matters(
     assert "Choose the arm" in action(view_of(state, nothing), "confirm_setup").why_not
 
 
+def test_the_live_picture_is_told_of_once_and_in_sentences(arm: Arm, block: Crenellated) -> None:
+    state = state_after(started("place"))
+    dark = (Finding("attention", "the picture is dark", "open the iris"),) * 2
+    live = live_of(state, arm, block, corners_seen=0, picture_findings=dark)
+    view = view_of(state, live)
+    assert view.findings == [Finding("attention", "The picture is dark.", "Open the iris.")]
+    (hint,) = view_of(state, replace(live, laser_on=True)).findings
+    assert "laser is on" in hint.text
+
+
+def test_a_running_scan_keeps_the_laser(arm: Arm, block: Crenellated) -> None:
+    state = state_after(started("capture"))
+    live = live_of(state, arm, block, scanning=True)
+    assert "scan" in action(view_of(state, live), "capture").why_not
+
+
 def test_a_refused_solve_says_why_and_offers_the_ways_back(
     arm: Arm, block: Crenellated, contacts: list[tuple[str, dict[str, object]]]
 ) -> None:

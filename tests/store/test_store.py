@@ -127,7 +127,9 @@ def test_scans_are_listed_newest_first(tmp_path: Path) -> None:
 def test_a_data_folder_can_be_moved(tmp_path: Path) -> None:
     store = Store(tmp_path / "before")
     store.journal.begin_session("s1", "calibration")
-    store.calibrations.accept("s1", "c", store.folder / "sessions/s1/calibration.json", FIGURES, None)
+    store.calibrations.accept(
+        "s1", "c", store.folder / "sessions/s1/calibration.json", FIGURES, None
+    )
     store.close()
     (tmp_path / "before").rename(tmp_path / "after")
     moved = Store(tmp_path / "after")
