@@ -1,5 +1,6 @@
 """Planes and spheres fitted to clouds, with the paper's filter on the distances."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,6 +11,8 @@ from app.metrology.refusal import Refusal
 
 FILTER_SIGMAS = 3.0
 """Points farther than this many standard deviations from the fit are filtered out."""
+# A plane's normal (3,) and offset, or a sphere's centre (3,) and radius, in mm.
+Shape = tuple[Floats, float]
 START_TRIALS = 200
 START_POINTS = 2000
 
@@ -58,16 +61,9 @@ def fit_plane(points_mm: Floats) -> PlaneFit:
         Refusal: too few points, or all on one line.
     """
     points, finite = _finite(points_mm, 3, "plane")
-    normal, offset_mm = _start_plane(points)
-    keep = _near(points @ normal - offset_mm)
-    for _ in range(50):
-        normal, offset_mm = _least_squares_plane(points[keep])
-        distances = points @ normal - offset_mm
-        kept = np.abs(distances) <= FILTER_SIGMAS * max(float(np.std(distances[keep])), 1e-9)
-        if np.array_equal(kept, keep):
-            break
-        keep = kept
-    inside = distances[keep]
+    start = _start_plane(points)
+    (normal, offset_mm), keep = _filtered(points, start, _plane_distances, _plane_through)
+    inside = _plane_distances(points, (normal, offset_mm))[keep]
     used = finite.copy()
     used[finite] = keep
     return PlaneFit(
@@ -90,16 +86,11 @@ def fit_sphere(points_mm: Floats) -> SphereFit:
         Refusal: too few points, or points that fix no sphere (all in one plane).
     """
     points, finite = _finite(points_mm, 4, "sphere")
-    centre_mm, radius_mm = _start_sphere(points)
-    keep = _near(np.linalg.norm(points - centre_mm, axis=1) - radius_mm)
-    for _ in range(50):
-        centre_mm, radius_mm = _least_squares_sphere(points[keep], centre_mm, radius_mm)
-        distances = np.linalg.norm(points - centre_mm, axis=1) - radius_mm
-        kept = np.abs(distances) <= FILTER_SIGMAS * max(float(np.std(distances[keep])), 1e-9)
-        if np.array_equal(kept, keep):
-            break
-        keep = kept
-    inside = distances[keep]
+    start = _start_sphere(points)
+    (centre_mm, radius_mm), keep = _filtered(
+        points, start, _sphere_distances, _least_squares_sphere
+    )
+    inside = _sphere_distances(points, (centre_mm, radius_mm))[keep]
     used = finite.copy()
     used[finite] = keep
     return SphereFit(
@@ -123,13 +114,38 @@ def _finite(points_mm: Floats, least: int, shape: str) -> tuple[Floats, NDArray[
     return points[finite], finite
 
 
-def _near(distances: Floats) -> NDArray[np.bool_]:
-    """Points that belong to the start: within 5 robust standard deviations."""
-    scale = 1.4826 * float(np.median(np.abs(distances)))
-    return np.abs(distances) <= 5 * max(scale, 1e-9)
+def _filtered(
+    points: Floats,
+    start: Shape,
+    distances_of: Callable[[Floats, Shape], Floats],
+    least_squares: Callable[[Floats, Shape], Shape],
+) -> tuple[Shape, NDArray[np.bool_]]:
+    """The paper's filter: fits, and leaves out what lies too far off, until nothing changes."""
+    shape, off = start, distances_of(points, start)
+    # to begin with, what is near the start by a scale that outliers do not stretch
+    keep = np.abs(off) <= 5 * max(1.4826 * float(np.median(np.abs(off))), 1e-9)
+    for _ in range(50):
+        shape = least_squares(points[keep], shape)
+        off = distances_of(points, shape)
+        kept = np.abs(off) <= FILTER_SIGMAS * max(float(np.std(off[keep])), 1e-9)
+        if np.array_equal(kept, keep):
+            break
+        keep = kept
+    return shape, keep
 
 
-def _least_squares_plane(points: Floats) -> tuple[Floats, float]:
+def _plane_distances(points: Floats, plane: Shape) -> Floats:
+    normal, offset_mm = plane
+    return np.asarray(points @ normal - offset_mm)
+
+
+def _sphere_distances(points: Floats, sphere: Shape) -> Floats:
+    centre_mm, radius_mm = sphere
+    return np.asarray(np.linalg.norm(points - centre_mm, axis=1) - radius_mm)
+
+
+def _plane_through(points: Floats, _: Shape | None = None) -> Shape:
+    """The plane through the centroid, across the direction of least spread."""
     centre = points.mean(axis=0)
     values, vectors = np.linalg.eigh((points - centre).T @ (points - centre))
     if values[1] <= 1e-12 * values[2]:
@@ -138,14 +154,14 @@ def _least_squares_plane(points: Floats) -> tuple[Floats, float]:
     return normal, float(normal @ centre)
 
 
-def _start_plane(points: Floats) -> tuple[Floats, float]:
+def _start_plane(points: Floats) -> Shape:
     """The plane through three points that has the least median distance to a sample."""
     sample, chosen = _draws(points, 3)
     normals = np.cross(chosen[:, 1] - chosen[:, 0], chosen[:, 2] - chosen[:, 0])
     lengths = np.linalg.norm(normals, axis=1)
     proper = lengths > 1e-9 * float(np.max(lengths, initial=1e-12))
     if not proper.any():
-        return _least_squares_plane(points)
+        return _plane_through(points)
     normals = normals[proper] / lengths[proper, None]
     offsets = np.einsum("ij,ij->i", normals, chosen[proper, 0])
     misfit = np.median(np.abs(sample @ normals.T - offsets), axis=0)
@@ -153,7 +169,7 @@ def _start_plane(points: Floats) -> tuple[Floats, float]:
     return normals[best], float(offsets[best])
 
 
-def _start_sphere(points: Floats) -> tuple[Floats, float]:
+def _start_sphere(points: Floats) -> Shape:
     """The sphere through four points that has the least median distance to a sample."""
     sample, chosen = _draws(points, 4)
     best: tuple[float, Floats, float] | None = None
@@ -178,10 +194,9 @@ def _draws(points: Floats, size: int) -> tuple[Floats, Floats]:
     return sample, sample[rng.integers(0, len(sample), (START_TRIALS, size))]
 
 
-def _least_squares_sphere(
-    points: Floats, centre_mm: Floats, radius_mm: float
-) -> tuple[Floats, float]:
+def _least_squares_sphere(points: Floats, start: Shape) -> Shape:
     """Gauss-Newton on the radial distances."""
+    centre_mm, radius_mm = start
     for _ in range(50):
         away = points - centre_mm
         distance = np.linalg.norm(away, axis=1)
