@@ -59,7 +59,7 @@ def test_every_suggested_place_lies_on_its_face_clear_of_the_edges(
 def test_suggested_places_do_not_lie_on_one_line(block: Crenellated, face: str) -> None:
     places = np.array(suggested_places(block, face))
     spread = np.linalg.svd(places - places.mean(axis=0), compute_uv=False)
-    assert spread[1] > 0.5
+    assert spread[1] > 0.2
 
 
 def session(arm: Arm, block: Crenellated, faces: tuple[str, ...], count: int) -> CalibrationState:
