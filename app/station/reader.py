@@ -15,8 +15,9 @@ from hardware.interfaces import LinkHealth
 log = logging.getLogger(__name__)
 
 READ_TIMEOUT_S = 0.1
-# Data older than this means a lost device, whatever its connection says.
-FRESH_S = 0.5
+# Data older than this means a lost device, whatever its connection says: more than a
+# busy machine's hiccup, and still told within a second.
+FRESH_S = 0.8
 # A device that is connected and silent for so long is closed and opened again.
 SILENCE_S = 3.0
 FIRST_BACK_OFF_S = 0.2
