@@ -41,9 +41,8 @@ def running(*arguments: str) -> Iterator[Running]:
     ) as process:
         try:
             assert process.stdout is not None
-            line = process.stdout.readline()
-            assert "http://" in line, line
-            yield process, next(word for word in line.split() if word.startswith("http://"))
+            words = (word for line in process.stdout for word in line.split())
+            yield process, next(word for word in words if word.startswith("http://"))
         finally:
             process.kill()
 
