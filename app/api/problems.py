@@ -8,6 +8,7 @@ from fastapi.exceptions import RequestValidationError
 from pydantic_core import to_json
 from starlette.exceptions import HTTPException
 from starlette.responses import Response
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app.api.schema import Problem
 from app.guide.guide import StaleCommand
@@ -49,7 +50,7 @@ def install(app: FastAPI) -> None:
     app.add_exception_handler(NotFound, _missing)
     app.add_exception_handler(RequestValidationError, _invalid)
     app.add_exception_handler(HTTPException, _http)
-    app.add_exception_handler(Exception, _unexpected)
+    app.add_middleware(_Unexpected)
 
 
 async def _refused(request: Request, error: Exception) -> Response:
@@ -90,11 +91,30 @@ async def _http(request: Request, error: Exception) -> Response:
     return problem(error.status_code, "bad-request", f"{error.detail}")
 
 
-async def _unexpected(request: Request, error: Exception) -> Response:
-    log.error("%s %s failed", request.method, request.url.path, exc_info=error)
-    return problem(
-        500,
-        "unexpected",
-        "The server failed at this; what was taken before is kept.",
-        "Try again. If it happens again, the station's log has the details.",
-    )
+class _Unexpected:
+    """Answers what no handler foresaw; the log has the trace, the browser does not."""
+
+    def __init__(self, app: ASGIApp) -> None:
+        self._app = app
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        begun = False
+
+        async def sending(message: Message) -> None:
+            nonlocal begun
+            begun = True
+            await send(message)
+
+        try:
+            await self._app(scope, receive, sending)
+        except Exception:
+            if begun or scope["type"] != "http":
+                raise
+            log.exception("%s %s failed", scope["method"], scope["path"])
+            answer = problem(
+                500,
+                "unexpected",
+                "The server failed at this; what was taken before is kept.",
+                "Try again. If it happens again, the station's log has the details.",
+            )
+            await answer(scope, receive, send)
