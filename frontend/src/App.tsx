@@ -1,7 +1,6 @@
 import { useEffect } from "react";
 
 import styles from "./App.module.css";
-import { Banners } from "./frame/Banners";
 import { Rail } from "./frame/Rail";
 import { StatusLine } from "./frame/StatusLine";
 import { TopBar } from "./frame/TopBar";
@@ -24,7 +23,6 @@ export function App() {
       <TopBar page={page} />
       <Rail page={page} />
       <Page />
-      <Banners />
       <StatusLine />
     </div>
   );

@@ -46,6 +46,7 @@ function onEvent(message: Extract<LiveMessage, { type: "event" }>): void {
   const { id, kind, quality, text } = message;
   put({ event: { id, kind, quality, text, at: performance.now() } });
   playFor(kind);
+  if (kind.endsWith("-lost")) return; // told from the device's own state, for as long as it is lost
   if (quality === "bad" || quality === "attention") notify({ quality, title: text }, 8000);
 }
 

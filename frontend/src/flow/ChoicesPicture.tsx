@@ -3,6 +3,7 @@ import { type KeyboardEvent, useRef } from "react";
 import { sendFlow } from "../api/commands";
 import type { BlockGeometry, Choice, ChoiceOption } from "../api/types";
 import { BlockDrawing } from "../object/BlockDrawing";
+import { bound } from "../parts/format";
 import { CheckIcon } from "../parts/icons";
 import styles from "./ChoicesPicture.module.css";
 
@@ -63,7 +64,7 @@ function ChoiceGroup({ choice }: { choice: Choice }) {
             <span className={styles.tick}>{option.id === choice.selected && <CheckIcon size="1.125rem" />}</span>
             <span>
               <span className={styles.label}>{option.label}</span>
-              <span className={styles.detail}>{option.detail}</span>
+              <span className={styles.detail}>{bound(option.detail)}</span>
             </span>
           </button>
         ))}

@@ -1,13 +1,18 @@
-import { useEffect, useState } from "react";
+import { type ReactNode, useEffect, useState } from "react";
 
 import { QualityMark } from "../parts/QualityMark";
-import { useLive } from "../state/store";
+import { type StationEvent, useLive } from "../state/store";
 import styles from "./LastEvent.module.css";
 
 const SHOWN_MS = 5000;
 
-/** What just happened, for a moment: "Point 8 on the front face, +12 µm". */
-export function LastEvent() {
+/** What calls for attention is a notice, and the next step is told by its own title. */
+function isTold({ kind, quality, text }: StationEvent): boolean {
+  return text === "" || kind === "step_done" || quality === "attention" || quality === "bad";
+}
+
+/** What just happened, for a moment, in the place of the note: "Point 8 on the front face, +12 µm". */
+export function LastEvent({ children }: { children: ReactNode }) {
   const event = useLive((s) => s.event);
   const [hidden, setHidden] = useState<number | null>(event?.id ?? null);
   useEffect(() => {
@@ -15,15 +20,18 @@ export function LastEvent() {
     const timer = setTimeout(() => setHidden(event.id), SHOWN_MS);
     return () => clearTimeout(timer);
   }, [event]);
-  const shown = event && event.id !== hidden && event.text ? event : null;
+  const shown = event && event.id !== hidden && !isTold(event) ? event : null;
   return (
-    <div className={styles.place} aria-live="polite">
-      {shown && (
-        <div className={styles.event}>
-          <QualityMark quality={shown.quality} size="1.25rem" />
-          <span>{shown.text}</span>
-        </div>
-      )}
+    <div className={styles.place}>
+      <div aria-live="polite">
+        {shown && (
+          <p className={styles.event}>
+            <QualityMark quality={shown.quality} size="1.25rem" />
+            {shown.text}
+          </p>
+        )}
+      </div>
+      {!shown && children}
     </div>
   );
 }

@@ -7,6 +7,7 @@ import { scaleEnd } from "../object/residuals";
 import { Suggestions, Touches } from "../object/Touches";
 import { FaceChips } from "./FaceChips";
 import styles from "./ObjectPicture.module.css";
+import { LastEvent } from "./LastEvent";
 import { PointPanel } from "./PointPanel";
 import { ResidualLegend } from "./ResidualLegend";
 
@@ -49,7 +50,9 @@ export function ObjectPicture({ picture }: { picture: ObjectView }) {
         )}
       </BlockDrawing>
       {point && <PointPanel key={point.index} point={point} onClose={() => setChosen(null)} removable />}
-      <Note points={points} scale_um={scale_um} />
+      <LastEvent>
+        <Note points={points} scale_um={scale_um} />
+      </LastEvent>
       <FaceChips faces={faces} onSelect={select} />
     </div>
   );
@@ -62,5 +65,5 @@ function Note({ points, scale_um }: { points: TouchedPoint[]; scale_um: number }
     points.length === 0
       ? "Touch at the rings. Each point appears here with its residual."
       : "Points appear on the drawing once three faces that meet have been touched.";
-  return <p className={styles.note}>{text}</p>;
+  return <p>{text}</p>;
 }

@@ -1,3 +1,4 @@
+import type { DeviceState } from "../api/types";
 import { CloseIcon } from "../parts/icons";
 import { QualityMark } from "../parts/QualityMark";
 import { age } from "../parts/format";
@@ -6,13 +7,14 @@ import { dismiss } from "../state/notices";
 import { type Notice, useLive } from "../state/store";
 import styles from "./Banners.module.css";
 
-/** What must be read now: a lost connection, a refusal, a stop. */
+/** What must be read now: a lost connection, a lost device, a refusal, a stop. */
 export function Banners() {
   const notice = useLive((s) => s.notice);
   const connection = useLive((s) => s.connection);
   return (
     <div className={styles.banners}>
       {connection !== "live" && <LostBanner first={connection === "connecting"} />}
+      {connection === "live" && <LostDevices />}
       {notice && <NoticeBanner key={notice.id} notice={notice} />}
     </div>
   );
@@ -32,6 +34,29 @@ function LostBanner({ first }: { first: boolean }) {
       </div>
     </div>
   );
+}
+
+/** A device is called lost for as long as it is, and no longer. */
+function LostDevices() {
+  const arm = useLive((s) => lostWords(s.devices?.arm));
+  const sensor = useLive((s) => lostWords(s.devices?.sensor));
+  return [arm, sensor].map(
+    (words) =>
+      words && (
+        <div key={words} className={styles.banner} data-quality="bad" role="alert">
+          <QualityMark quality="bad" />
+          <div className={styles.words}>
+            <strong>{words}</strong>
+            <span>What was taken is kept. Check its power and cable; it is connected again by itself.</span>
+          </div>
+        </div>
+      ),
+  );
+}
+
+/** Without the seconds, which the status line counts. */
+function lostWords(device: DeviceState | undefined): string {
+  return device?.state === "lost" ? device.text.replace(/ for \d+\.\d s$/, "") : "";
 }
 
 function NoticeBanner({ notice }: { notice: Notice }) {

@@ -1,5 +1,6 @@
 import type { ReactNode } from "react";
 
+import { Banners } from "./Banners";
 import styles from "./Layout.module.css";
 
 /**
@@ -15,6 +16,7 @@ export function Layout({ picture, card }: { picture: ReactNode; card: ReactNode 
       <section className={styles.picture} aria-label="Picture">
         {picture}
       </section>
+      <Banners />
     </main>
   );
 }

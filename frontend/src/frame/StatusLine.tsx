@@ -37,8 +37,12 @@ function rate(device: DeviceState): string {
   return device.rate_hz === null ? "no pictures" : `${figures(device.rate_hz)} fps`;
 }
 
+function stateWords({ state, age_s }: DeviceState): string {
+  return state === "lost" && age_s !== null ? `lost for ${age(age_s)}` : state;
+}
+
 function Device({ name, device, figure }: { name: string; device: DeviceState; figure: string }) {
-  const words = device.state === "connected" ? figure : device.state;
+  const words = device.state === "connected" ? figure : stateWords(device);
   return (
     <Item>
       {name} <span className={styles.dot} data-state={device.state} /> {words}

@@ -2,6 +2,7 @@ import { useState } from "react";
 
 import type { ImageCorner } from "../api/types";
 import { figures } from "../parts/format";
+import { cornerWords } from "../result/names";
 import { COLOURS, type Overlay } from "./overlay";
 import styles from "./StillImage.module.css";
 
@@ -62,7 +63,8 @@ export function StillImage(props: StillImageProps) {
 }
 
 function told(name: string, residual_px: number | null): string {
-  return residual_px === null ? name : `${name}: residual ${figures(residual_px, 3)} px`;
+  const words = cornerWords(name);
+  return residual_px === null ? words : `${words}: residual ${figures(residual_px, 3)} px`;
 }
 
 function summary({ corners, stripe }: Overlay, times: number): string {

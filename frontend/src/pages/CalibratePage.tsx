@@ -1,6 +1,5 @@
 import { startFlow } from "../api/commands";
 import { FlowCard } from "../flow/FlowCard";
-import { LastEvent } from "../flow/LastEvent";
 import { PictureView } from "../flow/PictureView";
 import { Layout } from "../frame/Layout";
 import { CardHead } from "../parts/CardHead";
@@ -14,12 +13,7 @@ export function CalibratePage() {
   if (!view || over) return <NotStarted />;
   return (
     <Layout
-      picture={
-        <>
-          <PictureView key={view.picture.kind} picture={view.picture} />
-          {view.picture.kind !== "result" && <LastEvent />}
-        </>
-      }
+      picture={<PictureView key={view.picture.kind} picture={view.picture} />}
       card={<FlowCard view={view} />}
     />
   );

@@ -39,7 +39,7 @@ function Active({ calibration }: { calibration: CalibrationSummary }) {
         <QualityMark quality={calibration.verdict} /> In use: {calibration.name}
       </p>
       <p className={styles.value}>
-        {figures(calibration.total_um, 1)} <span>µm</span>
+        {figures(calibration.total_um)} <span>µm</span>
       </p>
       <p className={styles.note}>standard uncertainty of a scanned point, k = 1</p>
       <dl className={styles.facts}>

@@ -1,6 +1,7 @@
 import type { ReactNode } from "react";
 
 import type { CalibrationSummary, ScanSummary } from "../api/types";
+import { Banners } from "../frame/Banners";
 import { CalibrationRow, ScanRow } from "../records/Rows";
 import { useList } from "../state/useList";
 import styles from "./RecordsPage.module.css";
@@ -9,7 +10,8 @@ export function RecordsPage() {
   const calibrations = useList<CalibrationSummary>("/api/calibrations");
   const scans = useList<ScanSummary>("/api/scans");
   return (
-    <main className={styles.records}>
+    <main className={styles.page}>
+      <div className={styles.records}>
       <Section
         title="Calibrations"
         empty="Accepted calibrations will be here, the newest first. Accept one on the Calibrate page."
@@ -22,6 +24,8 @@ export function RecordsPage() {
         {...scans}
         row={(summary) => <ScanRow key={summary.id} summary={summary} />}
       />
+      </div>
+      <Banners />
     </main>
   );
 }

@@ -7,6 +7,8 @@ import { bound } from "./format";
 
 interface ActionsProps {
   actions: Action[];
+  /** A job is at work and shown: what waits for it needs no reason of its own. */
+  busy?: boolean;
   onAct: (action: Action) => Promise<void>;
   /** What belongs between the main act and the others. */
   children?: ReactNode;
@@ -14,14 +16,16 @@ interface ActionsProps {
 
 /**
  * What may be done now. The main act stands where the eye is; the others keep to the foot of the
- * card, so that nothing that comes and goes moves them; disabled ones say why above them.
+ * card, so that nothing that comes and goes moves them, those that give something up last and
+ * quietly; disabled ones say why above them.
  */
-export function Actions({ actions, onAct, children }: ActionsProps) {
+export function Actions({ actions, onAct, busy = false, children }: ActionsProps) {
   const id = useId();
-  const primary = actions.filter((action) => action.primary);
-  const others = actions.filter((action) => !action.primary);
+  const primary = mainOnes(actions);
+  const others = actions.filter((action) => !action.primary && !action.confirm);
+  const leaving = actions.filter((action) => !action.primary && action.confirm);
   const told = new Set(primary.map((action) => action.why_not));
-  const reasons = reasonsOf(others).filter(({ why }) => !told.has(why));
+  const reasons = busy ? [] : reasonsOf([...others, ...leaving]).filter(({ why }) => !told.has(why));
   const idOf = (why: string) => {
     const i = reasons.findIndex((reason) => reason.why === why);
     return i < 0 ? undefined : `${id}${i}`;
@@ -34,20 +38,32 @@ export function Actions({ actions, onAct, children }: ActionsProps) {
         </div>
       ))}
       <div className={styles.middle}>{children}</div>
-      <div className={styles.foot}>
+      <div className={styles.foot} data-busy={busy || undefined}>
         {reasons.map(({ why, labels }, i) => (
           <p key={why} id={`${id}${i}`} className={styles.why}>
             <strong>{labels.join(", ")}:</strong> {bound(why)}
           </p>
         ))}
-        <div className={styles.others}>
-          {others.map((action) => (
-            <ActionButton key={keyOf(action)} action={action} onAct={onAct} describedBy={idOf(action.why_not)} />
-          ))}
-        </div>
+        {[others, leaving].map(
+          (row, i) =>
+            row.length > 0 && (
+              <div key={i} className={styles.others}>
+                {row.map((action) => (
+                  <ActionButton key={keyOf(action)} action={action} onAct={onAct} describedBy={idOf(action.why_not)} />
+                ))}
+              </div>
+            ),
+        )}
       </div>
     </>
   );
+}
+
+/** The main acts; beside one that can be done, one that cannot is left out. */
+function mainOnes(actions: Action[]): Action[] {
+  const primary = actions.filter((action) => action.primary);
+  const possible = primary.filter((action) => action.enabled);
+  return possible.length > 0 ? possible : primary;
 }
 
 function keyOf(action: Action): string {

@@ -4,17 +4,23 @@ import styles from "./BigNumber.module.css";
 import { age, bound, figures } from "./format";
 import { QualityMark } from "./QualityMark";
 
+interface BigNumberProps {
+  number: LiveNumber;
+  /** The number decides: it stands on its quality's colour, with its reason under it. */
+  verdict?: boolean;
+}
+
 /** The one number the operator watches, readable from two metres; grey with its age when old. */
-export function BigNumber({ number }: { number: LiveNumber }) {
+export function BigNumber({ number, verdict = false }: BigNumberProps) {
   const { live, silent_s } = useSilence();
   const shown = number.value === null ? "–" : figures(number.value, number.decimals);
   return (
-    <div className={styles.number} data-quality={number.quality} data-stale={!live || undefined}>
+    <div className={styles.number} data-quality={number.quality} data-stale={!live || undefined} data-verdict={verdict || undefined}>
       <div className={styles.label}>
-        {number.quality !== "neutral" && <QualityMark quality={number.quality} size="1.125rem" />}
+        {number.quality !== "neutral" && <QualityMark quality={number.quality} size={verdict ? "1.5rem" : "1.125rem"} />}
         {bound(number.label)}
       </div>
-      <div className={styles.value}>
+      <div className={styles.value} data-none={number.value === null || undefined}>
         {shown}
         {number.value !== null && <span className={styles.unit}>{number.unit}</span>}
       </div>

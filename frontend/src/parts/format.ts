@@ -24,7 +24,7 @@ export function age(seconds: number): string {
 }
 
 export function days(value: number): string {
-  if (value < 1 / 24) return "less than an hour";
+  if (value < 1 / 24) return `${Math.floor(value * 24 * 60)} min`;
   if (value < 1) return plural(Math.round(value * 24), "hour");
   return plural(Math.round(value), "day");
 }
@@ -53,5 +53,5 @@ const UNITS = /(\d) (?=(?:µm|mm|px|%|s|ms|µs|Hz|fps|GB|nm|°C|min|h|days?)(?![
 
 /** The same words, a number never parted from its unit at a line's end. */
 export function bound(text: string): string {
-  return text.replace(UNITS, "$1\u00a0").replaceAll("k = ", "k\u00a0=\u00a0");
+  return text.replace(UNITS, "$1\u00a0").replaceAll("k = ", "k\u00a0=\u00a0").replaceAll(/ ([×Ø]) (?=\d)/g, "\u00a0$1\u00a0");
 }

@@ -19,7 +19,7 @@ export function CalibrationRow({ summary }: { summary: CalibrationSummary }) {
         </p>
       </div>
       <p className={styles.value}>
-        {figures(summary.total_um, 1)} µm <span>k = 1</span>
+        {figures(summary.total_um)} µm <span>k = 1</span>
       </p>
       <Download href={`/api/calibrations/${summary.id}/calibration.json`}>JSON</Download>
     </li>

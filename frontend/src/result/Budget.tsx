@@ -27,9 +27,14 @@ function Row({ row, largest, total = false }: { row: BudgetRow; largest: number;
       <span className={styles.track}>
         <span className={styles.bar} style={{ width: `${Math.min(100, (row.value_um / largest) * 100)}%` }} />
       </span>
-      <span className={styles.value}>{figures(row.value_um, 1)} µm</span>
+      <span className={styles.value}>{micrometres(row.value_um)} µm</span>
     </div>
   );
+}
+
+/** Whole micrometres; a share too small for one is not called none. */
+function micrometres(value: number): string {
+  return value > 0 && value < 0.5 ? "< 1" : figures(value);
 }
 
 function Compared({ result }: { result: CalibrationResult }) {

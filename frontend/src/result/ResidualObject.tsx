@@ -30,7 +30,9 @@ export function ResidualObject({ block, points }: { block: BlockGeometry; points
         )}
       </BlockDrawing>
       {point && <PointPanel point={point} onClose={() => setChosen(null)} removable={false} />}
-      <ResidualLegend scale_um={scale_um} sticks />
+      <div className={styles.legend}>
+        <ResidualLegend scale_um={scale_um} sticks />
+      </div>
     </div>
   );
 }

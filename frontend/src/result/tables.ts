@@ -1,6 +1,7 @@
 import type { CalibrationResult } from "../api/types";
 import type { TableData } from "../parts/DataTable";
 import { figures } from "../parts/format";
+import { cornerWords } from "./names";
 
 const DISTORTION = ["k1", "k2", "p1", "p2", "k3"];
 
@@ -14,7 +15,12 @@ export function tablesOf(result: CalibrationResult): TableData[] {
     {
       title: "Largest residuals",
       head: ["Where", "Kind", "Residual", "Unit"],
-      rows: result.worst.map((w) => [w.name, w.kind, figures(w.value, w.unit === "px" ? 3 : 1), w.unit]),
+      rows: result.worst.map((w) => [
+        w.kind === "corner" ? cornerWords(w.name) : w.name,
+        w.kind,
+        figures(w.value, w.unit === "px" ? 3 : 1),
+        w.unit,
+      ]),
     },
     {
       title: "Error budget, k = 1",

@@ -1,17 +1,34 @@
-import { useComputedColorScheme } from "@mantine/core";
+import { type SyntheticEvent, useState } from "react";
 
 import styles from "./CloudView.module.css";
 
+/** Of the 3D view's page only the picture is shown, on this page's own ground. */
+const PICTURE_ONLY = `
+  html { color-scheme: light !important; }
+  body, #root, #root * { background-color: transparent !important; }
+  .mantine-Paper-root, .mantine-Notifications-root { display: none !important; }
+`;
+
 /** The live cloud in the arm frame, drawn by the station's own 3D view. */
 export function CloudView() {
-  const scheme = useComputedColorScheme("light");
+  const [ready, setReady] = useState(false);
+  const prepare = ({ currentTarget }: SyntheticEvent<HTMLIFrameElement>) => {
+    const page = currentTarget.contentDocument;
+    const style = page?.createElement("style");
+    if (!page || !style) return;
+    style.textContent = PICTURE_ONLY;
+    page.head.append(style);
+    setReady(true);
+  };
   return (
     <div className={styles.view}>
-      <p className={styles.waiting}>The 3D view opens here.</p>
+      {!ready && <p className={styles.waiting}>The 3D view opens here.</p>}
       <iframe
         className={styles.frame}
-        src={scheme === "dark" ? "/viewer/?darkMode" : "/viewer/"}
+        data-ready={ready || undefined}
+        src="/viewer/"
         title="Live cloud of points"
+        onLoad={prepare}
       />
     </div>
   );
