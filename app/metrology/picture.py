@@ -119,7 +119,17 @@ def picture_findings(image: Image) -> list[PictureFinding]:
     share = float(clipped.mean())
     low, high = np.percentile(thin[::2, ::2], (1.0, 99.0)) / 255.0
     found = []
-    if high - low < DARK:
+    if share > CLIPPED:
+        found.append(
+            PictureFinding(
+                "image-saturated",
+                f"{100 * share:.0f} % of the picture is overexposed",
+                "turn down the exposure until the object's faces keep their grey",
+                share,
+                CLIPPED,
+            )
+        )
+    if high - low < DARK and not found:
         found.append(
             PictureFinding(
                 "image-dark",
@@ -129,7 +139,7 @@ def picture_findings(image: Image) -> list[PictureFinding]:
                 DARK,
             )
         )
-    elif high < DIM:
+    elif high < DIM and not found:
         found.append(
             PictureFinding(
                 "image-dim",
@@ -137,16 +147,6 @@ def picture_findings(image: Image) -> list[PictureFinding]:
                 "turn up the light or the exposure",
                 float(high),
                 DIM,
-            )
-        )
-    if share > CLIPPED:
-        found.append(
-            PictureFinding(
-                "image-saturated",
-                f"{100 * share:.0f} % of the picture is overexposed",
-                "turn down the exposure until the object's faces keep their grey",
-                share,
-                CLIPPED,
             )
         )
     # In a dim or clipped picture the edges' widths would mislead.

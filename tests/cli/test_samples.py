@@ -159,7 +159,7 @@ def keep_faces(*faces: str) -> Callable[[Path], None]:
     [
         (every_picture(np.zeros_like), "no contrast"),
         (ambient_black, "no contrast"),
-        (every_picture(lambda grey: np.full_like(grey, 255)), "laser"),
+        (every_picture(lambda grey: np.full_like(grey, 255)), "overexposed"),
         (every_picture(brighter), "overexposed"),
         (every_picture(lambda grey: cv2.GaussianBlur(grey, (0, 0), 25)), "blurred"),
         (mirror_object, "mirrored"),
