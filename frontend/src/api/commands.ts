@@ -26,6 +26,7 @@ function tell(error: unknown, whatWas: string): void {
       title: `No answer from the station: ${whatWas}`,
       detail: "What the station has already taken is kept there.",
       remedy: "Check the network; this page reconnects by itself. Then press again.",
+      untilHeard: true,
     });
   }
   throw error;

@@ -1,4 +1,4 @@
-import { notify } from "../state/notices";
+import { noteReturn, notify } from "../state/notices";
 import { playFor } from "../state/sounds";
 import { getState, type LiveState, putFlow, setState } from "../state/store";
 import { isWanted, showPreview, tellWanted } from "./preview";
@@ -39,7 +39,9 @@ function put(change: Partial<LiveState>): void {
 /** Renders nothing while live: the age of the last word is read by those who show it. */
 function heard(): void {
   getState().heardAt = performance.now();
-  if (getState().connection !== "live") setState({ connection: "live" });
+  if (getState().connection === "live") return;
+  setState({ connection: "live" });
+  noteReturn();
 }
 
 function onEvent(message: Extract<LiveMessage, { type: "event" }>): void {

@@ -6,7 +6,9 @@ import { Actions } from "../parts/Actions";
 import { BigNumber } from "../parts/BigNumber";
 import { CardHead } from "../parts/CardHead";
 import { Findings } from "../parts/Findings";
+import { PressButton } from "../parts/PressButton";
 import { Busy, Progress } from "../parts/Progress";
+import { go } from "../state/router";
 import { useLive } from "../state/store";
 import { StepDots } from "./StepDots";
 
@@ -29,6 +31,8 @@ function lostTitle(devices: Devices | null): string {
 /** What to do in this step: the server's words, number, progress and allowed acts. */
 export function FlowCard({ view }: { view: FlowView }) {
   const lost = useLive((s) => lostTitle(s.devices));
+  /* A calibration that is over leads on to what comes next. */
+  const next = useLive((s) => (!view.running && s.home?.next.page !== "calibrate" ? s.home?.next : undefined));
   const heading = useRef<HTMLHeadingElement>(null);
   const shown = useRef(view.step);
 
@@ -46,8 +50,13 @@ export function FlowCard({ view }: { view: FlowView }) {
       {view.number && <BigNumber number={view.number} verdict={view.picture.kind === "result"} />}
       {view.progress && <Progress {...view.progress} />}
       {view.busy && <Busy key={view.busy.text} {...view.busy} />}
+      {next && (
+        <PressButton kind="primary" onPress={() => go(next.page)}>
+          {next.label}
+        </PressButton>
+      )}
       <Actions
-        actions={view.actions}
+        actions={next ? view.actions.map((action) => ({ ...action, primary: false })) : view.actions}
         busy={view.busy !== null}
         onAct={(action) => sendFlow(action.name, action.args)}
       >

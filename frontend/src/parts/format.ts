@@ -53,5 +53,9 @@ const UNITS = /(\d) (?=(?:µm|mm|px|%|s|ms|µs|Hz|fps|GB|nm|°C|min|h|days?)(?![
 
 /** The same words, a number never parted from its unit at a line's end. */
 export function bound(text: string): string {
-  return text.replace(UNITS, "$1\u00a0").replaceAll("k = ", "k\u00a0=\u00a0").replaceAll(/ ([×Ø]) (?=\d)/g, "\u00a0$1\u00a0");
+  return text
+    .replace(UNITS, "$1\u00a0")
+    .replaceAll(" rms", "\u00a0rms")
+    .replaceAll("k = ", "k\u00a0=\u00a0")
+    .replaceAll(/ ([×Ø]) (?=\d)/g, "\u00a0$1\u00a0");
 }

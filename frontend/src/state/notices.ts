@@ -5,7 +5,7 @@ let next = 1;
 
 /** Shows one sentence; with `lasts_ms` it leaves by itself. */
 export function notify(
-  notice: { quality: Quality; title: string; detail?: string; remedy?: string },
+  notice: { quality: Quality; title: string; detail?: string; remedy?: string; untilHeard?: boolean },
   lasts_ms?: number,
 ): void {
   const id = next++;
@@ -16,6 +16,7 @@ export function notify(
       title: notice.title,
       detail: notice.detail ?? "",
       remedy: notice.remedy ?? "",
+      untilHeard: notice.untilHeard ?? false,
     },
   });
   if (lasts_ms) setTimeout(() => dismiss(id), lasts_ms);
@@ -24,6 +25,12 @@ export function notify(
 /** What was told of an earlier act is over once a later one has succeeded. */
 export function clearNotice(): void {
   setState({ notice: null });
+}
+
+/** The station is heard again: an act that it did not confirm is to be looked at, no more. */
+export function noteReturn(): void {
+  if (!getState().notice?.untilHeard) return;
+  notify({ quality: "neutral", title: "The station answers again. Look whether the last press was done." }, 8000);
 }
 
 export function dismiss(id: number): void {

@@ -19,6 +19,8 @@ export interface Notice {
   title: string;
   detail: string;
   remedy: string;
+  /** It is over once the station is heard again. */
+  untilHeard: boolean;
 }
 
 export interface LiveState {
