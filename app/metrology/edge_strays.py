@@ -12,8 +12,10 @@ from app.metrology.edge_step import chosen, measure
 from app.metrology.edge_survey import Survey
 from app.metrology.frames import Floats
 
-# An edge with at least so many points, at most this share of which show, is missing;
+# Edges are judged by at least so many points of their kind; one with at least so few
+# points, at most this share of which show, is missing;
 _ENOUGH = 6
+_FEW = 4
 _MISSING = 0.2
 # one of which at least this share shows is there.
 _PRESENT = 0.6
@@ -23,9 +25,11 @@ _FAR = 0.1
 _STRAIGHT_PX = 1.5
 # Of the missing edge's stations, how many must see the stray, and its step over the usual.
 _SEEN = 0.7
-# Where an edge is looked for beyond its end, over its length.
-_BEYOND = (0.015, 0.06)
 _STEP = 0.5
+# How far beyond the block's ends its lines are followed, over its length, and how many
+# stations in a row, every two pixels, must see one go on.
+_BEYOND = 0.3
+_IN_A_ROW = 8
 
 
 def stray_edge(grey: Floats, found: Survey) -> str:
@@ -60,41 +64,70 @@ def stray_edge(grey: Floats, found: Survey) -> str:
 
 
 def overrun(grey: Floats, found: Survey) -> str:
-    """Where the block goes on beyond its certificate's end, in words; empty where it does not.
+    """An edge that goes on beyond its certificate's end, in words; empty where none does.
 
-    The long lower edge of the front face must end at its corners. ``grey`` (H, W): the
-    picture, NaN where it must not count.
+    Along X an edge must end at its corners, and beyond the block's two ends nothing
+    may run on in the same line.
+
+    Args:
+        grey: (H, W) the picture, NaN where it must not count.
+        found: the edges measured in it.
     """
     at, frame = found.at, found.frame
-    edge = frame.names.index("base:front")
-    own = found.used & (at.edge == edge)
-    if own.sum() < _ENOUGH:
-        return ""
-    step = float(np.median(found.step[own]))
-    row = int(np.flatnonzero(own)[0])
-    along = frame.ends_mm[edge] - frame.starts_mm[edge]
-    for side, corner, sense in (
-        ("left", frame.starts_mm[edge], -1.0),
-        ("right", frame.ends_mm[edge], 1.0),
-    ):
-        share = np.linspace(_BEYOND[0], _BEYOND[1], 16)[:, None]
-        points = corner + sense * share * along
-        beyond = _stations_at(found, points, along, row)
-        if len(beyond.edge) < 12:
+    names = np.array(frame.names)
+    lines: dict[tuple[str, str], list[int]] = {}
+    for edge, name in enumerate(frame.names):
+        words = name.split(":")
+        if words[0] in ("crest", "floor", "base") and words[-1] in ("front", "back"):
+            lines.setdefault((words[0], words[-1]), []).append(edge)
+    for (level, _), edges in lines.items():
+        own = found.used & np.isin(at.edge, edges)
+        if own.sum() < _ENOUGH:
             continue
-        seen = measure(grey, beyond, found.blur_px)
-        like = np.abs(seen.offset_px) < _STRAIGHT_PX
-        like &= np.abs(seen.step - step) < 0.4 * abs(step)
-        if like.sum() > 0.8 * len(like):
-            return f"it goes on beyond its {side} end"
+        step = float(np.median(found.step[own]))
+        row = int(np.flatnonzero(own)[0])
+        begin, end = frame.starts_mm[edges], frame.ends_mm[edges]
+        # Halfway to the next edge in the line; a good way beyond the last.
+        after = np.append((begin[1:, 0] - end[:-1, 0]) / 2, _BEYOND * (end[-1, 0] - begin[0, 0]))
+        before = np.append(after[-1], after[:-1])
+        for k, edge in enumerate(edges):
+            ways = ((end[k], after[k], "right"), (begin[k], -before[k], "left"))
+            for corner, reach_mm, side in ways:
+                beyond = _beyond(found, corner, reach_mm, row)
+                if _runs_on(grey, found, beyond, step):
+                    what = "it" if level == "base" else f"its edge {names[edge]}"
+                    return f"{what} goes on beyond its {side} end"
     return ""
+
+
+def _runs_on(grey: Floats, found: Survey, beyond: Stations, step: float) -> bool:
+    """Whether a step like an edge's own is seen at enough stations (every 2 px) in a row."""
+    if len(beyond.edge) < _IN_A_ROW:
+        return False
+    seen = measure(grey, beyond, found.blur_px)
+    like = np.abs(seen.offset_px) < _STRAIGHT_PX / 2
+    like &= np.abs(seen.step - step) < np.minimum(0.4 * abs(step), abs(step) - 6 * seen.step_sigma)
+    streak = np.convolve(like.astype(np.int64), np.ones(_IN_A_ROW, dtype=np.int64), "valid")
+    return bool(streak.max() == _IN_A_ROW)
+
+
+def _beyond(found: Survey, corner: Floats, reach_mm: float, row: int) -> Stations:
+    """Stations every 2 px along X from beyond a corner (3,) as far as ``reach_mm``."""
+    ends = project(found.camera, np.array([corner, corner + [reach_mm, 0.0, 0.0]]))
+    length = float(np.hypot(*(ends[1] - ends[0])))
+    clear = found.at.half_length_px + 3 * found.blur_px + 2
+    if length < clear + 2 * _IN_A_ROW:
+        return chosen(found.at, np.zeros(len(found.at.edge), dtype=bool))
+    share = np.arange(clear, length, 2.0)[:, None] / length
+    points = corner + share * np.array([reach_mm, 0.0, 0.0])
+    return _stations_at(found, points, np.array([1.0, 0.0, 0.0]), row)
 
 
 def _stations_at(found: Survey, points_mm: Floats, along_mm: Floats, row: int) -> Stations:
     """Stations at points (N, 3) on the line of an edge, as far as they are in the picture."""
     camera = found.camera
     uv = project(camera, points_mm)
-    step = project(camera, points_mm + 1e-4 * along_mm) - uv
+    step = project(camera, points_mm + 1e-3 * along_mm) - uv
     tangent = step / np.linalg.norm(step, axis=1, keepdims=True)
     normal = np.column_stack([-tangent[:, 1], tangent[:, 0]])
     limit = np.array([camera.width_px, camera.height_px]) - 1
@@ -142,7 +175,7 @@ def _missing(found: Survey, uncovered: NDArray[np.bool_]) -> list[tuple[int, flo
         if sum(one[2] for one in there) < _ENOUGH or steps.min() * steps.max() <= 0:
             continue
         for part, count, shown_count, _, sense in group:
-            if count >= _ENOUGH and shown_count <= _MISSING * count:
+            if count >= _FEW and shown_count <= _MISSING * count:
                 missing.append((part, sense * float(np.median(steps))))
     return missing
 

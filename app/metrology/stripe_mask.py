@@ -45,10 +45,12 @@ def _half_width(
     at_column = np.clip(column[pick, None] + du * offsets, 0, grey.shape[1] - 1)
     values = grey[at_row, at_column]
     profile = np.median(values - values.min(axis=1, keepdims=True), axis=0)
-    profile = np.maximum(profile, profile[::-1]) - profile.min()
-    if profile.max() <= 0:
+    fall = -np.diff((profile + profile[::-1])[_WIDEST_PX:])
+    steepest = int(np.argmax(fall))
+    if fall[steepest] <= 0:
         return 2
-    # Outwards from the centre, where a Gaussian stripe of sd s has fallen to e^-2 at 2 s.
-    below = profile[_WIDEST_PX:] < np.exp(-2) * profile.max()
-    two_sigma = int(np.argmax(below)) if below.any() else _WIDEST_PX
-    return max(2, int(np.ceil(1.5 * two_sigma)))
+    # A Gaussian stripe falls most steeply at one standard deviation, and at 2.4 a quarter
+    # as steeply, whatever brightness it lies on.
+    level = fall[steepest:] < 0.25 * fall[steepest]
+    flat = steepest + int(np.argmax(level)) if level.any() else _WIDEST_PX
+    return max(2, int(np.ceil(1.3 * flat)))
