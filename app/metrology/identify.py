@@ -60,6 +60,8 @@ def placings(
     weight = np.minimum(lengths(lines), _LONG)
     middle = (lines[:, :2] + lines[:, 2:]) / 2
     followed = directions.family >= 0
+    if not followed.any():
+        return []
     view = np.append(np.average(middle[followed], axis=0, weights=weight[followed]), 1.0)
     view[2] = directions.focal
     found: list[Placing] = []

@@ -9,7 +9,9 @@ import pytest
 from app.metrology.camera import project
 from app.metrology.corners import ObjectDetection, detect_object
 from app.metrology.crenellated import corners as corners_of
+from app.metrology.directions import Directions
 from app.metrology.edge_points import stations
+from app.metrology.identify import placings
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import extract_stripe
 from app.metrology.visibility import wireframe
@@ -176,3 +178,9 @@ def test_a_block_half_out_of_the_picture_is_refused(plain):
 def test_twelve_bits(plain):
     found = detect_object(plain.image.astype(np.uint16) * 16, plain.block)
     assert np.median(corner_errors(found, plain)) < 0.25
+
+
+def test_directions_that_no_segment_follows_place_nothing(plain):
+    lines = np.array([[10.0, 10.0, 90.0, 20.0], [30.0, 80.0, 70.0, 15.0]])
+    nobody = Directions(np.eye(3), 1.5, np.array([-1, -1]), 0.0)
+    assert placings(nobody, lines, plain.block) == []
