@@ -53,6 +53,8 @@ class Alignment:
     """(3,) pivot of that perturbation, in the arm frame: the contacts' centroid."""
     points_obj_mm: Floats
     """(N, 3) contact points, tip radius taken off, in the object frame."""
+    tips_obj_mm: Floats
+    """(N, 3) tip centres in the object frame."""
 
     @property
     def rms_mm(self) -> float:
@@ -111,6 +113,7 @@ def align(
         covariance=np.asarray(variance_factor * np.linalg.inv(J_scaled.T @ J_scaled)),
         centre_mm=centre_mm,
         points_obj_mm=points_obj,
+        tips_obj_mm=points_obj + tip_radius_mm * contacts.normals,
     )
 
 
@@ -127,8 +130,11 @@ def refuse_wrong_faces(alignment: Alignment, features: Sequence[str], block: Cre
     for i in map(int, np.flatnonzero(alignment.outliers)):
         if abs(alignment.residuals_mm[i]) < BESIDE_FACE_MM:
             continue
-        point = alignment.points_obj_mm[i]
-        found = [face for face in FACES if face != features[i] and _lies_on(point, face, block)]
+        tip = alignment.tips_obj_mm[i]
+        radius_mm = float(np.linalg.norm(tip - alignment.points_obj_mm[i]))
+        found = [
+            face for face in FACES if face != features[i] and _touches(tip, radius_mm, face, block)
+        ]
         place = f"it lies on the {found[0]} face" if found else "it lies on no face at all"
         raise Refusal(
             "contact-on-wrong-face",
@@ -152,10 +158,11 @@ def _face_fits(
     return tuple(fits)
 
 
-def _lies_on(point_mm: Floats, face: str, block: Crenellated) -> bool:
+def _touches(tip_mm: Floats, radius_mm: float, face: str, block: Crenellated) -> bool:
     normal, offset_mm = probing_face(block, face)
-    near = abs(float(normal @ point_mm) - offset_mm) < 2 * BESIDE_FACE_MM
-    return near and not bool(beside_face([face], point_mm[None], block)[0])
+    point = tip_mm - radius_mm * normal
+    near = abs(float(normal @ point) - offset_mm) < BESIDE_FACE_MM
+    return near and not bool(beside_face([face], point[None], block)[0])
 
 
 def _mislabelled(features: Sequence[str], off_face: NDArray[np.bool_]) -> Refusal:

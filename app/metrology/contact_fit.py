@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.contacts import (
+    BESIDE_FACE_MM,
     DIRECTIONS,
     Contacts,
     beside_face,
@@ -90,11 +91,15 @@ def _huber(residuals_mm: Floats) -> Floats:
 def fit_without_outliers(contacts: Contacts, T_arm_obj: Floats) -> tuple[Floats, NDArray[np.bool_]]:
     """Least squares on the contacts that agree; (N,) mask of those kept.
 
-    One contact at a time is dropped, the one whose residual is largest against
-    its own standard deviation (its leverage taken into account), as long as it
-    exceeds the limit and enough contacts remain.
+    Contacts that miss their face by millimetres at the robust start are on another
+    face and would tilt the fit: they are left out at once. Then one contact at a time
+    is dropped, the one whose residual is largest against its own standard deviation
+    (its leverage taken into account), as long as it exceeds the limit and enough
+    contacts remain.
     """
-    kept = np.ones(len(contacts.features), dtype=bool)
+    kept = np.abs(contacts.residuals_mm(T_arm_obj)) < BESIDE_FACE_MM
+    if what_is_missing([contacts.features[int(i)] for i in np.flatnonzero(kept)]):
+        kept[:] = True
     while True:
         for _ in range(20):
             weights = np.where(kept, contacts.sds_mm(T_arm_obj) ** -2.0, 0.0)
@@ -127,8 +132,7 @@ def _worst_outlier(contacts: Contacts, T_arm_obj: Floats, kept: NDArray[np.bool_
     for worst in np.argsort(-deleted):
         if deleted[worst] <= limit:
             return None
-        face = contacts.features[int(own[worst])]
         remaining = [contacts.features[int(i)] for i in own if i != own[worst]]
-        if face in remaining and not what_is_missing(remaining):
+        if not what_is_missing(remaining):
             return int(own[worst])
     return None

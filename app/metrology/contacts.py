@@ -20,6 +20,8 @@ CONTACT_SD_MM = 0.001
 """Repeatability of the touch itself, beside the encoders' noise."""
 BESIDE_FACE_MM = 1.5
 """How far beside its face a contact may seem to lie before it counts as off it."""
+BESIDE_MERLON_MM = 0.5
+"""The same across a crest or floor: the tip meets the edge before it passes it."""
 
 
 @dataclass(frozen=True)
@@ -146,13 +148,29 @@ def surface_points(contacts: Contacts, T_arm_obj: Floats, tip_radius_mm: float) 
 def beside_face(
     features: Sequence[str], points_obj_mm: Floats, block: Crenellated
 ) -> NDArray[np.bool_]:
-    """(N,) which contact points (N, 3) lie beside the bounds of the face they belong to."""
+    """(N,) which contact points (N, 3) lie beside the bounds of the face they belong to.
+
+    A crest ends at its groove and a floor at its walls, so that contacts on the crests
+    tell a block from the same block turned half round.
+    """
     x, y, z = points_obj_mm.T
     edges = np.array(block.edges_x_mm)
     slack = BESIDE_FACE_MM
     in_x = (x > edges[0] - slack) & (x < edges[-1] + slack)
     in_y = (y > block.front_y_mm - slack) & (y < block.back_y_mm + slack)
     in_z = (z > block.base_z_mm - slack) & (z < block.crest_z_mm + slack)
-    within = {"x": in_y & in_z, "y": in_x & in_z, "z": in_x & in_y}
-    axis = {"crest": "z", "floor": "z", "front": "y", "back": "y", "left": "x", "right": "x"}
-    return np.array([not within[axis[face]][i] for i, face in enumerate(features)], dtype=bool)
+    within = {
+        "crest": _in_a_span(x, edges[0::2], edges[1::2]) & in_y,
+        "floor": _in_a_span(x, edges[1:-1:2], edges[2::2]) & in_y,
+        "front": in_x & in_z,
+        "back": in_x & in_z,
+        "left": in_y & in_z,
+        "right": in_y & in_z,
+    }
+    return np.array([not within[face][i] for i, face in enumerate(features)], dtype=bool)
+
+
+def _in_a_span(x_mm: Floats, left_mm: Floats, right_mm: Floats) -> NDArray[np.bool_]:
+    """(N,) which places lie on one of the merlons, or grooves, of these edges."""
+    after = x_mm[:, None] > left_mm - BESIDE_MERLON_MM
+    return np.asarray((after & (x_mm[:, None] < right_mm + BESIDE_MERLON_MM)).any(axis=1))

@@ -62,10 +62,15 @@ def contacts_on(
     for face in faces:
         normal, offset_mm = probing_face(block, face)
         for k in range(per_face):
-            merlon = k % block.merlon_count
+            # a floor lies between merlon and merlon
+            left = (
+                2 * (k % (block.merlon_count - 1)) + 1
+                if face == "floor"
+                else 2 * (k % block.merlon_count)
+            )
             point = np.array(
                 [
-                    rng.uniform(x[2 * merlon], x[2 * merlon + 1]),
+                    rng.uniform(x[left], x[left + 1]),
                     rng.uniform(*y),
                     rng.uniform(block.base_z_mm, block.crest_z_mm),
                 ]

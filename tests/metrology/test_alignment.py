@@ -94,6 +94,39 @@ def test_a_whole_face_mislabelled_is_refused(swap: dict[str, str]) -> None:
         align([swap.get(face, face) for face in features], tips, TIP_RADIUS_MM, BLOCK)
 
 
+@pytest.mark.parametrize(
+    ("taken", "called"),
+    [
+        ("crest", "floor"),
+        ("front", "back"),
+        ("left", "right"),
+        ("front", "right"),
+        ("left", "back"),
+    ],
+)
+@pytest.mark.parametrize("count", [1, 3])
+def test_some_contacts_on_a_face_of_their_own_are_refused_by_name(
+    taken: str, called: str, count: int
+) -> None:
+    rng = np.random.default_rng(12)
+    features, tips = contacts_on(rng, random_pose(rng), noise_mm=0.005)
+    first = features.index(taken) + 4
+    features[first : first + count] = [called] * count
+    found = align(features, tips, TIP_RADIUS_MM, BLOCK)
+    assert list(np.flatnonzero(found.outliers)) == list(range(first, first + count))
+    said = rf"contact {first + 1} is labelled {called}.*lies on the {taken} face"
+    with pytest.raises(Refusal, match=said):
+        refuse_wrong_faces(found, features, BLOCK)
+
+
+def test_a_block_taken_for_itself_turned_half_round_is_refused() -> None:
+    rng = np.random.default_rng(13)
+    features, tips = contacts_on(rng, random_pose(rng), noise_mm=0.005)
+    turned = {"front": "back", "left": "right", "crest": "crest"}
+    with pytest.raises(Refusal, match=r"contacts lie beside the face.*crest"):
+        align([turned[face] for face in features], tips, TIP_RADIUS_MM, BLOCK)
+
+
 def test_missing_faces_are_said() -> None:
     assert what_is_missing(["crest"] * 5 + ["front"] * 3) == (
         "Touch 3 more on the left or the right face"
