@@ -12,7 +12,7 @@ export function ResidualLegend({ scale_um, sticks = false }: { scale_um: number;
         <path d="M0-8 8 0 0 8-8 0Z" className={styles.diamond} />
       </svg>
       <span>outlier</span>
-      {sticks && <span>a stick shows which way, outward or inward</span>}
+      {sticks && <span className={styles.sticks}>sticks point outward or inward</span>}
     </div>
   );
 }
