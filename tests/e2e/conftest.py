@@ -31,9 +31,12 @@ CHROMIUM_FLAGS = [
 ]
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def browser() -> Iterator[Browser]:
-    """Debian's chromium; where it is missing the tests skip, except in CI."""
+    """Debian's chromium; where it is missing the tests skip, except in CI.
+
+    Closed with its module: while it runs, no other test of this thread may run a loop.
+    """
     path = shutil.which("chromium") or shutil.which("chromium-browser")
     if path is None:
         if os.environ.get("CI"):
