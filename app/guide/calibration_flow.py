@@ -52,7 +52,7 @@ def view_of(state: CalibrationState, live: Live) -> FlowView:
         running=running,
         steps=[Step(step, TITLES[step], _step_state(state, step)) for step in STEPS],
         step=state.step,
-        title=HEADINGS[state.step],
+        title="The calibration is in use" if state.ended == "accepted" else HEADINGS[state.step],
         instruction=body.instruction,
         picture=body.picture,
         number=body.number,

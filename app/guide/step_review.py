@@ -33,7 +33,7 @@ def review_step(state: CalibrationState, live: Live) -> Body:
 
 def _instruction(state: CalibrationState, result: CalibrationResult) -> str:
     if state.ended == "accepted":
-        return "This calibration is accepted and in use."
+        return "It is kept under Records. Scan with it, or calibrate anew."
     if result.verdict == "bad":
         return "This calibration should not be used. The findings say what to do."
     return "Look at the numbers, then accept the calibration or repeat it."

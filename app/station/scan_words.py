@@ -107,7 +107,7 @@ def _counted(pipeline: ScanPipeline) -> list[Finding]:
         found.append(
             Finding(
                 "attention",
-                f"{pipeline.lost_frames} of {arrived} frames were lost",
+                f"{pipeline.lost_frames} of {arrived} pictures were lost",
                 "Check the sensor's cable, or close other programs.",
             )
         )
@@ -115,8 +115,8 @@ def _counted(pipeline: ScanPipeline) -> list[Finding]:
         found.append(
             Finding(
                 "attention",
-                f"{counts.frames_without_joints} of {counts.frames} frames came without joint "
-                "angles",
+                f"{counts.frames_without_joints} of {counts.frames} pictures came without "
+                "the arm's position",
                 "They are in the recording, but gave no points; check the arm's cable.",
             )
         )
