@@ -2,7 +2,7 @@
 
 import os
 import secrets
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import BinaryIO
@@ -44,15 +44,26 @@ def write_atomically(path: Path, content: bytes) -> None:
         file.write(content)
 
 
-def checked_target(path: Path) -> Path:
+def checked_target(path: Path, sources: Iterable[Path] = ()) -> Path:
     """Where a file of this name would be written, links followed.
+
+    Args:
+        sources: files that the job reads, which its result must not replace.
 
     Raises:
         Refusal: its folder is missing or not writable, or the name is taken by
-            something that is not a file. So a job can be refused before its work.
+            something that is not a file, or by one of the sources. So a job can be
+            refused before its work.
     """
     with files_refused(path):
         target = path.resolve()
+        if any(target == source.resolve() for source in sources):
+            raise Refusal(
+                "output-is-source",
+                str(path),
+                "the result would replace a file that it is made from",
+                "Name another file with -o",
+            )
         if target.exists() and not target.is_file():
             kind = "a folder" if target.is_dir() else "a device"
             raise Refusal("output-not-a-file", str(path), f"it is {kind}", "Name a file")

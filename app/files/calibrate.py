@@ -28,22 +28,13 @@ from app.files.documents import sha256_of
 from app.files.failures import refusals_naming
 from app.files.images import read_grey
 from app.files.progress import Progress, no_progress
-from app.files.session import (
-    ARM,
-    IMAGES,
-    OBJECT,
-    PROBING,
-    SENSOR,
-    Pose,
-    Session,
-    read_session,
-)
+from app.files.session import Pose, Session, read_session
 from app.files.software import SOFTWARE
 from app.metrology.camera import Camera
 from app.metrology.findings import Quality
 from app.metrology.one_pose import OnePoseCalibration, OnePoseInputs, calibrate_one_pose
 
-QUALITIES: tuple[Quality, ...] = ("good", "attention", "bad")
+QUALITIES: tuple[Quality, ...] = ("neutral", "good", "attention", "bad")
 
 
 @dataclass(frozen=True)
@@ -70,6 +61,7 @@ def calibrate_session(
     """
     checked_target(output)
     session = read_session(folder)
+    checked_target(output, session.files)
     pose = session.poses[0]
     inputs = one_pose_inputs(session, pose)
     with refusals_naming(folder):
@@ -103,8 +95,6 @@ def one_pose_inputs(session: Session, pose: Pose) -> OnePoseInputs:
 def origin_of(session: Session, pose: Pose, operator: str) -> Origin:
     """Serial numbers, and the SHA-256 of every file that the calibration used."""
     folder = session.folder
-    files = [folder / name for name in (ARM, OBJECT, SENSOR, PROBING, IMAGES)]
-    files += [path for path in (pose.ambient, pose.laser) if path is not None]
     return Origin(
         serial_numbers=SerialNumbers(
             arm=session.arm.serial_number,
@@ -114,7 +104,7 @@ def origin_of(session: Session, pose: Pose, operator: str) -> Origin:
         stripe_axis=session.sensor.stripe_axis,
         inputs=tuple(
             Input(file=path.relative_to(folder).as_posix(), sha256=sha256_of(path))
-            for path in files
+            for path in (*session.tables, *pose.files)
         ),
         operator=operator,
     )
@@ -233,7 +223,7 @@ def figures_of(sheet: CalibrationFile) -> list[tuple[str, str]]:
     if sheet.verdict:
         figures.append(("verdict", sheet.verdict.quality))
         for finding in sheet.verdict.findings:
-            mark = "" if finding.quality == "good" else f"{finding.quality.upper()}: "
+            mark = "" if finding.quality in ("good", "neutral") else f"{finding.quality.upper()}: "
             figures.append(("", f"{mark}{finding.text} {finding.remedy}"))
     if sheet.uncertainty:
         figures += _uncertainty_figures(sheet.uncertainty)

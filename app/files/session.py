@@ -45,6 +45,10 @@ class Pose:
     """With the laser off; or the picture with both lights, where ``laser`` is None."""
     laser: Path | None
 
+    @property
+    def files(self) -> tuple[Path, ...]:
+        return (self.ambient,) if self.laser is None else (self.ambient, self.laser)
+
 
 @dataclass(frozen=True)
 class Session:
@@ -57,6 +61,16 @@ class Session:
     contacts: Contacts
     poses: tuple[Pose, ...]
     """By ascending number."""
+
+    @property
+    def tables(self) -> tuple[Path, ...]:
+        """Its files, the pictures apart."""
+        return tuple(self.folder / name for name in (ARM, OBJECT, SENSOR, PROBING, IMAGES))
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """Everything that it was read from."""
+        return (*self.tables, *(file for pose in self.poses for file in pose.files))
 
 
 @dataclass(frozen=True)

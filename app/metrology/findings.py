@@ -17,7 +17,7 @@ from app.metrology.laser_plane import LaserPlaneFit
 from app.metrology.picture import PictureFinding
 from app.metrology.stripe import Stripe
 
-Quality = Literal["good", "attention", "bad"]
+Quality = Literal["good", "attention", "bad", "neutral"]
 
 # Uncertainty of a point, k = 1: good up to the first, not to be used beyond the second.
 GOOD_UM, USABLE_UM = 50.0, 150.0
@@ -25,6 +25,13 @@ GOOD_UM, USABLE_UM = 50.0, 150.0
 EXCESS = 5.0
 CONDITION = 15.0
 EDGE_RMS_PX = 0.3
+# Contacts on opposite faces may lie so much further apart than they should: this many
+# standard deviations, and this much in any case.
+OPENING_SIGMAS, OPENING_MM = 4.0, 0.03
+# Pixels of today's sensors are square to this share, and a camera is known so well.
+SQUARE, SQUARE_SIGMAS = 0.001, 4.0
+# Further than any hand-held sensor reaches from the arm's last joint.
+FARTHEST_MM = 600.0
 # Shares: of the stripe on the levels that agrees with the plane; of the block's width it spans.
 AGREEING, SPANNED = 0.85, 0.5
 WORST_OF_A_KIND = 3
@@ -72,6 +79,8 @@ def findings_of(seen: Evidence) -> tuple[Finding, ...]:
     return (
         _verdict(seen.budget),
         *_about_contacts(seen),
+        about_size(seen.alignment, seen.features, seen.block),
+        *_about_arm(seen),
         *_about_picture(seen),
         *_about_stripe(seen),
     )
@@ -138,6 +147,69 @@ def _about_contacts(seen: Evidence) -> list[Finding]:
     return found
 
 
+def about_size(alignment: Alignment, features: Sequence[str], block: Crenellated) -> Finding:
+    """Whether the block's size and the tip's diameter were seen, and right: contacts on
+    opposite faces tell their sum, others move with the block."""
+    labels = np.array(features)
+    checked = []
+    for pair in (("front", "back"), ("left", "right")):
+        own = [alignment.residuals_mm[(labels == face) & ~alignment.outliers] for face in pair]
+        if not all(len(residuals) for residuals in own):
+            continue
+        opening_mm = sum(float(np.mean(residuals)) for residuals in own)
+        spread = sum(float(np.var(residuals)) / len(residuals) for residuals in own)
+        sd_mm = float(np.sqrt(spread + 2 * block.standard_uncertainty_mm**2))
+        limit_mm = max(OPENING_SIGMAS * sd_mm, OPENING_MM)
+        between = f"{pair[0]} and {pair[1]}"
+        if abs(opening_mm) > limit_mm:
+            return Finding(
+                "attention",
+                "size",
+                f"The contacts on {between} lie {1e3 * abs(opening_mm):.0f} µm "
+                f"{'further apart' if opening_mm > 0 else 'closer together'} than the block's "
+                f"size and the tip's diameter say (limit {1e3 * limit_mm:.0f} µm).",
+                "Check the tip's diameter and that this is the block; then the arm's model.",
+            )
+        checked.append(f"{between} to {1e3 * opening_mm:+.0f} µm")
+    if checked:
+        return Finding(
+            "good",
+            "size",
+            f"The contacts agree with the block's size and the tip's diameter: "
+            f"{', '.join(checked)}.",
+        )
+    return Finding(
+        "neutral",
+        "size-unchecked",
+        "No two opposite sides were touched: the tip's diameter and the block's size are as their "
+        "papers say, unchecked.",
+        "Touch the front and the back, or the left and the right face.",
+    )
+
+
+def _about_arm(seen: Evidence) -> list[Finding]:
+    found = [
+        Finding(
+            "neutral",
+            "arm-unseen",
+            "Errors of the arm's own model cannot be seen from one picture in one pose, and are "
+            "not in this figure.",
+        )
+    ]
+    away_mm = float(np.linalg.norm(seen.budget.pivot_mm))
+    if away_mm > FARTHEST_MM:
+        found.append(
+            Finding(
+                "attention",
+                "sensor-far",
+                f"The sensor measures {away_mm:.0f} mm away from the arm's last joint "
+                f"(limit {FARTHEST_MM:.0f} mm).",
+                "Check that the picture's joint angles are those of its pose.",
+            )
+        )
+    return found
+
+
 def _about_picture(seen: Evidence) -> list[Finding]:
     edges = seen.fit.edges
     text = (
@@ -148,6 +220,7 @@ def _about_picture(seen: Evidence) -> list[Finding]:
     remedy = "" if good else "Clean the block's edges; check focus, lighting and certificate."
     found = [Finding("good" if good else "attention", "edges", text, remedy)]
     found += [Finding("attention", item.code, item.text, item.remedy) for item in seen.picture]
+    found += _about_pixels(seen.fit)
     condition = seen.faugeras.condition_number
     if condition > CONDITION:
         found.append(
@@ -160,6 +233,25 @@ def _about_picture(seen: Evidence) -> list[Finding]:
             )
         )
     return found
+
+
+def _about_pixels(fit: CameraFit) -> list[Finding]:
+    """A certificate that is wrong along the camera's view looks like oblong pixels."""
+    fx, fy = fit.camera.matrix[0, 0], fit.camera.matrix[1, 1]
+    gradient = np.array([-fy / fx**2, 1 / fx])
+    sd = float(np.sqrt(gradient @ fit.covariance[:2, :2] @ gradient))
+    limit = max(SQUARE, SQUARE_SIGMAS * sd)
+    if abs(fy / fx - 1) <= limit:
+        return []
+    return [
+        Finding(
+            "attention",
+            "pixels-oblong",
+            f"The camera's pixels come out {100 * abs(fy / fx - 1):.2f} % out of square; those of "
+            f"today's sensors are square (limit {100 * limit:.2f} %).",
+            "Compare the block's depth and heights with its certificate.",
+        )
+    ]
 
 
 def _about_stripe(seen: Evidence) -> list[Finding]:

@@ -1,0 +1,63 @@
+"""What a calibration says of itself, beside its figure."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from app.metrology.alignment import align
+from app.metrology.findings import Finding, about_size
+from app.metrology.one_pose import OnePoseInputs, calibrate_one_pose
+from tests.metrology.builders import BLOCK, TIP_RADIUS_MM, contacts_on, random_pose
+from tests.metrology.test_one_pose import read_inputs
+
+
+def size_said(faces: tuple[str, ...], tip_radius_mm: float) -> Finding:
+    rng = np.random.default_rng(21)
+    features, tips = contacts_on(rng, random_pose(rng), faces=faces, noise_mm=0.005)
+    found = align(features, tips, tip_radius_mm, BLOCK)
+    return about_size(found, features, BLOCK)
+
+
+@pytest.mark.parametrize(
+    ("faces", "error_mm", "quality", "said"),
+    [
+        (("crest", "front", "left"), 0.1, "neutral", "unchecked"),
+        (("crest", "front", "back", "left"), 0.0, "good", "front and back"),
+        (("crest", "front", "left", "right"), 0.05, "attention", "closer together"),
+        (("crest", "front", "back", "left", "right"), -0.05, "attention", "further apart"),
+    ],
+)
+def test_opposite_faces_tell_the_tips_diameter(
+    faces: tuple[str, ...], error_mm: float, quality: str, said: str
+) -> None:
+    found = size_said(faces, TIP_RADIUS_MM + error_mm)
+    assert found.quality == quality
+    assert said in found.text
+
+
+@pytest.fixture(scope="module")
+def inputs(samples: Path) -> OnePoseInputs:
+    return read_inputs(samples / "one-pose")
+
+
+def said_of(inputs: OnePoseInputs) -> dict[str, str]:
+    return {found.code: found.quality for found in calibrate_one_pose(inputs).findings}
+
+
+def test_what_one_pose_cannot_show_is_said(inputs: OnePoseInputs) -> None:
+    said = said_of(inputs)
+    assert said["arm-unseen"] == said["size-unchecked"] == "neutral"
+    assert set(said.values()) == {"neutral", "good"}
+
+
+def test_a_certificate_wrong_along_the_view_is_told_by_its_pixels(inputs: OnePoseInputs) -> None:
+    block = replace(inputs.block, front_y_mm=inputs.block.front_y_mm + 0.1)
+    assert said_of(replace(inputs, block=block))["pixels-oblong"] == "attention"
+
+
+def test_the_joints_of_quite_another_pose_are_told(inputs: OnePoseInputs) -> None:
+    q_rad = inputs.pose_q_rad.copy()
+    q_rad[0] += np.pi
+    assert said_of(replace(inputs, pose_q_rad=q_rad))["sensor-far"] == "attention"
