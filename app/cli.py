@@ -168,7 +168,7 @@ def extract(
     from app.files.extract import extract as extract_all
     from app.files.extract import write_stripes
 
-    checked_target(output)
+    checked_target(output, images)
     with progress_bar("Extracting", not as_json) as tell:
         stripes = extract_all(images, axis.value, tell)
         write_stripes(output, stripes)
@@ -213,10 +213,12 @@ def reconstruct(
             param_hint="'-o'",
         )
     from app.files.arm import read_arm
+    from app.files.atomic import checked_target
     from app.files.calibration import read_calibration
     from app.files.rebuild import rebuild
 
     began = time.perf_counter()
+    checked_target(output, (recording, calibration, arm))
     sensor, arm_model = read_calibration(calibration), read_arm(arm)
     with progress_bar("Reconstructing", not as_json) as tell:
         rebuilt = rebuild(recording, sensor, arm_model, output, tell)
@@ -255,7 +257,7 @@ def verify(
     from app.files.verify import verify as verify_all
 
     if output is not None:
-        checked_target(output)
+        checked_target(output, clouds if nominal is None else [*clouds, nominal])
     with progress_bar("Verifying", not as_json) as tell:
         report = verify_all(shape.value, clouds, nominal, tell)
         if output is not None:

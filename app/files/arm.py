@@ -60,6 +60,10 @@ class ArmFile(Document):
     def _joints_as_the_convention_wants(self) -> Self:
         if self.convention == "dh-standard" and len(self.joints) not in (6, 7):
             raise ValueError(f"six or seven joints are expected, not {len(self.joints)}")
+        names = [joint.name for joint in self.joints]
+        for name in names:
+            if names.count(name) > 1:
+                raise ValueError(f"two joints are named {name!r}; recordings tell them by name")
         return self
 
 

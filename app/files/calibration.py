@@ -19,12 +19,13 @@ from app.files.documents import (
     Vector3,
 )
 from app.files.software import Software
-from app.metrology.camera import Camera
+from app.metrology.camera import Camera, project, rays
 from app.metrology.findings import Quality
 from app.metrology.frames import Floats
 from app.metrology.laser_plane import LaserPlane
 
 RIGID_TOLERANCE = 1e-6
+LENS_TOLERANCE_PX = 0.01
 AGREEMENT = 1e-6
 """Relative: how well ``projection_matrix`` equals ``matrix [rotation | translation_mm]``."""
 
@@ -35,8 +36,8 @@ class CameraPart(Part):
     rotation: Matrix3
     translation_mm: Vector3
     distortion: tuple[Number, Number, Number, Number, Number]
-    width_px: int = Field(gt=0)
-    height_px: int = Field(gt=0)
+    width_px: int = Field(gt=0, le=65536)
+    height_px: int = Field(gt=0, le=65536)
 
     @model_validator(mode="after")
     def _agrees_with_itself(self) -> Self:
@@ -49,7 +50,19 @@ class CameraPart(Part):
             given / length, product, rtol=AGREEMENT, atol=AGREEMENT * float(np.abs(product).max())
         ):
             raise ValueError("projection_matrix is not matrix · [rotation | translation_mm]")
+        if not _lens_can_be_undone(self.model()):
+            raise ValueError("distortion cannot be undone all over the picture")
         return self
+
+    def model(self) -> Camera:
+        return Camera(
+            matrix=np.array(self.matrix),
+            rotation=np.array(self.rotation),
+            translation_mm=np.array(self.translation_mm),
+            width_px=self.width_px,
+            height_px=self.height_px,
+            distortion=np.array(self.distortion),
+        )
 
 
 class LaserPlanePart(Part):
@@ -202,16 +215,8 @@ def read_calibration(path: Path) -> Calibration:
 
 def calibration_in(sheet: CalibrationFile) -> Calibration:
     """What reconstruction needs of a calibration."""
-    camera = sheet.camera
     return Calibration(
-        camera=Camera(
-            matrix=np.array(camera.matrix),
-            rotation=np.array(camera.rotation),
-            translation_mm=np.array(camera.translation_mm),
-            width_px=camera.width_px,
-            height_px=camera.height_px,
-            distortion=np.array(camera.distortion),
-        ),
+        camera=sheet.camera.model(),
         plane=LaserPlane(np.array(sheet.laser_plane.normal), sheet.laser_plane.offset_mm),
         T_flange_sensor=np.array(sheet.probe_matrix),
         stripe_axis=sheet.stripe_axis,
@@ -223,3 +228,13 @@ def _require_rotation(R: Floats, name: str) -> None:
     unlike = float(np.abs(R @ R.T - np.eye(3)).max())
     if unlike > RIGID_TOLERANCE or np.linalg.det(R) < 0:
         raise ValueError(f"{name} holds no rotation: R·Rᵀ differs from 1 by {unlike:.2g}")
+
+
+def _lens_can_be_undone(camera: Camera) -> bool:
+    """False for a distortion that folds the picture over, as no lens does."""
+    u, v = (np.linspace(0, size - 1, 9) for size in (camera.width_px, camera.height_px))
+    uv_px = np.column_stack([axis.ravel() for axis in np.meshgrid(u, v)])
+    with np.errstate(all="ignore"):
+        origin, along = rays(camera, uv_px)
+        off_px = np.abs(project(camera, origin + along) - uv_px)
+    return bool((off_px < LENS_TOLERANCE_PX).all())

@@ -27,6 +27,8 @@ VERTEX = np.dtype(
 )
 PLY_TYPES = {"f8": "double", "f4": "float", "i4": "int"}
 COUNT_WIDTH = 20
+FARTHEST_MM = 1e7
+"""Nothing that an arm measures lies further away."""
 
 
 @dataclass(frozen=True)
@@ -97,6 +99,16 @@ def read_cloud(path: Path) -> Cloud:
         cloud = _read_ply(path, file) if is_ply else _read_xyz(path)
     if not len(cloud.points_mm):
         raise Refusal("cloud-empty", str(path), "it holds no points", "Scan the gauge again")
+    largest = float(
+        np.max(np.abs(cloud.points_mm), initial=0.0, where=np.isfinite(cloud.points_mm))
+    )
+    if largest > FARTHEST_MM:
+        raise Refusal(
+            "cloud-too-far",
+            f"{path} has a coordinate of {largest:.3g} mm",
+            f"an arm measures within {FARTHEST_MM:.0e} mm",
+            "Give a cloud in millimetres",
+        )
     return cloud
 
 

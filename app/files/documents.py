@@ -17,15 +17,20 @@ from app.metrology.refusal import Refusal
 _NUMBERS = re.compile(r"\[\n\s+([-+.eE\d,\s]+?)\n\s+\]")
 
 
+LARGEST = 1e9
+
+
 def _as_number(value: object) -> object:
-    """Keeps text and truth values from passing as numbers."""
+    """Keeps text, truth values and sizes that no quantity here has from passing as numbers."""
     if isinstance(value, str | bool):
         raise PydanticCustomError("number", "a number is expected here")
+    if isinstance(value, int | float) and LARGEST < abs(value) < float("inf"):
+        raise PydanticCustomError("number", "nothing measured here is as large")
     return value
 
 
 Number = Annotated[float, BeforeValidator(_as_number)]
-"""A finite number; text and true/false are no numbers."""
+"""A finite number of a sensible size; text and true/false are no numbers."""
 Positive = Annotated[Number, Field(gt=0)]
 NotNegative = Annotated[Number, Field(ge=0)]
 Vector3 = tuple[Number, Number, Number]

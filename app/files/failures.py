@@ -24,8 +24,11 @@ _BY_ERRNO: dict[int, tuple[str, str, str]] = {
 
 
 def refusal_of(error: OSError, path: Path | str | None = None) -> Refusal:
-    """The refusal that an operating system's error on a file amounts to."""
-    named = error.filename if error.filename is not None else path
+    """The refusal that an operating system's error on a file amounts to.
+
+    ``path`` is the file as whoever asked for it knows it, where that is known.
+    """
+    named = path if path is not None else error.filename
     what = str(named) if named is not None else "a file"
     code, why, remedy = _BY_ERRNO.get(
         error.errno or 0, ("file-error", error.strerror or str(error), "")

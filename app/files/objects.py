@@ -10,6 +10,8 @@ from app.files.documents import Document, NotNegative, Number
 from app.metrology.crenellated import Crenellated
 from app.metrology.refusal import Refusal
 
+COARSEST_MM = 0.1
+"""A certificate that is no better than this is rather one in other units."""
 MIRROR_TOLERANCE_MM = 0.1
 """A block whose edges come closer than this to their mirror image reads both ways."""
 
@@ -43,6 +45,10 @@ class ObjectFile(Document):
             raise ValueError("front_y_mm must be less than back_y_mm")
         if not self.crest_z_mm > self.floor_z_mm > self.base_z_mm:
             raise ValueError("crest_z_mm must be above floor_z_mm, and that above base_z_mm")
+        if self.standard_uncertainty_mm > COARSEST_MM:
+            raise ValueError(
+                f"standard_uncertainty_mm must be at most {COARSEST_MM:g}; is it in micrometres?"
+            )
         mirrored = [x[0] + x[-1] - edge for edge in reversed(x)]
         if max(abs(a - b) for a, b in zip(x, mirrored, strict=True)) < MIRROR_TOLERANCE_MM:
             raise ValueError(

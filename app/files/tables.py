@@ -34,7 +34,7 @@ class Row:
         """A finite decimal number."""
         value = self.text(column)
         try:
-            number = math.nan if "_" in value else float(value)
+            number = float(value) if value.isascii() and "_" not in value else math.nan
         except ValueError:
             number = math.nan
         if not math.isfinite(number):

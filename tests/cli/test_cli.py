@@ -292,6 +292,23 @@ def test_a_place_that_takes_no_file_is_refused_before_the_work(
     assert "no folder" in refused("extract", stripe_picture, "-o", tmp_path / "none" / "a.csv")
 
 
+def test_a_result_never_replaces_what_it_is_made_from(
+    tmp_path: Path, stripe_picture: Path, scan: dict[str, Path]
+) -> None:
+    session = write_session(tmp_path / "s")
+    cloud = tmp_path / "cloud.ply"
+    cloud.write_bytes(scan["scan.mcap"].read_bytes())
+    files = [stripe_picture, cloud, session / "arm.json", session / "images/l.png"]
+    before = [path.read_bytes() for path in files]
+    given = ("--calibration", scan["calibration.json"], "--arm", scan["arm.json"])
+    assert "made from" in refused("extract", stripe_picture, "-o", stripe_picture)
+    assert "made from" in refused("reconstruct", cloud, *given, "-o", cloud)
+    assert "made from" in refused("verify", "plane", cloud, "-o", cloud)
+    for name in ("arm.json", "images/../images/l.png"):
+        assert "made from" in refused("calibrate", session, "-o", session / name)
+    assert [path.read_bytes() for path in files] == before
+
+
 def test_calibrate_refuses_a_bad_session_and_leaves_nothing(tmp_path: Path) -> None:
     folder = write_session(tmp_path / "s")
     out = tmp_path / "c.json"

@@ -115,6 +115,7 @@ def test_xyz_text_is_read(tmp_path: Path, separator: str, head: str) -> None:
         (b"x y z\n", "no points"),
         (b"1 2\n3 4\n", "x y z"),
         (b"1 2 3\n4 5 hello\n", "hello"),
+        (b"1 2 3\n4 5e200 6\n", "5e\\+200 mm"),
         (b"\x00\x01\x02", "neither PLY nor XYZ"),
         (b"ply\nformat ascii 1.0\n", "does not end"),
         (b"ply\nformat morse 1.0\nend_header\n", "format"),

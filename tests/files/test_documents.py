@@ -41,7 +41,7 @@ arms = st.builds(
     Arm,
     name=st.text(max_size=10),
     serial_number=st.text(max_size=10),
-    joints=st.lists(joints, min_size=6, max_size=7).map(tuple),
+    joints=st.lists(joints, min_size=6, max_size=7, unique_by=lambda joint: joint.name).map(tuple),
     tip=st.builds(Tip, lengths, lengths, lengths, st.floats(0.1, 100)),
 )
 
@@ -111,6 +111,8 @@ def test_the_samples_read(samples: Path) -> None:
         (lambda arm: arm["joints"][0].update(limits_deg=[5, -5]), "field-invalid", "ascend"),
         (lambda arm: arm["joints"][0].update(encoder_sd_deg=-1), "field-invalid", "encoder_sd_deg"),
         (lambda arm: arm["tip"].update(diameter_mm=0), "field-invalid", "tip.diameter_mm is 0"),
+        (lambda arm: arm["joints"][3].update(name="J1"), "field-invalid", "two joints are named"),
+        (lambda arm: arm["tip"].update(x_mm=1e300), "field-invalid", "tip.x_mm is 1e+300"),
         (lambda arm: arm.pop("tip"), "field-missing", "tip is missing"),
     ],
 )
@@ -134,6 +136,7 @@ def test_a_spoilt_arm_is_refused(tmp_path: Path, spoil: Any, code: str, said: st
         (lambda block: block.update(edges_x_mm=[0, 5, 10, 15]), "mirror image"),
         (lambda block: block.update(crest_z_mm=-1), "crest_z_mm"),
         (lambda block: block.update(front_y_mm=99), "front_y_mm"),
+        (lambda block: block.update(standard_uncertainty_mm=2), "micrometres"),
         (lambda block: block.update(kind="chessboard"), "chessboard"),
         (lambda block: block.update(kind="ball"), "ball"),
         (lambda block: block.pop("serial_number"), "serial_number is missing"),
@@ -260,6 +263,7 @@ def test_documents_are_written_for_readers_too(tmp_path: Path) -> None:
         (lambda c: c["camera"]["projection_matrix"][0].__setitem__(3, 7.0), "projection_matrix"),
         (lambda c: c["camera"]["rotation"][0].__setitem__(0, 0.9), "rotation"),
         (lambda c: c["camera"].update(distortion=[0, 0, 0, 0]), "distortion"),
+        (lambda c: c["camera"].update(distortion=[-5, 0, 0, 0, 0]), "cannot be undone"),
         (lambda c: c["camera"].pop("matrix"), "camera.matrix is missing"),
         (lambda c: c["laser_plane"].update(normal=[0, 0, 1.1]), "unit length"),
         (lambda c: c["probe_matrix"][3].__setitem__(0, 0.1), "last row"),

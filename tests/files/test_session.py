@@ -162,6 +162,7 @@ POSE = ",".join(str(angle) for angle in POSE_DEG)
         (rewrite("probing.csv", "q3_deg", "q2_deg"), "columns-twice", "q2_deg"),
         (rewrite("probing.csv", "q6_deg", "q7_deg"), "joint-count", "q1_deg to q6_deg"),
         (rewrite("probing.csv", "crest", "top"), "feature-unknown", "line 2: feature 'top'"),
+        (rewrite("probing.csv", "-84.5", "-٨٤"), "cell-not-a-number", "q3_deg is '-٨٤'"),
         (rewrite("probing.csv", "-84.5", "nan"), "cell-not-a-number", "q3_deg is 'nan'"),
         (rewrite("probing.csv", "-84.5", "inf"), "cell-not-a-number", "q3_deg is 'inf'"),
         (rewrite("probing.csv", "-84.5", "8_4"), "cell-not-a-number", "8_4"),
