@@ -94,6 +94,9 @@ def align(
     points_obj = surface_points(contacts, T_arm_obj, tip_radius_mm)
     off_face = beside_face(contacts.features, points_obj, block) & kept
     if off_face.sum() > max(1, len(kept) // 10):
+        mirrored = points_obj * [-1, 1, 1] + [block.edges_x_mm[0] + block.edges_x_mm[-1], 0, 0]
+        if not (beside_face(contacts.features, mirrored, block) & kept).any():
+            raise _mirrored(int(off_face.sum()), len(kept))
         raise _mislabelled(contacts.features, off_face)
     residuals = contacts.residuals_mm(T_arm_obj)
     J, centre_mm = jacobian(contacts, T_arm_obj)
@@ -163,6 +166,15 @@ def _touches(tip_mm: Floats, radius_mm: float, face: str, block: Crenellated) ->
     point = tip_mm - radius_mm * normal
     near = abs(float(normal @ point) - offset_mm) < BESIDE_FACE_MM
     return near and not bool(beside_face([face], point[None], block)[0])
+
+
+def _mirrored(off_face: int, contacts: int) -> Refusal:
+    return Refusal(
+        "contacts-mirrored",
+        f"{off_face} of {contacts} contacts lie beside the crests or floors that were touched",
+        "the merlons stand in the mirrored order",
+        "Check the object's certificate, and which of its sides is the front",
+    )
 
 
 def _mislabelled(features: Sequence[str], off_face: NDArray[np.bool_]) -> Refusal:

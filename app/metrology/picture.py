@@ -94,6 +94,9 @@ def _blur_of(small: NDArray[np.float32]) -> float:
     low, high = np.percentile(smooth[::4, ::4], (1.0, 99.0))
     ridge = (slope > 6 * noise + 0.3) & (height > 0.3 * (high - low))
     ridge &= slope >= cv2.dilate(slope, np.ones((3, 3), np.uint8))
+    # A step within the box is at least as steep as its height over the box's diagonal;
+    # what is less steep is noise beside a step.
+    ridge &= slope * 20.0 > height
     if int(ridge.sum()) < 50:
         return float("inf")
     blur = float(np.median(height[ridge] / slope[ridge])) / np.sqrt(2 * np.pi)

@@ -35,6 +35,12 @@ def test_a_dim_picture_and_an_overexposed_one(image):
     assert codes(bright) == ["image-saturated"]
 
 
+def test_a_sharp_picture_that_is_half_black_is_not_called_blurred(image):
+    half = image.copy()
+    half[half.shape[0] // 2 :] = 0
+    assert codes(half) == []
+
+
 @pytest.mark.parametrize("blur", [1.5, 2.5, 4.0, 6.0])
 def test_the_blur_is_measured(image, blur):
     soft = cv2.GaussianBlur(image.astype(np.float64), (0, 0), blur)
