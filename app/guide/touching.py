@@ -7,10 +7,10 @@ import numpy as np
 
 from app.guide.state import Contact
 from app.guide.view import FaceProgress, TouchedPoint, Vec3
-from app.metrology.alignment import Alignment, align
+from app.metrology.alignment import Alignment, align, other_face
 from app.metrology.arm import Arm, tip_centres, tip_covariances
-from app.metrology.contacts import beside_face, what_is_missing
-from app.metrology.crenellated import FACES, Crenellated, probing_face
+from app.metrology.contacts import what_is_missing
+from app.metrology.crenellated import FACES, Crenellated
 from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
 from app.station.findings import Finding
@@ -81,17 +81,20 @@ def touch_report(contacts: Sequence[Contact], arm: Arm, block: Crenellated) -> T
         )
     )
     suspects = tuple(point.index for point in points if point.outlier)
-    findings = tuple(_outlier_finding(point, found, block) for point in points if point.outlier)
+    findings = tuple(
+        _outlier_finding(point, i, found, block) for i, point in enumerate(points) if point.outlier
+    )
     return TouchReport(points, found, "", findings, suspects)
 
 
-def _outlier_finding(point: TouchedPoint, found: Alignment, block: Crenellated) -> Finding:
-    assert point.at_mm is not None
+def _outlier_finding(
+    point: TouchedPoint, contact: int, found: Alignment, block: Crenellated
+) -> Finding:
     assert point.residual_um is not None
     name = f"Point {point.index + 1}"
     off_mm = abs(point.residual_um) / 1e3
     if off_mm >= WRONG_FACE_MM:
-        where = face_below(np.array(point.at_mm), point.face, block)
+        where = other_face(found, contact, point.face, block)
         guess = f" and lies on the {where} face" if where else ""
         return Finding(
             "bad",
@@ -104,16 +107,6 @@ def _outlier_finding(point: TouchedPoint, found: Alignment, block: Crenellated) 
         f"the others agree to {found.rms_mm * 1e3:.0f} µm.",
         "Remove it and touch there again, at rest and clear of the edge.",
     )
-
-
-def face_below(point_mm: Floats, labelled: str, block: Crenellated) -> str:
-    """The other face that a contact point (3,) of the object frame lies on, or nothing."""
-    for face in FACES:
-        normal, offset_mm = probing_face(block, face)
-        near = abs(float(normal @ point_mm) - offset_mm) < 3 * WRONG_FACE_MM
-        if face != labelled and near and not beside_face([face], point_mm[None], block)[0]:
-            return face
-    return ""
 
 
 def same_place(contact_q_rad: Floats, others: Sequence[Contact], arm: Arm) -> int | None:

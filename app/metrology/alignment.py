@@ -133,12 +133,8 @@ def refuse_wrong_faces(alignment: Alignment, features: Sequence[str], block: Cre
     for i in map(int, np.flatnonzero(alignment.outliers)):
         if abs(alignment.residuals_mm[i]) < BESIDE_FACE_MM:
             continue
-        tip = alignment.tips_obj_mm[i]
-        radius_mm = float(np.linalg.norm(tip - alignment.points_obj_mm[i]))
-        found = [
-            face for face in FACES if face != features[i] and _touches(tip, radius_mm, face, block)
-        ]
-        place = f"it lies on the {found[0]} face" if found else "it lies on no face at all"
+        found = other_face(alignment, i, features[i], block)
+        place = f"it lies on the {found} face" if found else "it lies on no face at all"
         raise Refusal(
             "contact-on-wrong-face",
             f"contact {i + 1} is labelled {features[i]}, but misses that face by "
@@ -159,6 +155,14 @@ def _face_fits(
             rms = float(np.sqrt(np.mean(own**2)))
             fits.append(FaceFit(face, len(own), rms, float(np.ptp(own))))
     return tuple(fits)
+
+
+def other_face(alignment: Alignment, contact: int, labelled: str, block: Crenellated) -> str:
+    """The face beside the labelled one that a contact's tip touches; empty where there is none."""
+    tip = alignment.tips_obj_mm[contact]
+    radius_mm = float(np.linalg.norm(tip - alignment.points_obj_mm[contact]))
+    found = (face for face in FACES if _touches(tip, radius_mm, face, block))
+    return next((face for face in found if face != labelled), "")
 
 
 def _touches(tip_mm: Floats, radius_mm: float, face: str, block: Crenellated) -> bool:
