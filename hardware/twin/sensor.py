@@ -64,17 +64,12 @@ class Studio:
         self._last: Floats | None = None
 
     def prepare(self) -> None:
-        """Builds the renderer and takes a picture of every kind, each slow the first time.
-
-        Loops left to be compiled later would hold the pictures up in the middle of a flow.
-        """
+        """Builds the renderer and takes a first picture, which are slow the first time."""
         with self._lock:
             if self._renderer is None:
                 self._renderer = self._make()
-                T = self._sensor_pose(now_ns())
-                for rays in (QUICK, SMEARED, HELD, FINE):
-                    for room, laser in ((1.0, 0.0), (0.0, 1.0), (1.0, 1.0)):
-                        self._renderer.picture(T, room, laser, rays)
+                for rays in (QUICK, SMEARED):
+                    self._renderer.picture(self._sensor_pose(now_ns()), 1.0, 1.0, rays)
 
     def expose(self, mid_ns: int, exposure_us: float, laser_on: bool) -> Digits:
         """What the camera sees; ``mid_ns`` is the middle of the exposure."""
