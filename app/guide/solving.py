@@ -18,8 +18,8 @@ from app.guide.view import (
     WorstPoint,
 )
 from app.metrology.budget import volume_pixels
-from app.metrology.corners import detect_object
 from app.metrology.crenellated import Crenellated
+from app.metrology.detection.corners import detect_object
 from app.metrology.frames import apply
 from app.metrology.one_pose import OnePoseCalibration, Progress, calibrate_one_pose
 from app.metrology.reconstruct import sensor_points

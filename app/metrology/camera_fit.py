@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.camera import Camera
-from app.metrology.corners import Corner, EdgePoints
 from app.metrology.crenellated import Crenellated
+from app.metrology.detection.corners import Corner, EdgePoints
 from app.metrology.frames import Floats
 from app.metrology.laser_plane import LaserPlane, LaserPlaneFit, neighbours_alike
 from app.metrology.projection import COUNT, LENS

@@ -9,12 +9,12 @@ import numpy as np
 from app.metrology.alignment import Alignment
 from app.metrology.budget import Budget
 from app.metrology.camera_fit import CameraFit
-from app.metrology.corners import ObjectDetection
 from app.metrology.crenellated import Crenellated
+from app.metrology.detection.corners import ObjectDetection
+from app.metrology.detection.picture import PictureFinding
 from app.metrology.faugeras import LARGEST_CONDITION, FaugerasSolution
 from app.metrology.frames import Floats
 from app.metrology.laser_plane import LaserPlaneFit
-from app.metrology.picture import PictureFinding
 from app.metrology.stripe import Stripe
 
 Quality = Literal["good", "attention", "bad", "neutral"]

@@ -14,8 +14,8 @@ from app.metrology.arm import Arm, flange_pose, tip_centres, tip_covariances
 from app.metrology.budget import Budget, BudgetRow, Placement, budget_of, volume_pixels
 from app.metrology.camera import Camera, project
 from app.metrology.camera_fit import CameraFit, Observations, fit_camera
-from app.metrology.corners import ObjectDetection, detect_object, picture_findings
 from app.metrology.crenellated import Crenellated, corners, probing_face
+from app.metrology.detection.corners import ObjectDetection, detect_object, picture_findings
 from app.metrology.faugeras import FaugerasSolution, solve_faugeras
 from app.metrology.findings import Evidence, Finding, WorstPoint, findings_of, worst_points
 from app.metrology.frames import Floats, inverse, rigid_fit

@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.camera import Camera, rays
-from app.metrology.corners import Corner, EdgePoints
 from app.metrology.crenellated import Crenellated, corners, edges
+from app.metrology.detection.corners import Corner, EdgePoints
 from app.metrology.frames import Floats
 from app.metrology.laser_plane import LaserPlane, LaserPlaneFit, tangents
 from app.metrology.projection import COUNT, PARAMETERS, project_with_jacobian, stepped

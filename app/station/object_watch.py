@@ -8,11 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.metrology.camera import project
-from app.metrology.corners import ObjectDetection, detect_object
 from app.metrology.crenellated import Crenellated, corners
+from app.metrology.detection.corners import ObjectDetection, detect_object
+from app.metrology.detection.visibility import visible_parts
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import Stripe
-from app.metrology.visibility import visible_parts
 from app.station.findings import Finding
 from app.station.picture_words import refused
 from hardware.interfaces import Frame

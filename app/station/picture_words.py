@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from app.metrology.picture import Image, picture_findings
+from app.metrology.detection.picture import Image, picture_findings
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import saturation_level
 from app.station.findings import Finding

@@ -14,7 +14,7 @@ import cv2
 import numpy as np
 
 from app.metrology.crenellated import Crenellated
-from app.metrology.picture import Image
+from app.metrology.detection.picture import Image
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import Stripe, extract_stripe, saturation_level
 from app.station.arm_side import ArmSide

@@ -3,13 +3,13 @@
 import numpy as np
 
 from app.metrology.camera import Camera, project
-from app.metrology.corners import EdgePoints
 from app.metrology.crenellated import Crenellated
+from app.metrology.detection.corners import EdgePoints
+from app.metrology.detection.visibility import visible_parts
 from app.metrology.frames import Floats, rotation_from_vector
 from app.metrology.laser_plane import LaserPlane
 from app.metrology.scene import coordinates, with_coordinates
 from app.metrology.stripe import Stripe
-from app.metrology.visibility import visible_parts
 
 
 def camera_over(

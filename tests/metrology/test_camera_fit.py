@@ -6,8 +6,9 @@ import pytest
 
 from app.metrology.camera import Camera, project
 from app.metrology.camera_fit import CameraFit, Observations, fit_camera
-from app.metrology.corners import Corner
 from app.metrology.crenellated import corners
+from app.metrology.detection.corners import Corner
+from app.metrology.detection.visibility import visible_corners
 from app.metrology.faugeras import solve_faugeras
 from app.metrology.frames import Floats, apply, rigid_fit
 from app.metrology.laser_plane import fit_laser_plane
@@ -15,7 +16,6 @@ from app.metrology.projection import COUNT, project_with_jacobian, stepped
 from app.metrology.reconstruct import sensor_points
 from app.metrology.refusal import Refusal
 from app.metrology.scene import Scene, corner_rows, edge_rows, stripe_rows
-from app.metrology.visibility import visible_corners
 from tests.metrology.builders import BLOCK
 from tests.metrology.seen_block import (
     as_made,

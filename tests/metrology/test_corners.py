@@ -7,14 +7,14 @@ import numpy as np
 import pytest
 
 from app.metrology.camera import project
-from app.metrology.corners import ObjectDetection, detect_object
 from app.metrology.crenellated import corners as corners_of
-from app.metrology.directions import Directions
-from app.metrology.edge_points import stations
-from app.metrology.identify import placings
+from app.metrology.detection.corners import ObjectDetection, detect_object
+from app.metrology.detection.directions import Directions
+from app.metrology.detection.edge_points import stations
+from app.metrology.detection.identify import placings
+from app.metrology.detection.visibility import wireframe
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import extract_stripe
-from app.metrology.visibility import wireframe
 from tests.metrology.rendered_block import Rendered, rendered
 
 

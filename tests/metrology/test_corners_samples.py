@@ -9,9 +9,9 @@ import pytest
 from scipy.optimize import least_squares
 
 from app.metrology.camera import Camera, project
-from app.metrology.corners import ObjectDetection, detect_object
 from app.metrology.crenellated import Crenellated
 from app.metrology.crenellated import corners as corners_of
+from app.metrology.detection.corners import ObjectDetection, detect_object
 from app.metrology.frames import rotation_from_vector
 from app.metrology.refusal import Refusal
 

@@ -5,8 +5,8 @@ import pytest
 from numpy.typing import NDArray
 from scipy.special import erf
 
-from app.metrology.edge_points import Stations
-from app.metrology.edge_step import measure
+from app.metrology.detection.edge_points import Stations
+from app.metrology.detection.edge_step import measure
 from app.metrology.frames import Floats
 
 SIDE = 160

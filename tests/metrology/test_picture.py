@@ -4,7 +4,7 @@ import cv2
 import numpy as np
 import pytest
 
-from app.metrology.picture import edge_blur_px, grey_picture, picture_findings
+from app.metrology.detection.picture import edge_blur_px, grey_picture, picture_findings
 from app.metrology.refusal import Refusal
 from tests.metrology.rendered_block import rendered
 

@@ -7,9 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.camera import project
-from app.metrology.edge_points import Stations, profiles
-from app.metrology.edge_step import chosen, measure
-from app.metrology.edge_survey import Survey
+from app.metrology.detection.edge_points import Stations, profiles
+from app.metrology.detection.edge_step import chosen, measure
+from app.metrology.detection.edge_survey import Survey
 from app.metrology.frames import Floats
 
 # Edges are judged by at least so many points of their kind; one with at least so few

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.compiled import kernel
-from app.metrology.edge_points import Stations
+from app.metrology.detection.edge_points import Stations
 from app.metrology.frames import Floats
 
 # The window reaches this far from the edge: so many blurs and pixels, at least three.

@@ -7,11 +7,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.camera import Camera
-from app.metrology.edge_fit import NO_DISTORTION, WITH_K1, WITH_K2, fit_edges, residuals
-from app.metrology.edge_points import Stations, block_ahead, search, stations
-from app.metrology.edge_step import Measured, measure, with_room
+from app.metrology.detection.edge_fit import NO_DISTORTION, WITH_K1, WITH_K2, fit_edges, residuals
+from app.metrology.detection.edge_points import Stations, block_ahead, search, stations
+from app.metrology.detection.edge_step import Measured, measure, with_room
+from app.metrology.detection.visibility import Wireframe
 from app.metrology.frames import Floats
-from app.metrology.visibility import Wireframe
 
 # One point for every so many pixels of edge: as far apart as each gathers light.
 _SPACING_PX = 5.0

@@ -11,25 +11,25 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology import acceptance
 from app.metrology.camera import Camera, project
 from app.metrology.crenellated import Crenellated
 from app.metrology.crenellated import corners as corners_of
-from app.metrology.edge_survey import Survey, survey
-from app.metrology.frames import Floats
-from app.metrology.identify import mirrored
-from app.metrology.locate import Located, Search, locate, working_picture
-from app.metrology.picture import (
+from app.metrology.detection import acceptance
+from app.metrology.detection.edge_survey import Survey, survey
+from app.metrology.detection.identify import mirrored
+from app.metrology.detection.locate import Located, Search, locate, working_picture
+from app.metrology.detection.picture import (
     Image,
     PictureFinding,
     edge_blur_px,
     grey_picture,
     picture_findings,
 )
+from app.metrology.detection.stripe_mask import stripe_mask
+from app.metrology.detection.visibility import seen, visible_corners, wireframe
+from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import Stripe
-from app.metrology.stripe_mask import stripe_mask
-from app.metrology.visibility import seen, visible_corners, wireframe
 
 __all__ = [
     "Corner",

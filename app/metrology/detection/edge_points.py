@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 
 from app.metrology.camera import Camera, project
 from app.metrology.compiled import kernel
+from app.metrology.detection.visibility import Wireframe, seen
 from app.metrology.frames import Floats
-from app.metrology.visibility import Wireframe, seen
 
 
 @dataclass(frozen=True)

@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.crenellated import Crenellated
-from app.metrology.directions import Directions, lengths, plane_normals
+from app.metrology.detection.directions import Directions, lengths, plane_normals
+from app.metrology.detection.voting import across_x, along_x
 from app.metrology.frames import Floats
-from app.metrology.voting import across_x, along_x
 
 # How far a segment may lie from the edge it votes for, over the picture's longer side.
 _NEAR = 0.008

@@ -5,13 +5,13 @@ from numpy.typing import NDArray
 
 from app.metrology.camera import project
 from app.metrology.crenellated import Crenellated
-from app.metrology.edge_strays import overrun, stray_edge
-from app.metrology.edge_survey import Survey
+from app.metrology.detection.edge_strays import overrun, stray_edge
+from app.metrology.detection.edge_survey import Survey
+from app.metrology.detection.locate import Search
+from app.metrology.detection.picture import BLURRED, PictureFinding
+from app.metrology.detection.visibility import seen
 from app.metrology.frames import Floats
-from app.metrology.locate import Search
-from app.metrology.picture import BLURRED, PictureFinding
 from app.metrology.refusal import Refusal
-from app.metrology.visibility import seen
 
 # An edge that lies this many standard deviations off is not the certificate's.
 _SIGMAS = 5.0

@@ -8,12 +8,12 @@ from numpy.typing import NDArray
 
 from app.metrology.camera import Camera
 from app.metrology.crenellated import Crenellated
-from app.metrology.directions import perpendicular_directions, segments
-from app.metrology.edge_fit import FOCAL_AND_POSE, NO_DISTORTION, WITH_K1, fit_edges
-from app.metrology.edge_points import Stations, block_ahead, search, stations
+from app.metrology.detection.directions import perpendicular_directions, segments
+from app.metrology.detection.edge_fit import FOCAL_AND_POSE, NO_DISTORTION, WITH_K1, fit_edges
+from app.metrology.detection.edge_points import Stations, block_ahead, search, stations
+from app.metrology.detection.identify import Placing, mirrored, placings
+from app.metrology.detection.visibility import Wireframe, wireframe
 from app.metrology.frames import Floats
-from app.metrology.identify import Placing, mirrored, placings
-from app.metrology.visibility import Wireframe, wireframe
 
 # The longer side, in pixels, at which the block is first looked for.
 WORKING_PX = 640
