@@ -1,0 +1,1 @@
+"""The arm itself: its geometric parameters identified, and its daily check."""
