@@ -10,6 +10,7 @@ from typing import Annotated, NoReturn
 
 import typer
 
+from app.cli_arm import articulation, identify
 from app.console import (
     print_figures,
     print_json,
@@ -269,3 +270,7 @@ def verify(
     print_table(f"Gauge {shape.value}{against}", *report_table(report))
     if output is not None:
         print(f"{output} written")
+
+
+cli.command()(identify)
+cli.command()(articulation)

@@ -6,6 +6,7 @@ from typing import ClassVar, Literal, Self
 import numpy as np
 from pydantic import Field, model_validator
 
+from app.files.arm_covariance import IdentificationPart
 from app.files.documents import Document, NotNegative, Number, Part, Positive
 from app.metrology.arm import Arm, Joint, LinkError, Tip
 from app.metrology.refusal import Refusal
@@ -55,6 +56,7 @@ class ArmFile(Document):
     convention: Literal["dh-standard", "pose"]
     joints: tuple[JointPart, ...] = Field(default=())
     tip: TipPart
+    identification: IdentificationPart | None = None
 
     @model_validator(mode="after")
     def _joints_as_the_convention_wants(self) -> Self:
@@ -88,14 +90,20 @@ def read_arm(path: Path) -> Arm:
 
 def write_arm(path: Path, arm: Arm) -> None:
     """Writes ``arm.json`` atomically."""
+    arm_sheet(arm).write(path)
+
+
+def arm_sheet(arm: Arm, identification: IdentificationPart | None = None) -> ArmFile:
+    """The file of an arm; of an identified one, with what its parameters rest on."""
     tip = arm.tip
-    ArmFile(
+    return ArmFile(
         name=arm.name,
         serial_number=arm.serial_number,
         convention="dh-standard",
         joints=tuple(_joint_part(joint) for joint in arm.joints),
         tip=TipPart(x_mm=tip.x_mm, y_mm=tip.y_mm, z_mm=tip.z_mm, diameter_mm=tip.diameter_mm),
-    ).write(path)
+        identification=identification,
+    )
 
 
 def _joint(part: JointPart) -> Joint:

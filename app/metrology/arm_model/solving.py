@@ -76,6 +76,7 @@ def solve(arm: Arm, data: Stacked, choice: Candidates, moving: Indices | None = 
             system = reduced(data, at, choice.order, kept.astype(float), scatter)
             worth = limits(arm, choice.order)
             columns, held = select(system.rows, system.others, choice.order, worth)
+            columns = np.sort(columns)
         at, scatter, kept = _without_outliers(data, at, columns, kept, scatter)
     system = reduced(data, at, columns, kept.astype(float), scatter)
     covariance, others = covariance_of(system.rows), system.others
