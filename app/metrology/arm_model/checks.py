@@ -5,7 +5,7 @@ import numpy as np
 from app.metrology.arm import Arm
 from app.metrology.arm_model.adjustment import residuals
 from app.metrology.arm_model.observations import Observations, Stacked
-from app.metrology.arm_model.parameters import parameter_names, parameter_values
+from app.metrology.arm_model.parameters import parameter_names, parameter_values, tip_jacobian
 from app.metrology.arm_model.selection import limits
 from app.metrology.arm_model.solving import Fit
 from app.metrology.frames import Floats
@@ -18,6 +18,8 @@ OUTLIER_SHARE = 0.25
 """A place with more of its points left out is not to be trusted at all."""
 MOVED_SIGMAS = 4.0
 """First and later points of a seat lie so much further apart than single points scatter."""
+MIXED_MM = 100.0
+"""No tip of a reasonable arm.json is off by so much."""
 EXCESS_SIGMAS, EXCESS_MM, WRONG_TIP_MM = 5.0, 0.005, 0.025
 FAR_LIMITS = 20.0
 """A parameter that moves by so many times what a workshop gets wrong is worth a look."""
@@ -63,6 +65,21 @@ def check_swing(label: str, arm: Arm, q_rad: Floats) -> None:
             "an arm that stays as it is shows nothing of its errors",
             "Swing the elbow from one side to the other while the tip stays in the seat",
         )
+
+
+def check_not_mixed(arm: Arm, observations: Observations) -> None:
+    """Refuses a seat whose points lie in two places, as any arm near the given one sees it."""
+    for seat in observations.seats:
+        tips, _ = tip_jacobian(arm, seat.q_rad)
+        split, gap_mm = _split(tips)
+        if gap_mm > MIXED_MM and _two_groups(tips, split, gap_mm):
+            raise Refusal(
+                "seat-moved",
+                f"seat {seat.name}: its points 1 to {split} and {split + 1} to {len(tips)} lie "
+                f"{gap_mm:.0f} mm apart",
+                "they are of two seats, or the seat was carried elsewhere in between",
+                "Give each seat a name of its own",
+            )
 
 
 def check_places_stood_still(data: Stacked, fit: Fit) -> None:

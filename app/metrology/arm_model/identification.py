@@ -9,6 +9,7 @@ from app.metrology.arm import Arm
 from app.metrology.arm_model.adjustment import residuals
 from app.metrology.arm_model.checks import (
     check_enough,
+    check_not_mixed,
     check_places_stood_still,
     check_tip_diameter,
     warnings_of,
@@ -122,6 +123,7 @@ def identify(
             diameter that the spheres contradict; no improvement on what was held out.
     """
     check_enough(arm, observations)
+    check_not_mixed(arm, observations)
     data = observations.stacked
     tell(0.1, "Fitting the arm")
     fit = solve(arm, data, candidates(arm, bool(observations.bars)))

@@ -96,6 +96,7 @@ def descend(
     data: Stacked, at: Unknowns, columns: Indices, weights: Floats, scatter_mm: float
 ) -> Unknowns:
     """Gauss-Newton to the end, at fixed weights; ``Refusal`` if it does not end."""
+    start_of_search = at
     for _ in range(STEPS):
         system = reduced(data, at, columns, weights, scatter_mm)
         at, size = step(data, at, columns, system)
@@ -103,11 +104,16 @@ def descend(
             break
         if size < SMALL_STEP:
             return at
+    off = residuals(data, start_of_search, scatter_mm).distances_mm
+    rms = [float(np.sqrt(np.mean(off[place.rows] ** 2))) for place in data.places]
+    worst = int(np.argmax(rms))
     raise Refusal(
         "identification-diverges",
-        "no arm near the given one explains the points",
+        f"no arm near the given one explains the points; those of {data.places[worst].label} "
+        f"lie {rms[worst]:.1f} mm (rms) apart",
         "the fit does not settle",
-        "Check arm.json against the arm: signs, units, lengths, the order of the joints",
+        "Check arm.json against the arm: signs, units, lengths, the order of the joints; "
+        "and the points of that place",
     )
 
 

@@ -1,0 +1,241 @@
+"""The arm identified: truth found, uncertainty honest, errors fall, bad points refused."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from app.metrology.arm import Arm, Tip, tip_covariances
+from app.metrology.arm_model.identification import Identification, identify
+from app.metrology.arm_model.observations import Observations
+from app.metrology.arm_model.parameters import parameter_values
+from app.metrology.arm_model.selection import candidates
+from app.metrology.arm_model.solving import solve
+from app.metrology.frames import Floats
+from app.metrology.refusal import Refusal
+from hardware.twin.arm_sessions import ArmSession, ArmSessionPlan, draw_arm_session
+from tests.metrology.arm_sessions import (
+    fresh_poses,
+    length_errors_um,
+    observed,
+    papers_of,
+    volumetric_error_um,
+)
+
+PLAN = ArmSessionPlan(
+    seats=7,
+    points_per_seat=20,
+    spheres=2,
+    points_per_sphere=18,
+    bar_lengths_mm=(500.0, 850.0),
+    positions_per_bar=3,
+    points_per_end=3,
+)
+
+
+@pytest.fixture(scope="module")
+def session() -> ArmSession:
+    return draw_arm_session(11, PLAN)
+
+
+@pytest.mark.parametrize("joints", [6, 7])
+def test_perfect_points_give_the_true_arm(joints: int) -> None:
+    exact = replace(PLAN, joints=joints, touch_sd_mm=0.0, bar_sd_mm=0.0, encoder_noise=False)
+    session = draw_arm_session(20 + joints, exact)
+    arm = papers_of(session.nominal_arm)
+    assert volumetric_error_um(session.arm, arm) > 150
+    result = identify(arm, observed(session))
+    assert volumetric_error_um(session.arm, result.arm) < 0.5
+    assert result.outliers == ()
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_250_um_arm_falls_to_its_encoders_noise(seed: int) -> None:
+    session = draw_arm_session(100 + seed, replace(PLAN, joints=6 + seed % 2))
+    arm = papers_of(session.nominal_arm)
+    result = identify(arm, observed(session))
+    before, after = (volumetric_error_um(session.arm, a) for a in (arm, result.arm))
+    q = fresh_poses(session.arm)
+    noise_um = 1e3 * np.sqrt(np.mean(np.trace(tip_covariances(arm, q), axis1=1, axis2=2)))
+    assert after < noise_um
+    assert after < before / 20
+    assert length_errors_um(session.arm, result.arm) < length_errors_um(session.arm, arm) / 20
+    # what the result says of itself
+    assert result.volume_before_mm * 1e3 == pytest.approx(before, rel=0.25)
+    assert after < 3 * result.volume_after_mm * 1e3
+    assert result.validation.ratio > 5
+    assert 0.8 < result.validation.after.normalised < 1.2
+    assert len(result.outliers) <= 1
+
+
+def noisy(observations: Observations, arm: Arm, rng: np.random.Generator) -> Observations:
+    """The same touches read by noisy encoders, the bars' lengths off their certificates."""
+
+    def read(q: Floats) -> Floats:
+        return np.asarray(q + rng.normal(0, 1, q.shape) * arm.encoder_sd_rad)
+
+    off_mm = rng.normal(0, 0.003)
+    return Observations(
+        tuple(replace(seat, q_rad=read(seat.q_rad)) for seat in observations.seats),
+        tuple(replace(sphere, q_rad=read(sphere.q_rad)) for sphere in observations.spheres),
+        tuple(
+            replace(
+                bar,
+                length_mm=bar.length_mm + off_mm,
+                q_rad=(read(bar.q_rad[0]), read(bar.q_rad[1])),
+            )
+            for bar in observations.bars
+        ),
+    )
+
+
+@pytest.mark.parametrize("joints", [6, 7])
+def test_noisy_solves_scatter_as_the_covariance_says(joints: int) -> None:
+    plan = ArmSessionPlan(
+        joints=joints,
+        seats=5,
+        points_per_seat=14,
+        spheres=2,
+        points_per_sphere=15,
+        bar_lengths_mm=(700.0,),
+        positions_per_bar=5,
+        points_per_end=3,
+        touch_sd_mm=0.0,
+        bar_sd_mm=0.003,
+        encoder_noise=False,
+    )
+    session = draw_arm_session(joints, plan)
+    arm, exact = papers_of(session.nominal_arm), observed(session)
+    rng, choice = np.random.default_rng(1), candidates(arm, with_lengths=True)
+    columns = solve(arm, noisy(exact, arm, rng).stacked, choice).moved
+    fits = [solve(arm, noisy(exact, arm, rng).stacked, choice, columns) for _ in range(70)]
+    values = np.array([parameter_values(fit.at.arm)[columns] for fit in fits])
+    covariance = np.mean([fit.covariance for fit in fits], axis=0)
+    whitened = np.linalg.solve(np.linalg.cholesky(covariance), (values - values.mean(axis=0)).T)
+    observed_to_predicted = np.sqrt(np.sum(whitened**2) / (len(fits) - 1) / len(columns))
+    assert 0.9 < 1 / observed_to_predicted < 1.1
+
+
+def test_the_touch_noise_is_found(session: ArmSession) -> None:
+    rough = draw_arm_session(11, replace(PLAN, touch_sd_mm=0.02))
+    found = [identify(papers_of(s.nominal_arm), observed(s)).scatter_mm for s in (session, rough)]
+    assert found[0] == pytest.approx(0.003, abs=0.0015)
+    assert found[1] == pytest.approx(0.02, rel=0.15)
+
+
+def test_a_separate_set_shows_the_improvement(session: ArmSession) -> None:
+    everything = observed(session)
+    fitted = everything.part([0, 1, 2, 3, 4, 7, 9, 10, 12, 13])
+    check = everything.part([5, 6, 8, 11, 14])
+    result = identify(papers_of(session.nominal_arm), fitted, check)
+    assert result.validation.separate
+    assert result.validation.places == 5
+    assert result.validation.ratio > 5
+
+
+def test_seats_alone_keep_the_papers_scale(session: ArmSession) -> None:
+    arm = papers_of(session.nominal_arm)
+    result = identify(arm, Observations(observed(session).seats))
+    assert any("ball bar" in text for text in result.warnings)
+    assert [held.name for held in result.held if held.reason == "scale"]
+    before, after = (volumetric_error_um(session.arm, a) for a in (arm, result.arm))
+    assert after < before
+    assert result.validation.ratio > 5
+
+
+def test_an_arm_that_is_right_is_left_alone() -> None:
+    session = draw_arm_session(30, replace(PLAN, imperfection_um=0.0))
+    with pytest.raises(Refusal) as caught:
+        identify(papers_of(session.nominal_arm), observed(session))
+    assert caught.value.code == "identification-no-better"
+    assert "already" in caught.value.why
+
+
+def test_bad_points_are_named_and_do_no_harm(session: ArmSession) -> None:
+    arm, good = papers_of(session.nominal_arm), observed(session)
+    seat, sphere = good.seats[2], good.spheres[1]
+    q_seat, q_sphere = seat.q_rad.copy(), sphere.q_rad.copy()
+    q_seat[4, 1] += 0.002
+    q_sphere[6, 2] -= 0.003
+    bad = replace(
+        good,
+        seats=(*good.seats[:2], replace(seat, q_rad=q_seat), *good.seats[3:]),
+        spheres=(good.spheres[0], replace(sphere, q_rad=q_sphere)),
+    )
+    result = identify(arm, bad)
+    named = {(outlier.place, outlier.number) for outlier in result.outliers}
+    assert {(f"seat {seat.name}", 5), (f"sphere {sphere.name}", 7)} <= named
+    assert len(named) <= 3
+    assert volumetric_error_um(session.arm, result.arm) < 10
+
+
+def refused(session: ArmSession, bad: Observations, arm: Arm | None = None) -> Refusal:
+    with pytest.raises(Refusal) as caught:
+        identify(arm or papers_of(session.nominal_arm), bad)
+    return caught.value
+
+
+@pytest.mark.parametrize("moved_um", [150, 2000])
+def test_a_seat_that_moved_is_refused(session: ArmSession, moved_um: float) -> None:
+    good = observed(session)
+    shifted = draw_arm_session(11, PLAN)
+    seat = good.seats[3]
+    # the same postures, the base turned a little: the tip lies elsewhere from then on
+    q = seat.q_rad.copy()
+    distance = 600.0
+    q[12:, 0] += moved_um * 1e-3 / distance
+    assert shifted.arm == session.arm
+    refusal = refused(
+        session,
+        replace(good, seats=(*good.seats[:3], replace(seat, q_rad=q), *good.seats[4:])),
+    )
+    assert refusal.code == "seat-moved"
+    assert seat.name in refusal.what
+    assert "1 to 12" in refusal.what
+
+
+def test_points_of_two_seats_under_one_name_are_refused(session: ArmSession) -> None:
+    good = observed(session)
+    mixed = np.concatenate([good.seats[0].q_rad[:10], good.seats[1].q_rad[:10]])
+    refusal = refused(session, replace(good, seats=(replace(good.seats[0], q_rad=mixed),)))
+    assert refusal.code in ("seat-moved", "place-disagrees")
+    assert good.seats[0].name in refusal.what
+
+
+def test_a_wrong_tip_diameter_is_seen_in_the_spheres(session: ArmSession) -> None:
+    arm = papers_of(session.nominal_arm)
+    tip = arm.tip
+    wrong = replace(arm, tip=Tip(tip.x_mm, tip.y_mm, tip.z_mm, tip.diameter_mm + 1.0))
+    refusal = refused(session, observed(session), wrong)
+    assert refusal.code == "tip-diameter"
+    assert f"{tip.diameter_mm - 0.001:.3f}" in refusal.why
+
+
+def test_an_arm_that_hardly_moved_is_refused(session: ArmSession) -> None:
+    good = observed(session)
+    q = good.seats[0].q_rad[0] + np.random.default_rng(0).normal(0, 0.01, (12, 6))
+    refusal = refused(
+        session, replace(good, seats=(*good.seats[1:], replace(good.seats[0], q_rad=q)))
+    )
+    assert refusal.code == "arm-hardly-moved"
+
+
+@pytest.mark.parametrize(("part", "code"), [([0, 1], "too-few-places"), ([0, 1, 2, 3], "too-few")])
+def test_too_little_is_refused(session: ArmSession, part: list[int], code: str) -> None:
+    few = observed(session).part(part)
+    few = replace(few, seats=tuple(replace(s, q_rad=s.q_rad[:5]) for s in few.seats))
+    assert refused(session, few).code.startswith(code)
+
+
+def test_angles_of_another_arm_are_refused(session: ArmSession) -> None:
+    other = draw_arm_session(12, replace(PLAN, seats=1, spheres=0, bar_lengths_mm=()))
+    refusal = refused(session, observed(session), papers_of(other.nominal_arm))
+    assert refusal.remedy
+
+
+def test_the_arms_reach_decides_what_the_covariance_is_worth(session: ArmSession) -> None:
+    few = observed(session).part([0, 2, 4, 5, 7, 9, 12, 13])
+    arm = papers_of(session.nominal_arm)
+    less: Identification = identify(arm, few)
+    more: Identification = identify(arm, observed(session))
+    assert less.volume_after_mm > more.volume_after_mm
