@@ -1,0 +1,79 @@
+"""``crenel identify`` and ``crenel articulation``."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from app.files.arm import read_arm
+from hardware.twin.arm_sessions import ArmSessionPlan, render_arm_session
+from tests.cli.test_cli import crenel, names_in, refused
+
+PLAN = ArmSessionPlan(
+    seats=6, points_per_seat=14, spheres=0, bar_lengths_mm=(600.0,), positions_per_bar=4
+)
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    render_arm_session(tmp_path / "s", 5, PLAN)
+    return tmp_path / "s"
+
+
+def test_identify_writes_the_arm_and_tells_before_and_after(tmp_path: Path, folder: Path) -> None:
+    out = tmp_path / "new.json"
+    result = crenel("identify", folder, "-o", out)
+    assert result.exit_code == 0, result.output
+    for word in (
+        "before",
+        "after",
+        "J2.theta_deg",
+        "Held",
+        "µm",
+        str(out),
+        "calibrate its sensors",
+    ):
+        assert word in result.stdout
+    assert read_arm(out) != read_arm(folder / "arm.json")
+    fields = json.loads(crenel("identify", folder, "-o", out, "--json").stdout)
+    part = fields["identification"]
+    assert part["volume_after_um"] < part["volume_before_um"] / 10
+    assert fields["file"] == str(out)
+
+
+def test_identify_refuses_on_one_line_and_writes_nothing(tmp_path: Path, folder: Path) -> None:
+    before = names_in(tmp_path)
+    assert "no such folder" in refused("identify", tmp_path / "none")
+    assert "made from" in refused("identify", folder, "-o", folder / "arm.json")
+    lines = (folder / "articulation.csv").read_text().splitlines()
+    (folder / "articulation.csv").write_text("\n".join(lines[:3]) + "\n")
+    assert "seat S1" in refused("identify", folder, "-o", tmp_path / "new.json")
+    assert names_in(tmp_path) == before
+
+
+def test_without_a_bar_the_scale_is_told(tmp_path: Path, folder: Path) -> None:
+    (folder / "ballbars.csv").unlink()
+    result = crenel("identify", folder, "-o", tmp_path / "new.json")
+    assert result.exit_code == 0, result.output
+    assert "ball bar" in result.stderr
+    assert "not observable" in result.stdout
+
+
+def test_articulation_passes_or_fails_by_the_limit(tmp_path: Path, folder: Path) -> None:
+    shown = crenel("articulation", folder)
+    assert shown.exit_code == 0, shown.output
+    assert "S1" in shown.stdout
+    assert "FAIL" not in shown.stdout
+    assert crenel("articulation", folder, "--limit-um", "2000").exit_code == 0
+    failed = crenel("articulation", folder / "articulation.csv", "--limit-um", "50")
+    assert failed.exit_code == 1
+    assert "beyond the limit" in failed.stderr
+    fields = json.loads(crenel("articulation", folder, "--limit-um", "2000", "--json").stdout)
+    assert fields["verdict"] == "pass"
+    assert len(fields["sets"]) == 6
+    assert "arm.json" in refused("articulation", tmp_path)
+
+
+def test_wrong_usage(folder: Path) -> None:
+    assert crenel("identify").exit_code == 2
+    assert crenel("articulation", folder, "--limit-um", "-3").exit_code == 2
