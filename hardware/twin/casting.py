@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from hardware.compiled import kernel
 from hardware.twin.kinematics import Floats
+from hardware.twin.shading import radiance
 from hardware.twin.tracing import Ints, trace
 
 Image = NDArray[np.float32]
@@ -28,76 +29,37 @@ def lattice(count: int) -> Floats:
 
 
 @kernel
-def _room_radiance(
-    kind: int,
-    rows: Floats,
-    k: int,
-    face: int,
-    nx: float,
-    ny: float,
-    nz: float,
-    x: float,
-    y: float,
-    z: float,
-    lights: Floats,
-    look: Floats,
-    grain: Image,
-) -> float:
-    """Brightness of a point under the room's light; ``look``: directed, ambient, shade, texture."""
-    directed, sky = max(0.0, nx * lights[k, 0] + ny * lights[k, 1] + nz * lights[k, 2]), 1.0
-    f = face % 8
-    if kind == 0 and look[2] > 0.0 and face != 0:
-        groove, high, floor = face // 8, rows[k, 13], rows[k, 14]
-        if f == 1:
-            left, right = rows[k, 16 + 2 * groove + 1], rows[k, 16 + 2 * groove + 2]
-            a, b, h = x - left, right - x, high - floor
-            sky = 0.5 * (a / np.sqrt(a * a + h * h) + b / np.sqrt(b * b + h * h))
-        elif f == 4 or f == 5:
-            sky = 0.5 + 0.5 * (z - floor) / (high - floor)
-        sky = 1.0 - look[2] * (1.0 - min(max(sky, 0.0), 1.0))
-    a, b = x, y
-    if f == 2 or f == 3:
-        b = z + 31.0
-    elif f == 4 or f == 5:
-        a = z + 17.0
-    ga, gb = (a + 1000.0) * 5.0, (b + 1000.0) * 5.0
-    i, j = int(ga), int(gb)
-    wa, wb = ga - i, gb - j
-    i0, i1, j0, j1 = i & 255, (i + 1) & 255, j & 255, (j + 1) & 255
-    g = (1.0 - wb) * ((1.0 - wa) * grain[j0, i0] + wa * grain[j0, i1])
-    g += wb * ((1.0 - wa) * grain[j1, i0] + wa * grain[j1, i1])
-    return float(rows[k, 4] * (look[0] * directed + look[1]) * sky * (1.0 + look[3] * g))
-
-
-@kernel
 def cast_room(
     lines: Lines,
     kinds: Ints,
     rows: Floats,
     eyes: Floats,
     lights: Floats,
+    lamps: Floats,
     look: Floats,
     grain: Image,
     codes: Codes,
     out: Image,
 ) -> None:
-    """One ray through each pixel's centre: brightness, and a code of the face that it meets."""
+    """One ray through each pixel's centre: brightness, and a code of the face that it meets.
+
+    The code also tells how much of the lamp reaches the place.
+    """
     for r in range(out.shape[0]):
         line, code_row, out_row = lines[r], codes[r], out[r]
         for c in range(out.shape[1]):
-            _, k, face, nx, ny, nz, x, y, z = trace(kinds, rows, eyes, line[c, 0], line[c, 1], 1.0)
-            code_row[c] = k * 1024 + face
-            if k < 0:
+            hit = trace(kinds, rows, eyes, line[c, 0], line[c, 1], 1.0)
+            lit = 0
+            if hit[1] < 0:
                 out_row[c] = 0.0
             else:
-                out_row[c] = _room_radiance(
-                    kinds[k], rows, k, face, nx, ny, nz, x, y, z, lights, look, grain
-                )
+                out_row[c], lit = radiance(hit, kinds, rows, eyes, lights, lamps, look, grain)
+            code_row[c] = (hit[1] * 1024 + hit[2]) * 16 + lit
 
 
 @kernel
 def _at_edge(codes: Codes, r: int, c: int) -> bool:
-    """Whether any of the eight neighbours shows another face."""
+    """Whether any of the eight neighbours shows another face, or one otherwise lit."""
     own = codes[r, c]
     for dr in range(-1, 2):
         for dc in range(-1, 2):
@@ -114,6 +76,7 @@ def refine_room(
     rows: Floats,
     eyes: Floats,
     lights: Floats,
+    lamps: Floats,
     look: Floats,
     grain: Image,
     codes: Codes,
@@ -131,9 +94,7 @@ def refine_room(
             for s in range(spots.shape[0]):
                 a, b = spots[s, 0], spots[s, 1]
                 dx, dy = x0 + a * xu + b * xv, y0 + a * yu + b * yv
-                _, k, face, nx, ny, nz, x, y, z = trace(kinds, rows, eyes, dx, dy, 1.0)
-                if k >= 0:
-                    total += _room_radiance(
-                        kinds[k], rows, k, face, nx, ny, nz, x, y, z, lights, look, grain
-                    )
+                hit = trace(kinds, rows, eyes, dx, dy, 1.0)
+                if hit[1] >= 0:
+                    total += radiance(hit, kinds, rows, eyes, lights, lamps, look, grain)[0]
             out[r, c] = total / spots.shape[0]

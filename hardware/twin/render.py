@@ -32,6 +32,8 @@ FINE, QUICK, SMEARED = 89, 13, 0
 """Rays over a pixel at an edge: for measuring; while the sensor drifts; and while it moves
 so fast that the exposure smears the picture, which is then cast at half its size."""
 FAN_RAYS = 1500
+LAMP_PLACES = 15
+"""Places on a wide lamp; a place in half shadow sees some of them."""
 SPARE_RAD = 0.15
 """Added to the field of view and to the laser's fan when things out of sight are left out."""
 SPECKLE_PER_MM = np.array([[23.0, 7.0, 31.0], [11.0, 29.0, 17.0]])
@@ -89,7 +91,8 @@ class Renderer:
     def _things_in_view(self, T_arm_sensor: Floats) -> tuple[Ints, Floats, Floats]:
         """Kinds, rows, and (K, 4, 4) the camera's frame into each thing's.
 
-        Only of things that the camera may see or that may stand in the laser's way.
+        Only of things that the camera may see or that may stand in the laser's way; of all
+        where a lamp may cast their shadows into view.
         """
         T_arm_cam = T_arm_sensor @ np.linalg.inv(self.optics.T_cam_sensor)
         into = [np.linalg.inv(thing.T_arm_obj) @ T_arm_cam for thing in self.scene.things]
@@ -99,9 +102,28 @@ class Renderer:
         for k, (T, row) in enumerate(zip(into, self._rows, strict=True)):
             centre = T[:3, :3].T @ (row[:3] - T[:3, 3])
             eyes = (np.zeros(3), emitter)
-            if any(_off_axis(eye, middle, centre, row[3]) < self._view_rad for eye in eyes):
+            if self.scene.light.lamp_mm or any(
+                _off_axis(eye, middle, centre, row[3]) < self._view_rad for eye in eyes
+            ):
                 near.append(k)
         return self._kinds[near], self._rows[near], np.stack([into[k] for k in near])
+
+    def _lamp_bundles(self, into: Floats, rows: Floats) -> Floats:
+        """(M, K, 16) of places on the room's lamp, fifteen on a wide one; none for light from afar.
+
+        They lie on a disc that faces the sensor frame's origin.
+        """
+        light, T = self.scene.light, self.optics.T_cam_sensor
+        if light.lamp_mm is None:
+            return np.empty((0, len(rows), 16))
+        at = T[:3, :3] @ np.array(light.lamp_mm) + T[:3, 3]
+        towards = (T[:3, 3] - at) / np.linalg.norm(T[:3, 3] - at)
+        side = np.linalg.svd(towards[None])[2][1:]
+        count = LAMP_PLACES if light.lamp_radius_mm > 0 else 1
+        turn = np.arange(count) * np.pi * (3.0 - np.sqrt(5.0))
+        radius = light.lamp_radius_mm * np.sqrt(np.arange(count) / count)
+        places = at + (radius * np.stack([np.cos(turn), np.sin(turn)])).T @ side
+        return np.stack([bundle(into, rows, place) for place in places])
 
     def room_light(self, T_arm_sensor: Floats, rays: int = FINE) -> Image:
         """(H, W) light of the room with 1 for a bright face, lens blur included, no noise."""
@@ -114,11 +136,13 @@ class Renderer:
         towards = np.array(light.direction) / np.linalg.norm(light.direction)
         in_cam = self.optics.T_cam_sensor[:3, :3] @ towards
         lights = np.ascontiguousarray(into[:, :3, :3] @ in_cam)
-        look = np.array([light.directed, light.ambient, light.groove_shade, light.texture])
+        away_mm = float(np.linalg.norm(light.lamp_mm or 0.0))
+        look = np.array([light.directed, light.ambient, light.groove_shade, light.texture, away_mm])
+        lamps = self._lamp_bundles(into, rows)
         lines = self._lines if rays > SMEARED else np.ascontiguousarray(self._lines[::2, ::2])
         codes = np.empty(lines.shape[:2], dtype=np.int32)
         wide = np.empty(lines.shape[:2], dtype=np.float32)
-        scene = (kinds, rows, eyes, lights, look, self._grain, codes, wide)
+        scene = (kinds, rows, eyes, lights, lamps, look, self._grain, codes, wide)
         cast_room(lines, *scene)
         if rays > SMEARED:
             refine_room(lines, lattice(rays), *scene)

@@ -15,6 +15,8 @@ from hardware.twin.kinematics import Floats
 ROW = 64
 """Numbers a shape has for the ray caster; see ``tracing``."""
 MAX_EDGES = 32
+FINISH = 48
+"""Where in a row the numbers of a thing's finish begin."""
 
 
 class Kind(IntEnum):
@@ -74,6 +76,20 @@ def shell_height(shell: Shell, x: Floats, y: Floats) -> Floats:
 
 
 @dataclass(frozen=True)
+class Finish:
+    """How a surface was worked. The default is matt and without marks."""
+
+    gloss: float = 0.0
+    """Brightness of a highlight's middle over that of a white face."""
+    sharpness: float = 40.0
+    """Blinn's exponent of the highlight: the larger, the smaller it is."""
+    marks: float = 0.0
+    """Standard deviation of the brightness over the tool's marks, which run along X (or Y)."""
+    mark_mm: float = 0.2
+    """Width of a tool mark."""
+
+
+@dataclass(frozen=True)
 class Thing:
     """A shape at a place in the arm frame. ``albedo`` 1 is the block's brightness."""
 
@@ -81,6 +97,7 @@ class Thing:
     shape: Shape
     T_arm_obj: Floats
     albedo: float = 1.0
+    finish: Finish = field(default_factory=Finish)
 
     def at(self, T_arm_obj: Floats) -> "Thing":
         """The same thing elsewhere."""
@@ -98,6 +115,12 @@ class Light:
     groove_shade: float = 0.0
     """0: a floor is as bright as a crest; 1: it sees only the sky between its walls."""
     texture: float = 0.012
+    lamp_mm: tuple[float, float, float] | None = None
+    """Where the directed light comes from, in the sensor's frame, if not from afar: it then
+    fades with the distance (``directed`` is its strength at the frame's origin), casts
+    shadows, and is mirrored by glossy faces. ``direction`` then counts for nothing."""
+    lamp_radius_mm: float = 0.0
+    """Half the lamp's width, which softens its shadows."""
 
 
 @dataclass(frozen=True)
@@ -143,14 +166,16 @@ def _steepest(shell: Shell) -> float:
 def shape_rows(scene: Scene) -> tuple[NDArray[np.int64], Floats]:
     """Kinds (K,) and rows (K, 64) for the ray caster.
 
-    A row holds the bounding sphere (0-3), albedo (4), bounds (8-13) and what the
-    kind needs besides (from 14).
+    A row holds the bounding sphere (0-3), albedo (4), bounds (8-13), what the kind
+    needs besides (from 14), and the finish (48-51).
     """
     kinds = np.zeros(len(scene.things), dtype=np.int64)
     rows = np.zeros((len(scene.things), ROW))
     for k, thing in enumerate(scene.things):
         row = rows[k]
         row[4] = thing.albedo
+        finish = thing.finish
+        row[FINISH : FINISH + 4] = finish.gloss, finish.sharpness, finish.marks, finish.mark_mm
         shape = thing.shape
         if isinstance(shape, Comb):
             kinds[k] = Kind.COMB
