@@ -9,7 +9,7 @@ import pytest
 from app.metrology.camera import project
 from app.metrology.crenellated import corners as corners_of
 from app.metrology.detection.corners import ObjectDetection, detect_object
-from app.metrology.detection.directions import Directions
+from app.metrology.detection.directions import Directions, Segments
 from app.metrology.detection.edge_points import stations
 from app.metrology.detection.identify import placings
 from app.metrology.detection.visibility import wireframe
@@ -183,4 +183,4 @@ def test_twelve_bits(plain):
 def test_directions_that_no_segment_follows_place_nothing(plain):
     lines = np.array([[10.0, 10.0, 90.0, 20.0], [30.0, 80.0, 70.0, 15.0]])
     nobody = Directions(np.eye(3), 1.5, np.array([-1, -1]), 0.0)
-    assert placings(nobody, lines, plain.block) == []
+    assert placings(nobody, Segments(lines, np.ones(2)), plain.block) == []

@@ -12,14 +12,23 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.compiled import kernel
-from app.metrology.frames import Floats, nearest_rotation, rotation_from_vector
+from app.metrology.frames import Floats
 
 # Focal lengths tried, over the longer side: 95 to 5 degrees of view, half an octave apart.
 _FOCALS = tuple(0.5 * 2.0 ** (k / 2) for k in range(10))
 _TRIALS = 900
+# So many of the tries are looked at, and so many that differ are refined.
+_CANDIDATES, _REFINED = 1000, 40
+# Limits of the focal length, and how weakly it is held, per segment.
+_LOG_FOCAL = (float(np.log(0.4)), float(np.log(14.0)))
+_HELD_FOCAL = 0.02
+_ALIKE = float(np.cos(np.deg2rad(3.0)))
 # A segment follows a direction when it points at its vanishing point this closely.
-_TOLERANCE_RAD = np.deg2rad(2.0)
+_TOLERANCE_RAD = float(np.deg2rad(2.0))
 _SHORTEST = 0.02
+# So many segments count; a step as high as this share of their length reaches counts in full.
+_MOST = 100
+_STRONG = 0.6
 
 
 @dataclass(frozen=True)
@@ -28,7 +37,8 @@ class Directions:
 
     ``rotation``: (3, 3), the directions as columns in the camera frame, in no
     particular order or sense. ``family``: (S,) which of them a segment follows, -1
-    for none. ``explained``: share of the segments' length that follows one.
+    for none. ``explained``: share of the segments' weight that follows one, less where
+    it does so loosely.
     """
 
     rotation: Floats
@@ -37,30 +47,81 @@ class Directions:
     explained: float
 
 
-def segments(image: NDArray[np.uint8], ignore: NDArray[np.bool_] | None = None) -> Floats:
-    """Straight segments (S, 4) as u0, v0, u1, v1, normalised as above, longest first.
+@dataclass(frozen=True)
+class Segments:
+    """Straight segments of a picture, weightiest first.
+
+    ``lines``: (S, 4) as u0, v0, u1, v1, normalised as above; ``weight``: (S,) their
+    lengths, less where the step across them is low beside the picture's others.
+    """
+
+    lines: Floats
+    weight: Floats
+
+
+def segments(image: NDArray[np.uint8], ignore: NDArray[np.bool_] | None = None) -> Segments:
+    """Straight segments of a picture (H, W) that is free of noise and texture.
 
     Grompone von Gioi's line segment detector. ``ignore`` (H, W) marks pixels, such
     as the laser stripe, whose segments are left out.
     """
     found = cv2.createLineSegmentDetector(cv2.LSD_REFINE_STD, 1.0).detect(image)[0]
     if found is None:
-        return np.empty((0, 4))
+        return Segments(np.empty((0, 4)), np.empty(0))
     lines = np.asarray(found, dtype=np.float64).reshape(-1, 4)
     if ignore is not None:
         middle = np.rint((lines[:, :2] + lines[:, 2:]) / 2).astype(np.int64)
         inside = np.clip(middle, 0, np.array(image.shape[::-1]) - 1)
         lines = lines[~ignore[inside[:, 1], inside[:, 0]]]
     height, width = image.shape
+    length = np.hypot(lines[:, 2] - lines[:, 0], lines[:, 3] - lines[:, 1]) / max(width, height)
+    keep = length >= _SHORTEST
+    lines, length = lines[keep], length[keep]
+    if len(lines) == 0:
+        return Segments(lines, length)
+    step = _steps(image, lines)
+    order = np.argsort(step)
+    share = np.cumsum(length[order]) / length.sum()
+    strong = max(float(step[order][np.searchsorted(share, _STRONG)]), 1.0)
+    weight = length * np.minimum(1.0, step / strong)
     lines = (lines - np.tile([(width - 1) / 2, (height - 1) / 2], 2)) / max(width, height)
-    length = np.hypot(lines[:, 2] - lines[:, 0], lines[:, 3] - lines[:, 1])
-    order = np.argsort(-length)
-    return np.asarray(lines[order[length[order] >= _SHORTEST][:120]])
+    best = np.argsort(-weight)[:_MOST]
+    return Segments(np.asarray(lines[best]), np.asarray(weight[best]))
 
 
-def lengths(lines: Floats) -> Floats:
-    """Lengths (S,) of segments (S, 4)."""
-    return np.asarray(np.hypot(lines[:, 2] - lines[:, 0], lines[:, 3] - lines[:, 1]))
+@kernel
+def _steps(image: NDArray[np.uint8], lines: Floats) -> Floats:
+    """Heights (S,) in grey levels of the steps across segments (S, 4) in px.
+
+    Between means over bands on either side, so that a thin line is no step.
+    """
+    height, width = image.shape
+    found = np.zeros(len(lines))
+    for s in range(len(lines)):
+        u0, v0 = lines[s, 0], lines[s, 1]
+        du, dv = lines[s, 2] - u0, lines[s, 3] - v0
+        length = np.sqrt(du * du + dv * dv)
+        nu, nv = -dv / length, du / length
+        count = max(4, int(length / 2))
+        total, used = 0.0, 0
+        for i in range(count):
+            share = (i + 0.5) / count
+            for away in range(2, 6):
+                a, b = (
+                    int(u0 + share * du + away * nu + 0.5),
+                    int(v0 + share * dv + away * nv + 0.5),
+                )
+                c, d = (
+                    int(u0 + share * du - away * nu + 0.5),
+                    int(v0 + share * dv - away * nv + 0.5),
+                )
+                if min(a, b, c, d) < 0 or max(a, c) >= width or max(b, d) >= height:
+                    continue
+                total += float(image[b, a]) - float(image[d, c])
+                used += 1
+        if used > 0:
+            found[s] = abs(total) / used
+    return found
 
 
 def plane_normals(lines: Floats, focal: float) -> Floats:
@@ -123,93 +184,137 @@ def _try_triples(
     return scores, frames
 
 
-def _misalignment(axes: Floats, focal: float, lines: Floats) -> Floats:
-    """Angles (S, 3), rad, between each segment and the way to each vanishing point."""
-    along = lines[:, 2:] - lines[:, :2]
-    middle = (lines[:, 2:] + lines[:, :2]) / 2
-    to_u = focal * axes[0] - middle[:, :1] * axes[2]
-    to_v = focal * axes[1] - middle[:, 1:] * axes[2]
-    cross = along[:, :1] * to_v - along[:, 1:] * to_u
-    dot = along[:, :1] * to_u + along[:, 1:] * to_v
-    return np.asarray(np.arctan2(cross, np.abs(dot) + 1e-12) * np.sign(dot + 1e-300))
+@kernel
+def _off(axes: Floats, focal: float, line: Floats, k: int) -> float:
+    """Angle, rad, between a segment and the way to the vanishing point of direction k."""
+    du, dv = line[2] - line[0], line[3] - line[1]
+    tu = focal * axes[0, k] - 0.5 * (line[0] + line[2]) * axes[2, k]
+    tv = focal * axes[1, k] - 0.5 * (line[1] + line[3]) * axes[2, k]
+    dot = du * tu + dv * tv
+    return float(np.arctan2(du * tv - dv * tu, abs(dot) + 1e-12) * (1.0 if dot >= 0 else -1.0))
 
 
-def _families(axes: Floats, focal: float, lines: Floats) -> NDArray[np.int64]:
-    off = np.abs(_misalignment(axes, focal, lines))
-    nearest = np.argmin(off, axis=1)
-    return np.where(off[np.arange(len(lines)), nearest] < _TOLERANCE_RAD, nearest, -1)
+@kernel
+def _families(axes: Floats, focal: float, lines: Floats) -> tuple[NDArray[np.int64], Floats]:
+    """Which direction (S,) each segment follows, -1 for none, and its angle (S,) from it."""
+    family = np.full(len(lines), -1)
+    off = np.zeros(len(lines))
+    for s in range(len(lines)):
+        nearest = _TOLERANCE_RAD
+        for k in range(3):
+            angle = _off(axes, focal, lines[s], k)
+            if abs(angle) < nearest:
+                family[s], off[s], nearest = k, angle, abs(angle)
+    return family, off
 
 
-def _refined(axes: Floats, focal: float, lines: Floats) -> tuple[Floats, float]:
+@kernel
+def _turned(axes: Floats, by: Floats) -> Floats:
+    """The directions turned by a small rotation vector (3,), perpendicular again."""
+    first = axes[:, 0] + np.cross(by, axes[:, 0])
+    first /= np.sqrt((first**2).sum())
+    second = axes[:, 1] + np.cross(by, axes[:, 1])
+    second -= (second * first).sum() * first
+    second /= np.sqrt((second**2).sum())
+    sense = 1.0 if (np.cross(axes[:, 0], axes[:, 1]) * axes[:, 2]).sum() > 0 else -1.0
+    return np.column_stack((first, second, sense * np.cross(first, second)))
+
+
+@kernel
+def _refined(axes: Floats, focal: float, lines: Floats, weight: Floats) -> tuple[Floats, float]:
     """Gauss-Newton of the rotation and the focal length on the segments that follow."""
-    log_focal = float(np.log(focal))
-    start = log_focal
+    start = np.log(focal)
+    log_focal = start
     for _ in range(6):
-        family = _families(axes, np.exp(log_focal), lines)
-        used = family >= 0
-        if used.sum() < 4:
+        family, off = _families(axes, np.exp(log_focal), lines)
+        A, g = np.zeros((4, 4)), np.zeros(4)
+        used, squares = 0, 0.0
+        for s in range(len(lines)):
+            if family[s] < 0:
+                continue
+            used += 1
+            squares += weight[s] ** 2
+            J = np.empty(4)
+            for p in range(4):
+                trial = np.zeros(4)
+                trial[p] = 1e-5
+                moved = _turned(axes, trial[:3])
+                ahead = _off(moved, np.exp(log_focal + trial[3]), lines[s], family[s])
+                J[p] = (ahead - off[s]) / 1e-5
+            for p in range(4):
+                g[p] += weight[s] ** 2 * J[p] * off[s]
+                for q in range(4):
+                    A[p, q] += weight[s] ** 2 * J[p] * J[q]
+        if used < 4:
             break
-        chosen, which = lines[used], family[used]
-        rows = np.arange(len(chosen))
-        weight = lengths(chosen)
-
-        def residual(
-            step: Floats,
-            chosen: Floats = chosen,
-            which: NDArray[np.int64] = which,
-            rows: NDArray[np.int64] = rows,
-            weight: Floats = weight,
-            axes: Floats = axes,
-            log_focal: float = log_focal,
-        ) -> Floats:
-            turned = rotation_from_vector(step[:3]) @ axes
-            off = _misalignment(turned, float(np.exp(log_focal + step[3])), chosen)
-            # The focal length is held weakly to where it came from: often it hardly shows.
-            held = 0.02 * (log_focal + step[3] - start) * np.sqrt((weight**2).mean())
-            return np.append(off[rows, which] * weight, held)
-
-        at = residual(np.zeros(4))
-        J = np.column_stack([(residual(1e-5 * e) - at) / 1e-5 for e in np.eye(4)])
-        step: Floats = np.asarray(-np.linalg.lstsq(J, at, rcond=None)[0], dtype=np.float64)
-        step *= min(1.0, 0.3 / max(float(np.abs(step).max()), 1e-12))
-        axes = nearest_rotation(rotation_from_vector(step[:3]) @ axes)
-        log_focal = float(np.clip(log_focal + step[3], np.log(0.3), np.log(16.0)))
-    return axes, float(np.exp(log_focal))
+        # The focal length is held weakly to where it came from: often it hardly shows.
+        held = _HELD_FOCAL**2 * squares / used
+        A[3, 3] += held
+        g[3] += held * (log_focal - start)
+        for p in range(4):
+            A[p, p] += 1e-12
+        step = -np.linalg.solve(A, g)
+        step = step * min(1.0, 0.3 / max(np.abs(step).max(), 1e-12))
+        axes = _turned(axes, step[:3])
+        log_focal = min(max(log_focal + step[3], _LOG_FOCAL[0]), _LOG_FOCAL[1])
+    return axes, np.exp(log_focal)
 
 
-def perpendicular_directions(lines: Floats, most: int = 6) -> list[Directions]:
+def perpendicular_directions(seen: Segments, most: int = 16) -> list[Directions]:
     """The triples of perpendicular directions that most segments follow, best first.
 
     Three segments make a triple (two of one direction, one of a second); thousands
     are tried under a range of focal lengths and the best are refined. The sampling
     is seeded: one picture always gives one answer.
     """
+    lines, weight = seen.lines, seen.weight
     if len(lines) < 6:
         return []
-    weight = lengths(lines)
     chance = np.random.default_rng(1)
     share = weight / weight.sum()
     triples = chance.choice(len(lines), size=(_TRIALS, 3), p=share)
     scores, frames = _try_triples(
         lines, weight, triples, np.array(_FOCALS), float(np.tan(_TOLERANCE_RAD))
     )
-    found: list[Directions] = []
-    for index in np.argsort(-scores, axis=None)[:60]:
-        f, t = np.unravel_index(index, scores.shape)
-        if any(_same(frames[f, t], _FOCALS[f], other) for other in found):
-            continue
-        axes, focal = _refined(frames[f, t], _FOCALS[f], lines)
-        if any(_same(axes, focal, other) for other in found):
-            continue
-        family = _families(axes, focal, lines)
-        explained = float(weight[family >= 0].sum() / weight.sum())
-        found.append(Directions(axes, focal, family, explained))
-        if len(found) == most:
-            break
-    return sorted(found, key=lambda one: -one.explained)
+    order = np.argsort(-scores, axis=None)[:_CANDIDATES]
+    focals = np.array(_FOCALS)[order // _TRIALS]
+    axes = frames.reshape(-1, 3, 3)[order]
+    found = []
+    for k in _distinct(axes, focals, _REFINED):
+        axes[k], focals[k] = _refined(axes[k], focals[k], lines, weight)
+        family, off = _families(axes[k], focals[k], lines)
+        close = np.where(family >= 0, 1 - (off / _TOLERANCE_RAD) ** 2, 0.0)
+        found.append(Directions(axes[k], float(focals[k]), family, float(close @ share)))
+    found.sort(key=lambda one: -one.explained)
+    refined = np.array([one.rotation for one in found])
+    kept = _distinct(refined, np.array([one.focal for one in found]), most)
+    return [found[k] for k in kept]
 
 
-def _same(axes: Floats, focal: float, other: Directions) -> bool:
-    """Whether two triples agree to 3 degrees and a seventh of the focal length."""
-    agreement = np.abs(axes.T @ other.rotation).max(axis=1).min()
-    return bool(agreement > np.cos(np.deg2rad(3.0))) and abs(np.log(focal / other.focal)) < 0.15
+@kernel
+def _distinct(axes: Floats, focals: Floats, most: int) -> NDArray[np.int64]:
+    """Rows, in order, of triples (N, 3, 3) that are like none before them; ``most`` at most.
+
+    Alike are those that agree to 3 degrees and a seventh of the focal length.
+    """
+    kept, count = np.empty(most, dtype=np.int64), 0
+    for k in range(len(axes)):
+        alike = False
+        for m in range(count):
+            if abs(np.log(focals[k] / focals[kept[m]])) > 0.15:
+                continue
+            agreement = 1.0
+            for a in range(3):
+                best = 0.0
+                for b in range(3):
+                    best = max(best, abs((axes[k, :, a] * axes[kept[m], :, b]).sum()))
+                agreement = min(agreement, best)
+            if agreement > _ALIKE:
+                alike = True
+                break
+        if not alike:
+            kept[count] = k
+            count += 1
+            if count == most:
+                break
+    return kept[:count]

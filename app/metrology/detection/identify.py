@@ -14,8 +14,9 @@ from itertools import permutations
 import numpy as np
 from numpy.typing import NDArray
 
+from app.metrology.compiled import kernel
 from app.metrology.crenellated import Crenellated
-from app.metrology.detection.directions import Directions, lengths, plane_normals
+from app.metrology.detection.directions import Directions, Segments, plane_normals
 from app.metrology.detection.voting import across_x, along_x
 from app.metrology.frames import Floats
 
@@ -23,6 +24,8 @@ from app.metrology.frames import Floats
 _NEAR = 0.008
 # Segments longer than this, over the picture's longer side, count as this long.
 _LONG = 0.15
+# So many bearings of each direction vote.
+_BEARINGS = 12
 
 
 @dataclass(frozen=True)
@@ -45,19 +48,20 @@ def mirrored(block: Crenellated) -> Crenellated:
 
 
 def placings(
-    directions: Directions, lines: Floats, block: Crenellated, most: int = 24
+    directions: Directions, seen: Segments, block: Crenellated, most: int = 24
 ) -> list[Placing]:
     """Placings of the block and of its mirror image, most votes first.
 
     Args:
         directions: three perpendicular directions in the picture.
-        lines: (S, 4) the segments they were found from.
+        seen: the segments they were found from.
         block: the block by its certificate.
         most: how many to return.
     """
+    lines = seen.lines
     normals = plane_normals(lines, directions.focal)
     # A long edge of a table has no more to say than one of the block's.
-    weight = np.minimum(lengths(lines), _LONG)
+    weight = np.minimum(seen.weight, _LONG)
     middle = (lines[:, :2] + lines[:, 2:]) / 2
     followed = directions.family >= 0
     if not followed.any():
@@ -127,34 +131,29 @@ def _vote(
     near_rad = _NEAR / focal
     bearings, bearing_weight = _merged(seen_mm[along_x_axis][:, 1:], weight[along_x_axis], near_rad)
     places, votes = across_x(bearings, bearing_weight, ends, near_rad)
-    centres, scores = along_x(
-        places,
-        votes,
-        np.ascontiguousarray(seen_mm[along_y_axis][:, [0, 2]]),
-        weight[along_y_axis],
-        across,
-        np.ascontiguousarray(seen_mm[along_z_axis][:, :2]),
-        weight[along_z_axis],
-        upright,
-        near_rad,
-    )
+    sides = _merged(seen_mm[along_y_axis][:, [0, 2]], weight[along_y_axis], near_rad)
+    walls = _merged(seen_mm[along_z_axis][:, :2], weight[along_z_axis], near_rad)
+    centres, scores = along_x(places, votes, *sides, across, *walls, upright, near_rad)
     best = np.argsort(-scores)[:12]
     return [(centres[k], float(scores[k])) for k in best if scores[k] > 0]
 
 
+@kernel
 def _merged(bearings: Floats, weight: Floats, near_rad: float) -> tuple[Floats, Floats]:
-    """Bearings of collinear segments merged; the ten longest."""
-    angle = np.arctan2(bearings[:, 1], bearings[:, 0]) % np.pi
-    order = np.argsort(-weight)
-    kept: list[float] = []
-    total: list[float] = []
-    for k in order:
-        gaps = [abs((angle[k] - one + np.pi / 2) % np.pi - np.pi / 2) for one in kept]
-        if gaps and min(gaps) < near_rad:
-            total[int(np.argmin(gaps))] += weight[k]
+    """Bearings of collinear segments merged; the weightiest."""
+    kept, total, count = np.empty(len(bearings)), np.empty(len(bearings)), 0
+    for k in np.argsort(-weight):
+        angle = np.arctan2(bearings[k, 1], bearings[k, 0]) % np.pi
+        nearest, at = near_rad, -1
+        for m in range(count):
+            gap = abs((angle - kept[m] + np.pi / 2) % np.pi - np.pi / 2)
+            if gap < nearest:
+                nearest, at = gap, m
+        if at >= 0:
+            total[at] += weight[k]
         else:
-            kept.append(angle[k])
-            total.append(weight[k])
-    best = np.argsort(-np.array(total))[:10]
-    angles = np.array(kept)[best]
-    return np.column_stack([np.cos(angles), np.sin(angles)]), np.array(total)[best]
+            kept[count], total[count] = angle, weight[k]
+            count += 1
+    best = np.argsort(-total[:count])[:_BEARINGS]
+    angles = kept[best]
+    return np.column_stack((np.cos(angles), np.sin(angles))), total[best]

@@ -6,9 +6,9 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.camera import Camera
+from app.metrology.camera import Camera, project
 from app.metrology.crenellated import Crenellated
-from app.metrology.detection.directions import perpendicular_directions, segments
+from app.metrology.detection.directions import Segments, perpendicular_directions, segments
 from app.metrology.detection.edge_fit import FOCAL_AND_POSE, NO_DISTORTION, WITH_K1, fit_edges
 from app.metrology.detection.edge_points import Stations, block_ahead, search, stations
 from app.metrology.detection.identify import Placing, mirrored, placings
@@ -21,6 +21,8 @@ WORKING_PX = 640
 _CONTRAST = 5.0
 _SPACING_PX = 5.0
 _MARGIN_PX = 3.0
+# So many placings are drawn and judged, and the best of them pulled onto the edges.
+_JUDGED, _PULLED = 60, 8
 
 
 @dataclass(frozen=True)
@@ -66,42 +68,64 @@ def working_picture(
     return np.rint(stretched).astype(np.uint8), mask, scale
 
 
+def cleaned(picture: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """The picture without noise and fine texture, its steps as steep as they were."""
+    soft = cv2.GaussianBlur(picture, (0, 0), 1.0)
+    return np.asarray(cv2.bilateralFilter(soft, 9, 25.0, 4.0), dtype=np.uint8)
+
+
 def locate(
     picture: NDArray[np.uint8], ignore: NDArray[np.bool_] | None, block: Crenellated
 ) -> Search:
     """The block's likeliest placings in a small picture (H, W)."""
-    lines = segments(picture, ignore)
-    frames = perpendicular_directions(lines)
-    guesses = [guess for frame in frames for guess in placings(frame, lines, block)]
+    seen = segments(cleaned(picture), ignore)
+    frames = perpendicular_directions(seen)
+    guesses = [guess for frame in frames for guess in placings(frame, seen, block)]
     explained = max((frame.explained for frame in frames), default=0.0)
     if not guesses:
-        return Search((), explained, len(lines))
+        return Search((), explained, len(seen.lines))
     smooth: Floats = np.asarray(
         cv2.GaussianBlur(picture.astype(np.float64), (0, 0), 0.8), dtype=np.float64
     )
     if ignore is not None:
         smooth[ignore] = np.nan
     noise = _slope_noise(smooth)
-    seen_px = float(np.hypot(lines[:, 2] - lines[:, 0], lines[:, 3] - lines[:, 1]).sum())
-    seen_px *= max(picture.shape)
     forms = {False: wireframe(block), True: wireframe(mirrored(block))}
     judged = []
-    for guess in sorted(guesses, key=lambda one: -one.votes)[:24]:
+    for guess in _different(sorted(guesses, key=lambda one: -one.votes)):
         camera = _camera(guess, picture.shape)
         frame = forms[guess.mirrored]
         if not block_ahead(frame, camera):
             continue
-        judged.append((_support(smooth, frame, camera, 6.0, noise, seen_px), guess, camera))
+        judged.append((_support(smooth, frame, camera, 6.0, noise, seen), guess, camera))
     judged.sort(key=lambda one: -one[0])
     found = []
-    for _, guess, camera in judged[:8]:
+    for _, guess, camera in judged[:_PULLED]:
         frame = forms[guess.mirrored]
         pulled = _pulled(smooth, frame, camera, noise)
         if pulled is not None:
-            support = _support(smooth, frame, pulled, 2.0, noise, seen_px)
+            support = _support(smooth, frame, pulled, 2.0, noise, seen)
             found.append(Located(pulled, guess.mirrored, support))
     found.sort(key=lambda one: -one.support)
-    return Search(tuple(found), explained, len(lines))
+    return Search(tuple(found), explained, len(seen.lines))
+
+
+def _different(guesses: list[Placing]) -> list[Placing]:
+    """The first placings that differ by more than a hundredth of the distance, or in sense."""
+    kept: list[Placing] = []
+    for guess in guesses:
+        reach = 0.01 * float(np.linalg.norm(guess.centre_mm))
+        if not any(
+            one.mirrored == guess.mirrored
+            and abs(one.focal / guess.focal - 1) < 0.03
+            and float(np.abs(one.centre_mm - guess.centre_mm).max()) < reach
+            and float(np.trace(one.rotation.T @ guess.rotation)) > 2.999
+            for one in kept
+        ):
+            kept.append(guess)
+        if len(kept) == _JUDGED:
+            break
+    return kept
 
 
 def _camera(guess: Placing, shape: tuple[int, ...]) -> Camera:
@@ -118,11 +142,12 @@ def _slope_noise(smooth: Floats) -> float:
 
 
 def _support(
-    smooth: Floats, frame: Wireframe, camera: Camera, radius: float, noise: float, seen_px: float
+    smooth: Floats, frame: Wireframe, camera: Camera, radius: float, noise: float, seen: Segments
 ) -> float:
     """Dice's coefficient of edges drawn and edges seen: 1 when each has its counterpart.
 
-    A counterpart at the search's limit counts for nothing.
+    A counterpart at the search's limit counts for nothing, nor does what is seen beside
+    the block.
     """
     at = stations(frame, camera, _SPACING_PX, _MARGIN_PX)
     if len(at.edge) == 0:
@@ -130,7 +155,26 @@ def _support(
     offset, slope = search(smooth, at, radius)
     met = np.abs(slope) > _CONTRAST * noise
     near = 1.0 - (offset[met] / (radius + 0.5)) ** 2
-    return 2 * float(at.length_px[met] @ near) / (float(at.length_px.sum()) + seen_px)
+    return (
+        2
+        * float(at.length_px[met] @ near)
+        / (float(at.length_px.sum()) + _seen_within_px(frame, camera, seen))
+    )
+
+
+def _seen_within_px(frame: Wireframe, camera: Camera, seen: Segments) -> float:
+    """Weight, px, of the segments whose middles lie within the block's outline."""
+    longer = max(camera.width_px, camera.height_px)
+    corners = project(camera, np.vstack([frame.starts_mm, frame.ends_mm])).astype(np.float32)
+    outline = cv2.convexHull(corners)[:, 0].astype(np.float64)
+    middle = (seen.lines[:, :2] + seen.lines[:, 2:]) / 2 * longer
+    middle += [(camera.width_px - 1) / 2, (camera.height_px - 1) / 2]
+    side = np.roll(outline, -1, axis=0) - outline
+    away = middle[:, None] - outline
+    across = side[:, 0] * away[..., 1] - side[:, 1] * away[..., 0]
+    across = across / np.hypot(*side.T)
+    within = (across > -3.0).all(axis=1) | (across < 3.0).all(axis=1)
+    return float(seen.weight[within].sum()) * longer
 
 
 def _pulled(smooth: Floats, frame: Wireframe, camera: Camera, noise: float) -> Camera | None:

@@ -6,7 +6,7 @@ from app.metrology.compiled import kernel
 from app.metrology.frames import Floats
 
 # Places in the plane across X that are followed up, and along X for each of them.
-_KEPT = 48
+_KEPT = 32
 _ALONG = 3
 
 
