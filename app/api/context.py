@@ -7,6 +7,7 @@ from fastapi import Depends
 from starlette.requests import HTTPConnection
 
 from app.api.schema import ScanState, Station
+from app.guide.arm.guide import ArmGuide
 from app.guide.guide import Guide
 from app.guide.scan_hand import ScanHand
 from app.station.bus import Bus
@@ -33,6 +34,7 @@ class Context:
     store: Store
     guide: Guide
     scan_hand: ScanHand
+    arm_guide: ArmGuide
 
     def scan_state(self, state: RoomScanState | None = None) -> ScanState:
         """The scan as the browser shows it."""

@@ -5,6 +5,7 @@ from starlette.status import HTTP_204_NO_CONTENT
 
 from app.api.context import Context, TheContext
 from app.api.schema import Exposure, ScanStart, ScanState, Switch
+from app.guide.arm.commands import stop_hand as stop_arm_hand
 from app.guide.commands import stop_hand
 from app.metrology.refusal import Refusal
 from app.station.rig import Devices
@@ -75,5 +76,6 @@ def stop_everything(context: Context) -> None:
     context.rig.sensor.laser_off()
     context.scan_hand.stop()
     stop_hand(context.guide)
+    stop_arm_hand(context.arm_guide)
     context.scanner.stop()
     context.rig.sensor.laser_off()

@@ -24,6 +24,10 @@ class FlowCommand(Request):
     key: Annotated[str, Field(min_length=1, max_length=128)]
 
 
+class ArmStart(Request):
+    purpose: Literal["check", "identify"]
+
+
 class ScanStart(Request):
     name: Annotated[str, Field(max_length=120)] = ""
 

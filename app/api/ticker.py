@@ -18,6 +18,7 @@ async def tick(context: Context) -> None:
     while True:
         try:
             await asyncio.to_thread(context.guide.refresh)
+            await asyncio.to_thread(context.arm_guide.refresh)
             if count % HOME_EVERY == 0:
                 found = await asyncio.to_thread(home_of, context)
                 if found != home:

@@ -12,7 +12,9 @@ from app.files.arm import read_arm
 from app.files.calibration import CalibrationFile, calibration_in
 from app.files.session import ARM
 from app.files.software import SOFTWARE
-from app.guide.commands import press
+from app.guide.arm.commands import press as press_arm
+from app.guide.arm.guide import ArmGuide, ArmStation
+from app.guide.commands import BUTTONS, press
 from app.guide.guide import Guide
 from app.guide.guide import Station as GuidedStation
 from app.guide.hand import Hand
@@ -74,10 +76,13 @@ def open_context(parts: Parts) -> Context:
         use_active()
     scan_hand = ScanHand(parts.hand, jobs, bus, lambda: bus.publish("scan", scanner.state()))
     scanner.on_finished = lambda result: store.scans.add(_record(result))
-    rig.arm.on_button = _buttons(guide)
+    arm_guide = ArmGuide(ArmStation(bus, rig, jobs, parts.hand), store.journal, store.folder)
+    rig.arm.on_button = _buttons(guide, arm_guide)
     simulated = parts.hand is not None
     station = Station(parts.name, SOFTWARE.version, has_hand=simulated, simulated=simulated)
-    return Context(station, bus, rig, preview, scene, scanner, jobs, store, guide, scan_hand)
+    return Context(
+        station, bus, rig, preview, scene, scanner, jobs, store, guide, scan_hand, arm_guide
+    )
 
 
 def close_context(context: Context) -> None:
@@ -90,10 +95,20 @@ def close_context(context: Context) -> None:
     context.scene.close()
 
 
-def _buttons(guide: Guide) -> Callable[[ButtonEvent], None]:
-    """Presses are worked off one after another, away from the event loop."""
+def _buttons(guide: Guide, arm_guide: ArmGuide) -> Callable[[ButtonEvent], None]:
+    """Presses are worked off one after another, away from the event loop.
+
+    They belong to the calibration where it waits for them, else to the arm's own session.
+    """
     worker = ThreadPoolExecutor(1, thread_name_prefix="buttons")
-    return lambda event: (worker.submit(press, guide, event), None)[1]
+
+    def pressed(event: ButtonEvent) -> None:
+        if guide.running and any(guide.state.step == step for step, _ in BUTTONS):
+            press(guide, event)
+        else:
+            press_arm(arm_guide, event)
+
+    return lambda event: (worker.submit(pressed, event), None)[1]
 
 
 def _record(result: ScanResult) -> ScanRecord:

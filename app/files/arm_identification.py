@@ -16,8 +16,9 @@ from pathlib import Path
 import numpy as np
 
 from app.files.arm import read_arm
-from app.files.joint_angles import JointAngles
-from app.files.tables import Row, Table, read_table
+from app.files.atomic import write_atomically
+from app.files.joint_angles import JointAngles, joint_columns
+from app.files.tables import Row, Table, read_table, table_text
 from app.metrology.arm import Arm
 from app.metrology.arm_model.observations import Bar, Observations, Seat, Sphere
 from app.metrology.frames import Floats
@@ -69,6 +70,13 @@ def read_seats(path: Path, arm: Arm) -> tuple[Seat, ...]:
     table = read_table(path, ("set",))
     rows = _by_label(table, arm, "set")
     return tuple(Seat(name, q_rad) for name, (_, q_rad) in rows.items())
+
+
+def write_seats(path: Path, seats: Sequence[Seat]) -> None:
+    """Writes ``articulation.csv`` atomically; at least one seat."""
+    rows = ((seat.name, *np.rad2deg(q_rad).tolist()) for seat in seats for q_rad in seat.q_rad)
+    columns = ("set", *joint_columns(seats[0].q_rad.shape[1]))
+    write_atomically(path, table_text(columns, rows).encode())
 
 
 def read_spheres(path: Path, arm: Arm) -> tuple[Sphere, ...]:

@@ -126,8 +126,22 @@ def figures_of(result: Identification) -> list[tuple[str, str]]:
     return figures
 
 
+def parameter_lines(result: Identification) -> list[dict[str, str | float]]:
+    """Each parameter moved, in the file's units: name, unit, before, after, uncertainty."""
+    return [
+        {
+            "name": _in_degrees(moved.name),
+            "unit": "°" if moved.name.endswith("_rad") else "mm",
+            "before": moved.before * _scale(moved.name),
+            "after": moved.after * _scale(moved.name),
+            "standard_uncertainty": moved.standard_uncertainty * _scale(moved.name),
+        }
+        for moved in result.moved
+    ]
+
+
 def parameter_rows(result: Identification) -> list[list[str]]:
-    """One row a parameter moved: name, before, after, change and standard uncertainty."""
+    """The same to print: name, before, after, change and standard uncertainty."""
     rows: list[list[str]] = []
     for moved in result.moved:
         scale = _scale(moved.name)

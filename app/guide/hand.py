@@ -24,5 +24,14 @@ class Hand(Protocol):
     def scan_part(self, name: str) -> bool:
         """Sweeps the sensor over the part."""
 
+    def go_to_seat(self, seat: int, posture: int = 0) -> bool:
+        """Puts the tip into the ``seat``-th of the seats that stand about the reach.
+
+        Another ``posture``: the elbow on another side, the wrist turned over.
+        """
+
+    def swing_in_seat(self) -> bool:
+        """Swings the arm about the tip, which stays where it is."""
+
     def cancel(self) -> None:
         """Ends the move under way early."""

@@ -91,6 +91,21 @@ class JournalStore:
             )
         ]
 
+    def history(self, session_kind: str, kind: str) -> Sequence[JournalRow]:
+        """The rows of one kind in all sessions of a kind, oldest first."""
+        return [
+            JournalRow(
+                row["number"], row["session_id"], row["at"], kind, json.loads(row["payload"])
+            )
+            for row in self._database.read(
+                "SELECT number, session_id, at, payload FROM journal"
+                " JOIN session ON session.id = journal.session_id"
+                " WHERE session.kind = ? AND journal.kind = ? ORDER BY number",
+                session_kind,
+                kind,
+            )
+        ]
+
     def last_number(self) -> int:
         """Number of the newest row of all sessions; 0 before the first."""
         return int(self._database.read("SELECT COALESCE(MAX(number), 0) FROM journal")[0][0])

@@ -23,6 +23,7 @@ from hardware.twin.kinematics import (
     translation,
 )
 from hardware.twin.motion import HALT_S, JointPath, Motion, path_over, reaching_path, smooth
+from hardware.twin.swinging import seat_centre, seated, swing_path
 from hardware.twin.world import Ball, Box, Comb, Scene, Shell, Thing
 
 LEAD_NS = 4_000_000
@@ -30,6 +31,7 @@ CLEAR_MM = 3.0
 """From here the tip goes straight to the face, and back."""
 SETTLE_S, PRESS_S = 0.36, 0.05
 APPROACH_S, RETRACT_S = 0.09, 0.06
+LIFT_MM, LIFT_S = 25.0, 0.5
 HAND_MM_S, HAND_RAD_S = 260.0, 2.2
 SCAN_MM_S = 16.0
 TRIES = 12
@@ -169,6 +171,33 @@ class Hand:
             return True
         return False
 
+    def go_to_seat(self, seat: int, posture: int = 0) -> bool:
+        """Puts the tip into the ``seat``-th seat about the reach; False when cancelled.
+
+        A ``posture`` other than 0: with the elbow or the wrist turned over.
+        """
+        with self._move(f"going to seat {seat + 1}"):
+            centre = seat_centre(self._arm, seat)
+            limits = self._arm.limits_rad
+            start = 0.8 * self._rng.uniform(limits[:, 0], limits[:, 1]) if posture else self._now()
+            goal = seated(self._arm, centre, start, self._rng)
+            up = translation(0.0, 0.0, LIFT_MM)
+            self._run(self._straight(up @ flange_pose(self._arm, self._now()), LIFT_S), 0.0, 0.1)
+            seat_pose = flange_pose(self._arm, goal)
+            self._run(self._turned_to(reach(self._arm, up @ seat_pose, goal, self._rng)), 0.1, 0.8)
+            self._run(self._straight(seat_pose, LIFT_S), 0.8, 1.0)
+            self._touched = None
+            return True
+        return False
+
+    def swing_in_seat(self) -> bool:
+        """Swings the arm about the tip where it is; False when cancelled."""
+        with self._move("swinging the arm"):
+            path = swing_path(self._arm, self._now(), self._rng, self._contact_sd_mm / 4)
+            self._run(JointPath(path.times_s / self._pace, path.q_rad), 0.0, 1.0)
+            return True
+        return False
+
     @contextmanager
     def _move(self, activity: str) -> Iterator[None]:
         with self._moving:
@@ -226,7 +255,11 @@ class Hand:
 
     def _detour(self, q: Floats, target: Floats) -> JointPath:
         """Straight in the joints, where the arm cannot follow a straight way in space."""
-        goal = reach(self._arm, target, q, self._rng)
+        return self._turned_to(reach(self._arm, target, q, self._rng))
+
+    def _turned_to(self, goal: Floats) -> JointPath:
+        """Straight in the joints from where they are."""
+        q = self._now()
         share = smooth(np.linspace(0.0, 1.0, 24))[:, None]
         seconds = 2.0 * float(np.max(np.abs(goal - q))) / HAND_RAD_S / self._pace
         return JointPath(np.linspace(0.0, max(seconds, 0.3), 24), q + share * (goal - q))

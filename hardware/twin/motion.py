@@ -121,11 +121,12 @@ def smooth(share: Floats) -> Floats:
 def between(a: Floats, b: Floats, share: float) -> Floats:
     """(3, 3) rotation a part of the way from one to another."""
     turn = a.T @ b
-    angle = float(np.arccos(np.clip((np.trace(turn) - 1) / 2, -1.0, 1.0)))
+    w = np.array([turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0], turn[1, 0] - turn[0, 1]])
+    sine = float(np.linalg.norm(w)) / 2
+    angle = float(np.arctan2(sine, (np.trace(turn) - 1) / 2))
     if angle < 1e-9:
         return b
-    w = np.array([turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0], turn[1, 0] - turn[0, 1]])
-    x, y, z = w / np.linalg.norm(w)
+    x, y, z = w / (2 * sine)
     K = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
     part = angle * share
     return np.asarray(a @ (np.eye(3) + np.sin(part) * K + (1 - np.cos(part)) * K @ K))

@@ -1,0 +1,40 @@
+"""The arm's own flows: its daily check, and its identification."""
+
+from fastapi import APIRouter
+from pydantic_core import to_json
+from starlette.responses import Response
+
+from app.api.context import TheContext
+from app.api.schema import ArmStart, FlowCommand
+from app.guide.arm.commands import command
+from app.guide.arm.view import ArmCheckSummary, ArmView
+
+router = APIRouter(prefix="/api/arm")
+
+
+def _answer(view: ArmView) -> Response:
+    return Response(to_json(view, inf_nan_mode="null"), media_type="application/json")
+
+
+@router.get("", response_model=ArmView)
+def arm(context: TheContext) -> Response:
+    """The present view."""
+    return _answer(context.arm_guide.view())
+
+
+@router.get("/checks")
+def checks(context: TheContext) -> list[ArmCheckSummary]:
+    """Every finished check, newest first."""
+    return context.arm_guide.history()
+
+
+@router.post("/start", response_model=ArmView)
+def start(asked: ArmStart, context: TheContext) -> Response:
+    """Begins a check or an identification, or resumes the open session."""
+    return _answer(context.arm_guide.start(asked.purpose))
+
+
+@router.post("/command", response_model=ArmView)
+def act(asked: FlowCommand, context: TheContext) -> Response:
+    """One of the view's actions; once for each key, and only on the present view."""
+    return _answer(command(context.arm_guide, asked.name, asked.args, asked.rev, asked.key))

@@ -1,0 +1,1 @@
+"""The arm's own flows: the daily articulation check, and its identification from several seats."""

@@ -1,0 +1,174 @@
+"""What the operator can tell an arm session to do; each command leaves a row in the journal."""
+
+import time
+from collections.abc import Callable, Mapping
+from typing import Protocol
+
+from app.guide.arm import works
+from app.guide.arm.guide import ArmGuide
+from app.guide.arm.rules import SEATS_WANTED
+from app.guide.arm.state import Purpose
+from app.guide.arm.view import ArmView
+from app.guide.hand import Hand
+from app.metrology.refusal import Refusal
+from app.station.jobs import Job, Progress
+
+Args = Mapping[str, object]
+AT_ANY_REV = ("stop_hand",)
+SETTLE_S = 0.5
+"""The joints' last samples come in after the hand has come to rest."""
+POSTURES: dict[Purpose, int] = {"check": 1, "identify": 2}
+"""How often the hand puts the tip into a seat, each time with the elbow elsewhere."""
+
+
+class Press(Protocol):
+    """A button of the arm going down or up."""
+
+    @property
+    def button(self) -> str: ...
+    @property
+    def pressed(self) -> bool: ...
+
+
+def command(guide: ArmGuide, name: str, args: Args, rev: int, key: str) -> ArmView:
+    """Does a command of the browser, once for each ``key``.
+
+    Raises:
+        Refusal: the command is not possible now, or was given on an old view.
+    """
+    with guide.lock:
+        if not guide.knows_key(key):
+            guide.refuse_unless_possible(name, args, None if name in AT_ANY_REV else rev)
+            ACTS[name](guide, args, key)
+        return guide.refresh()
+
+
+BUTTONS = {("seat", "primary"): "begin", ("swing", "primary"): "finish"}
+
+
+def press(guide: ArmGuide, event: Press) -> None:
+    """The arm's primary button begins and ends a swing."""
+    with guide.lock:
+        name = BUTTONS.get((guide.state.step, str(event.button)))
+        if name is None or not event.pressed or not guide.running:
+            return
+        try:
+            guide.refuse_unless_possible(name, {}, None)
+            ACTS[name](guide, {}, None)
+        except Refusal as refusal:
+            guide.decline(refusal)
+        guide.refresh()
+
+
+def stop_hand(guide: ArmGuide) -> None:
+    """Ends the hand's work early; idempotent."""
+    if guide.hand_running and guide.station.hand is not None:
+        guide.hand_running = False
+        guide.station.hand.cancel()
+
+
+def _fit(guide: ArmGuide, args: Args, key: str | None) -> None:
+    _job(guide, "Identifying the arm", lambda progress: works.fit(guide, progress))
+
+
+def _let_hand(guide: ArmGuide, args: Args, key: str | None) -> None:
+    hand = guide.station.hand
+    assert hand is not None
+    guide.append("hand_started", {}, key)
+    guide.hand_running = True
+    try:
+        _job(guide, "The hand at work", _hand_work(guide, hand))
+    except Refusal:
+        guide.hand_running = False
+        raise
+
+
+def _hand_work(guide: ArmGuide, hand: Hand) -> Callable[[Progress], None]:
+    """Takes the one seat of a check, or all that an identification still wants."""
+
+    def work(progress: Progress) -> None:
+        try:
+            wanted = SEATS_WANTED if guide.state.purpose == "identify" else 1
+            while guide.hand_running:
+                if guide.state.swinging:
+                    with guide.lock:
+                        guide.append("seat_dropped", {"name": guide.state.seats[-1].name})
+                done = len(guide.state.seats)
+                if done >= wanted:
+                    return
+                progress(f"The hand goes to seat {done + 1}", done / wanted)
+                if not _take_seat(guide, hand, done, progress):
+                    return
+        finally:
+            guide.hand_running = False
+
+    return work
+
+
+def _take_seat(guide: ArmGuide, hand: Hand, seat: int, progress: Progress) -> bool:
+    """One seat from the approach to the end of the swing; False when the hand was stopped."""
+    if not hand.go_to_seat(seat):
+        return False
+    time.sleep(SETTLE_S)
+    with guide.lock:
+        if not guide.hand_running:
+            return False
+        guide.refuse_unless_possible("begin", {}, None, by_hand=True)
+        guide.begin_seat(None)
+    wanted = SEATS_WANTED if guide.state.purpose == "identify" else 1
+    progress(f"The hand swings the arm about seat {seat + 1}", (seat + 0.3) / wanted)
+    for posture in range(POSTURES[guide.state.purpose]):
+        if posture and not hand.go_to_seat(seat, posture):
+            return False
+        time.sleep(SETTLE_S)
+        if not guide.hand_running or not hand.swing_in_seat():
+            return False
+    time.sleep(SETTLE_S)
+    with guide.lock:
+        guide.refresh()
+        guide.refuse_unless_possible("finish", {}, None, by_hand=True)
+        guide.finish_seat(None)
+    return True
+
+
+def _drop(guide: ArmGuide, args: Args, key: str | None) -> None:
+    guide.append("seat_dropped", {"name": guide.state.seats[-1].name}, key)
+    guide.keep_seats()
+
+
+def _stop_hand(guide: ArmGuide, args: Args, key: str | None) -> None:
+    stop_hand(guide)
+    guide.append("hand_stopped", {}, key)
+
+
+ACTS: dict[str, Callable[[ArmGuide, Args, str | None], None]] = {
+    "choose_arm": lambda guide, args, key: guide.append("arm_chosen", {"id": args["id"]}, key),
+    "set_limit": lambda guide, args, key: guide.append(
+        "limit_set", {"limit_um": args.get("limit_um")}, key
+    ),
+    "begin": lambda guide, args, key: guide.begin_seat(key),
+    "finish": lambda guide, args, key: guide.finish_seat(key),
+    "drop_swing": _drop,
+    "drop_seat": _drop,
+    "fit": _fit,
+    "save": lambda guide, args, key: works.save(guide, key),
+    "reopen": lambda guide, args, key: guide.append("reopened", {}, key),
+    "again": lambda guide, args, key: _again(guide, key),
+    "let_hand": _let_hand,
+    "stop_hand": _stop_hand,
+    "end": lambda guide, args, key: guide.append("ended", {}, key),
+}
+
+
+def _again(guide: ArmGuide, key: str | None) -> None:
+    guide.append("ended", {})
+    guide.begin("check", key)
+
+
+def _job(guide: ArmGuide, title: str, work: Callable[[Progress], None]) -> None:
+    def done(job: Job[None]) -> None:
+        if job.refusal is not None:
+            guide.decline(job.refusal)
+        guide.refresh()
+
+    guide.station.jobs.start(title, work, done)

@@ -1,0 +1,209 @@
+"""The view of an arm session, from its state and the station as it is. Pure."""
+
+from collections.abc import Mapping
+
+from app.guide.arm.live import ArmLive
+from app.guide.arm.picture import picture_of
+from app.guide.arm.rules import SEATS_WANTED, WANTED, swing_deg, why_not
+from app.guide.arm.state import ArmState, SeatTaken
+from app.guide.arm.view import ArmPicture, ArmView
+from app.guide.touching import sentence
+from app.guide.view import Action, ChoiceOption, LiveNumber, Step, StepProgress, Vec3
+from app.metrology.frames import Floats
+from app.station.findings import Finding, Quality
+
+STEPS = (("seat", "Seat the tip"), ("swing", "Swing the arm"), ("result", "Result"))
+
+
+def view_of(state: ArmState, live: ArmLive) -> ArmView:
+    """The view."""
+    running = bool(state.session_id) and not state.ended
+    step = state.step
+    seat = state.seats[-1] if state.seats else None
+    picture = picture_of(state, live, seat)
+    title, instruction = _words(state, seat)
+    return ArmView(
+        session_id=state.session_id,
+        rev=state.rev,
+        running=running,
+        purpose=state.purpose,
+        arms=[
+            ChoiceOption(entry.id, entry.sheet.name, f"serial number {entry.sheet.serial_number}")
+            for entry in live.library.arms.values()
+        ],
+        arm=state.arm,
+        steps=_steps(step),
+        step=step,
+        title=title,
+        instruction=instruction,
+        picture=picture,
+        number=_number(state, picture) if running else None,
+        progress=_progress(state, seat),
+        findings=_findings(state, live, picture) if running else [],
+        actions=_actions(state, live) if running else [],
+        busy=live.busy,
+    )
+
+
+def _words(state: ArmState, seat: SeatTaken | None) -> tuple[str, str]:
+    if state.step == "swing":
+        assert seat is not None
+        return (
+            f"Swing the arm about {seat.name.lower()}",
+            "Keep the tip in the seat. Swing the elbow from one side to the other and back, and "
+            "lean the wrist every way.",
+        )
+    if state.step == "result":
+        if state.purpose == "check":
+            return "Checked", "What the tip moved by while it was held in one place."
+        if state.saved:
+            return (
+                "In use",
+                "Calibrate the sensors again: their place belongs to the arm as it was.",
+            )
+        return "Before and after", "On seats that were held out of the fit, by the arm as it was."
+    if state.purpose == "check":
+        return (
+            "Put the tip into the seat",
+            "Clamp the cone or ball seat at about two thirds of the reach and put the tip into it.",
+        )
+    done = len(state.seats)
+    where = ("near the base", "far out", "to the left", "to the right", "high up", "low down")
+    return (
+        f"Put the tip into seat {done + 1}",
+        f"Clamp the seat somewhere else in the reach, {where[done % len(where)]}, and put the "
+        "tip into it.",
+    )
+
+
+def _steps(step: str) -> list[Step]:
+    at = [name for name, _ in STEPS].index(step)
+    return [
+        Step(name, title, "done" if i < at else "current" if i == at else "todo")
+        for i, (name, title) in enumerate(STEPS)
+    ]
+
+
+def quality_of(half_range_um: Vec3 | Floats, limit_um: float | None) -> Quality:
+    """good within the limit, bad beyond, neutral without one."""
+    if limit_um is None:
+        return "neutral"
+    return "good" if max(half_range_um) <= limit_um else "bad"
+
+
+def _number(state: ArmState, picture: ArmPicture) -> LiveNumber | None:
+    result = picture.result
+    if result is not None:
+        note = f"was {result.volume_before_um:.0f} µm; k = 1, rms over the reach"
+        return LiveNumber("Tip known to", result.volume_after_um, "µm", 1, "good", note)
+    if state.step == "seat":
+        return None
+    found = picture.half_range_um
+    note = "no limit is set" if state.limit_um is None else f"limit {state.limit_um:g} µm"
+    quality = quality_of(found, state.limit_um) if found else "neutral"
+    value = None if found is None else max(found)
+    return LiveNumber("Largest (max − min)/2", value, "µm", 0, quality, note)
+
+
+def _progress(state: ArmState, seat: SeatTaken | None) -> StepProgress | None:
+    if state.step == "swing" and seat is not None:
+        taken = len(seat.q_rad)
+        swing = swing_deg(seat.q_rad)
+        text = f"{taken} of {WANTED} points, largest swing {swing:.0f}°"
+        return StepProgress(min(taken, WANTED), WANTED, text)
+    if state.purpose == "identify" and state.step == "seat":
+        done = len(state.seats)
+        return StepProgress(
+            min(done, SEATS_WANTED), SEATS_WANTED, f"{done} of {SEATS_WANTED} seats"
+        )
+    return None
+
+
+def _findings(state: ArmState, live: ArmLive, picture: ArmPicture) -> list[Finding]:
+    found: list[Finding] = []
+    if live.trouble:
+        found.append(live.trouble)
+    if live.link.state != "connected":
+        found.append(
+            Finding("bad", f"Arm: {live.link.text}", "Wait, or check it. What was taken is kept.")
+        )
+    if state.step == "swing" and live.left_mm is not None:
+        found.append(
+            Finding(
+                "attention",
+                f"The tip is {live.left_mm:.0f} mm from the seat; no points are taken there.",
+                "Put it back, or end the swing.",
+            )
+        )
+    if state.refused is not None:
+        why = f": {state.refused['why']}" if state.refused["why"] else ""
+        text = sentence(f"{state.refused['what']}{why}")
+        found.append(Finding("bad", text, sentence(str(state.refused["remedy"]))))
+    if state.step == "result" and state.purpose == "check":
+        found += _check_findings(state, picture)
+    if state.solved is not None:
+        found += [Finding("attention", sentence(text)) for text in state.solved["warnings"]]
+    return found
+
+
+def _check_findings(state: ArmState, picture: ArmPicture) -> list[Finding]:
+    half_range, two_sigma = picture.half_range_um, picture.two_sigma_um
+    encoders = picture.encoders_two_sigma_um
+    if half_range is None or two_sigma is None or encoders is None:
+        return []
+    by_noise = f"the encoders' noise alone gives {max(encoders):.0f} µm"
+    text = f"2σ is {max(two_sigma):.0f} µm on the worst axis; {by_noise}."
+    found = [Finding("neutral", text)]
+    if state.limit_um is None:
+        text = "No limit is set, so this check neither passes nor fails."
+        found.insert(0, Finding("attention", text, "Set the arm's specification as the limit."))
+    elif quality_of(half_range, state.limit_um) == "bad":
+        text = f"{max(half_range):.0f} µm exceed the limit of {state.limit_um:g} µm."
+        remedy = "Clean tip and seat, check the clamps, and repeat. If it stays, identify the arm."
+        found.insert(0, Finding("bad", text, remedy))
+    else:
+        text = f"{max(half_range):.0f} µm, within the limit of {state.limit_um:g} µm."
+        found.insert(0, Finding("good", text))
+    return found
+
+
+def _actions(state: ArmState, live: ArmLive) -> list[Action]:
+    def offer(
+        name: str,
+        label: str,
+        primary: bool = False,
+        confirm: str = "",
+        args: Mapping[str, object] | None = None,
+    ) -> Action:
+        reason = why_not(state, live, name, args or {})
+        return Action(name, label, args or {}, primary, not reason, reason, confirm)
+
+    hand = [offer("let_hand", "Let the hand do it")] if live.has_hand else []
+    if live.hand_running:
+        hand = [offer("stop_hand", "Stop the hand")]
+    leave = offer("end", "Leave", confirm="Leave this session? Points not yet used are kept aside.")
+    if state.step == "swing":
+        drop = offer("drop_swing", "Take it again")
+        return [offer("finish", "Finish the swing", primary=True), drop, *hand]
+    if state.step == "seat":
+        main = offer("begin", "The tip is in the seat", primary=True)
+        if state.purpose == "check":
+            return [main, *hand, leave]
+        enough = len(state.seats) >= SEATS_WANTED
+        main = offer("begin", main.label if not enough else "One more seat", primary=not enough)
+        fit = offer("fit", "Identify the arm", primary=enough)
+        undo = [offer("drop_seat", "Drop the last seat")] if state.seats else []
+        return [main, fit, *undo, *hand, leave]
+    if state.purpose == "check":
+        return [
+            offer("end", "Done", primary=True),
+            offer("again", "Check again"),
+        ]
+    if state.saved:
+        return [offer("end", "Done", primary=True)]
+    save = offer(
+        "save",
+        "Use this arm from now on",
+        primary=True,
+    )
+    return [save, offer("reopen", "Back to the seats"), leave]

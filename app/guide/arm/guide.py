@@ -1,0 +1,316 @@
+"""The one arm session of a station: its journal, its points, and what is shown of it."""
+
+import secrets
+import threading
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Protocol
+
+import numpy as np
+
+from app.files.arm import read_arm
+from app.files.arm_identification import ARM, ARTICULATION, write_seats
+from app.files.atomic import write_atomically
+from app.files.failures import files_refused
+from app.guide.arm.flow import quality_of, view_of
+from app.guide.arm.live import ArmLive
+from app.guide.arm.rules import why_not
+from app.guide.arm.sampling import HOLD_NS, pick
+from app.guide.arm.state import POINTS, ArmState, Purpose, after
+from app.guide.arm.view import ArmCheckSummary, ArmView
+from app.guide.hand import Hand
+from app.guide.journal import Journal, Row, fold
+from app.guide.library import Library, read_library
+from app.guide.touching import sentence
+from app.guide.view import Busy
+from app.metrology.arm import Arm
+from app.metrology.arm_model.articulation import check_articulation
+from app.metrology.arm_model.observations import Seat
+from app.metrology.refusal import Refusal
+from app.station.bus import Bus
+from app.station.findings import Finding
+from app.station.jobs import Jobs
+from app.station.rig import Rig
+
+KIND = "arm"
+FRESH_S = 2.0
+"""Arms that were added to the data folder are seen after this time."""
+IDENTIFIED = "identified.json"
+
+
+class ArmJournal(Journal, Protocol):
+    """A journal whose rows can be read over all sessions of a kind."""
+
+    def history(self, session_kind: str, kind: str) -> Sequence[Row]: ...
+
+
+@dataclass(frozen=True)
+class ArmStation:
+    """The parts of the machine room that the arm's flows work with."""
+
+    bus: Bus
+    rig: Rig
+    jobs: Jobs
+    hand: Hand | None
+
+
+class ArmGuide:
+    """All methods may be called from any thread."""
+
+    def __init__(self, station: ArmStation, journal: ArmJournal, data_folder: Path) -> None:
+        self.station = station
+        self.lock = threading.RLock()
+        self.hand_running = False
+        self.data_folder = data_folder
+        self._journal = journal
+        self._trouble: Finding | None = None
+        self._left_mm: float | None = None
+        self._seen_ns = 0
+        self._published: ArmView | None = None
+        self._library: tuple[float, Library] | None = None
+        self._own: tuple[str, Arm | None] = ("", None)
+        self.state = ArmState()
+        session = journal.latest_session(KIND)
+        if session is not None:
+            self.state = fold(journal.rows(session.id), self.state, after)
+
+    @property
+    def running(self) -> bool:
+        """Whether a session is open."""
+        return bool(self.state.session_id) and not self.state.ended
+
+    @property
+    def folder(self) -> Path:
+        """The present session's folder, as ``crenel identify`` and ``articulation`` take it."""
+        return self.data_folder / "sessions" / self.state.session_id
+
+    # -- what is shown -------------------------------------------------------
+
+    def view(self) -> ArmView:
+        """The session as of now."""
+        with self.lock:
+            return view_of(self.state, self.live())
+
+    def refresh(self) -> ArmView:
+        """Takes the points that have come, and publishes the view if it changed."""
+        with self.lock:
+            self._take_points()
+            view = self.view()
+            if view != self._published:
+                self._published = view
+                self.station.bus.publish("arm", view)
+            return view
+
+    def live(self) -> ArmLive:
+        """The station as the session sees it."""
+        side, job = self.station.rig.arm, self.station.jobs.current
+        newest = side.latest() if self.running else None
+        return ArmLive(
+            library=self.library(),
+            arm=self.arm(),
+            link=side.link(),
+            connected_joints=side.info.joint_count if side.info else None,
+            q_rad=None if newest is None else tuple(float(q) for q in newest.joints_rad),
+            left_mm=self._left_mm,
+            has_hand=self.station.hand is not None,
+            hand_running=self.hand_running,
+            busy=Busy(job.text or job.title, job.fraction) if job is not None else None,
+            trouble=self._trouble,
+        )
+
+    def library(self) -> Library:
+        """What the station knows; read again only while an arm can be chosen."""
+        old = self._library is None or time.monotonic() - self._library[0] > FRESH_S
+        choosing = not self.running or not self.state.seats
+        if self._library is None or (choosing and old):
+            self._library = (time.monotonic(), read_library(self.data_folder))
+        return self._library[1]
+
+    def arm(self) -> Arm | None:
+        """The session's own copy of the arm once a seat was begun, before it the library's."""
+        if not self.state.seats:
+            entry = self.library().arms.get(self.state.arm)
+            return entry.sheet if entry else None
+        if self._own[0] != self.state.session_id:
+            try:
+                self._own = (self.state.session_id, read_arm(self.folder / ARM))
+            except Refusal:
+                self._own = (self.state.session_id, None)
+        return self._own[1]
+
+    def history(self) -> list[ArmCheckSummary]:
+        """Every check that was finished, newest first."""
+        rows = self._journal.history(KIND, "checked")
+        return [_summary(row) for row in reversed(rows)]
+
+    # -- sessions ------------------------------------------------------------
+
+    def start(self, purpose: Purpose) -> ArmView:
+        """Begins a session; an open one is resumed instead."""
+        with self.lock:
+            if not self.running:
+                self.begin(purpose, None)
+            return self.refresh()
+
+    def begin(self, purpose: Purpose, key: str | None) -> None:
+        """A new session with the last one's limit, and the connected arm's sheet."""
+        stamp = datetime.now(UTC).strftime("%Y%m%d-%H%M%S")
+        session_id = f"{stamp}-{secrets.token_hex(2)}"
+        payload = {
+            "purpose": purpose,
+            "arm": self._best_guess(),
+            "limit_um": self.state.limit_um,
+        }
+        self.state = ArmState(session_id=session_id)
+        self._journal.begin_session(session_id, KIND)
+        self.append("started", payload, key)
+
+    def _best_guess(self) -> str:
+        arms, info = self.library().arms, self.station.rig.arm.info
+        serial = info.serial_number if info else ""
+        connected = [e.id for e in arms.values() if serial and e.sheet.serial_number == serial]
+        if len(connected) == 1:
+            return connected[0]
+        if self.state.arm in arms:
+            return self.state.arm
+        return next(iter(arms)) if len(arms) == 1 else ""
+
+    # -- changes -------------------------------------------------------------
+
+    def append(self, kind: str, payload: Mapping[str, object], key: str | None = None) -> None:
+        """Writes a row, and brings the state in line with it."""
+        with self.lock:
+            row = self._journal.append(self.state.session_id, kind, payload, key)
+            self.state = after(self.state, row)
+            if kind != POINTS:
+                self._trouble = None
+            if kind == "ended":
+                self._journal.end_session(self.state.session_id)
+
+    def knows_key(self, key: str) -> bool:
+        """Whether a command with this idempotency key has acted already."""
+        return self._journal.knows_key(key)
+
+    def refuse_unless_possible(
+        self, name: str, args: Mapping[str, object], rev: int | None, by_hand: bool = False
+    ) -> None:
+        """Raises ``Refusal`` when a command cannot be done now; ``by_hand``: the hand gives it."""
+        live = self.live()
+        if by_hand:
+            live = ArmLive(**{**live.__dict__, "busy": None})
+        if rev is not None and rev != self.state.rev:
+            raise Refusal(
+                "stale-view",
+                "The session went on meanwhile; nothing was done",
+                remedy="Look at the present step, and act on that",
+            )
+        if reason := why_not(self.state, live, name, args):
+            raise Refusal("not-now", reason)
+
+    def decline(self, refusal: Refusal) -> None:
+        """Shows why something was not done, until something is."""
+        with self.lock:
+            why = f": {refusal.why}" if refusal.why else ""
+            text = sentence(f"{refusal.what}{why}")
+            self._trouble = Finding("attention", text, sentence(refusal.remedy))
+            self.station.bus.event("refused", refusal.line, "attention")
+
+    # -- seats ---------------------------------------------------------------
+
+    def begin_seat(self, key: str | None) -> None:
+        """From now on points are taken while the arm swings."""
+        if not self.state.seats:
+            self._keep_arm()
+        known = {seat.name for seat in self.state.seats}
+        number = next(n for n in range(1, 1000) if f"Seat {n}" not in known)
+        newest = self.station.rig.arm.latest()
+        self._seen_ns = newest.stamp_ns if newest else 0
+        self._left_mm = None
+        self.append("seat_begun", {"name": f"Seat {number}"}, key)
+
+    def finish_seat(self, key: str | None) -> None:
+        """Ends the swing; a check is judged and recorded at once."""
+        self._take_points(hold_ns=0)
+        self.append("seat_ended", {}, key)
+        self.keep_seats()
+        if self.state.purpose == "check":
+            self._check()
+
+    def _take_points(self, hold_ns: int = HOLD_NS) -> None:
+        """Brings the points up to date with the joints that have streamed in.
+
+        The newest wait for ``hold_ns``, until it is known that the tip stays in the seat.
+        """
+        arm = self.arm() if self.state.swinging and not self.state.ended else None
+        if arm is None:
+            return
+        side = self.station.rig.arm
+        newest = side.latest()
+        if newest is None:
+            return
+        # after a restart the swing goes on from now
+        first_ns, last_ns = self._seen_ns or newest.stamp_ns, newest.stamp_ns - hold_ns
+        if last_ns < first_ns:
+            return
+        window = side.window(first_ns - HOLD_NS, newest.stamp_ns)
+        self._seen_ns = last_ns + 1
+        if window is None or window.q_rad.shape[1] != arm.joint_count:
+            return
+        picked = pick(arm, self.state.seats[-1].q_rad, window, first_ns, last_ns)
+        self._left_mm = picked.left_mm
+        if picked.q_rad:
+            self.append(POINTS, {"q_rad": picked.q_rad})
+
+    def _check(self) -> None:
+        arm, seat = self.arm(), self.state.seats[-1]
+        assert arm is not None
+        found = check_articulation(arm, np.array(seat.q_rad), label=seat.name)
+        quality = quality_of(found.half_range_um, self.state.limit_um)
+        self.append(
+            "checked",
+            {
+                "arm_name": arm.name,
+                "arm_serial": arm.serial_number,
+                "points": found.points,
+                "centre_mm": found.centre_mm.tolist(),
+                "half_range_um": found.half_range_um.tolist(),
+                "two_sigma_um": found.two_sigma_um.tolist(),
+                "encoders_two_sigma_um": found.encoders_two_sigma_um.tolist(),
+                "limit_um": self.state.limit_um,
+                "verdict": quality,
+            },
+        )
+        worst = f"{float(found.half_range_um.max()):.0f} µm"
+        self.station.bus.event("step_done", f"The arm is checked: {worst}.", quality)
+
+    # -- the session's folder -------------------------------------------------
+
+    def _keep_arm(self) -> None:
+        entry = self.library().arms[self.state.arm]
+        with files_refused(self.folder):
+            self.folder.mkdir(parents=True, exist_ok=True)
+            write_atomically(self.folder / ARM, entry.path.read_bytes())
+
+    def keep_seats(self) -> None:
+        """Brings the session's ``articulation.csv`` up to date."""
+        seats = [Seat(s.name, np.array(s.q_rad)) for s in self.state.seats if s.q_rad]
+        if seats:
+            write_seats(self.folder / ARTICULATION, seats)
+        else:
+            (self.folder / ARTICULATION).unlink(missing_ok=True)
+
+
+def _summary(row: Row) -> ArmCheckSummary:
+    payload = dict(row.payload)
+    return ArmCheckSummary(
+        id=row.session_id,
+        at=row.at,
+        **{  # type: ignore[arg-type]  # as _check wrote them
+            name: tuple(value) if isinstance(value, list) else value
+            for name, value in payload.items()
+            if name not in ("centre_mm", "encoders_two_sigma_um")
+        },
+    )

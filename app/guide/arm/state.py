@@ -1,0 +1,105 @@
+"""The state of an arm session: a fold over its journal. Pure."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from typing import Any, Literal
+
+from app.guide.journal import Row
+
+Purpose = Literal["check", "identify"]
+Payload = Mapping[str, Any]
+Angles = tuple[float, ...]
+
+POINTS = "points"
+"""Points come by themselves while the arm swings: they make no view stale."""
+
+
+@dataclass(frozen=True)
+class SeatTaken:
+    """One seat, and the points taken in it."""
+
+    name: str
+    q_rad: tuple[Angles, ...] = ()
+
+
+@dataclass(frozen=True)
+class ArmState:
+    """Where an arm session stands."""
+
+    session_id: str = ""
+    rev: int = 0
+    """Number of the last row that was more than points."""
+    purpose: Purpose = "check"
+    arm: str = ""
+    """Which of the station's arms, by the id of its file."""
+    limit_um: float | None = None
+    """Largest (max - min)/2 along any axis that the operator accepts."""
+    seats: tuple[SeatTaken, ...] = ()
+    swinging: bool = False
+    """Whether points are being taken in the last seat."""
+    checked: Payload | None = None
+    solved: Payload | None = None
+    refused: Payload | None = None
+    saved: str = ""
+    """Name of the arm's file once the identified arm is in use."""
+    ended: bool = False
+
+    @property
+    def step(self) -> str:
+        """seat, swing or result."""
+        if self.swinging:
+            return "swing"
+        return "result" if self.checked or self.solved else "seat"
+
+
+def after(state: ArmState, row: Row) -> ArmState:
+    """The state after one more row of the journal.
+
+    Raises:
+        ValueError: a row of a kind that this version does not know.
+    """
+    if row.kind not in CHANGES:
+        raise ValueError(f"row of an unknown kind: {row.kind}")
+    changed = CHANGES[row.kind](state, row.payload)
+    rev = state.rev if row.kind == POINTS else row.number
+    return replace(changed, session_id=row.session_id, rev=rev)
+
+
+def _started(state: ArmState, payload: Payload) -> ArmState:
+    return replace(
+        state, purpose=payload["purpose"], arm=payload["arm"], limit_um=payload["limit_um"]
+    )
+
+
+def _seat_begun(state: ArmState, payload: Payload) -> ArmState:
+    return replace(state, seats=(*state.seats, SeatTaken(payload["name"])), swinging=True)
+
+
+def _points(state: ArmState, payload: Payload) -> ArmState:
+    *before, last = state.seats
+    taken = (*last.q_rad, *(tuple(q) for q in payload["q_rad"]))
+    return replace(state, seats=(*before, replace(last, q_rad=taken)))
+
+
+def _seat_dropped(state: ArmState, payload: Payload) -> ArmState:
+    seats = tuple(seat for seat in state.seats if seat.name != payload["name"])
+    return replace(state, seats=seats, swinging=False, solved=None, refused=None)
+
+
+CHANGES: dict[str, Callable[[ArmState, Payload], ArmState]] = {
+    "started": _started,
+    "arm_chosen": lambda state, payload: replace(state, arm=payload["id"]),
+    "limit_set": lambda state, payload: replace(state, limit_um=payload["limit_um"]),
+    "seat_begun": _seat_begun,
+    POINTS: _points,
+    "seat_ended": lambda state, payload: replace(state, swinging=False, solved=None, refused=None),
+    "seat_dropped": _seat_dropped,
+    "checked": lambda state, payload: replace(state, checked=payload),
+    "solved": lambda state, payload: replace(state, solved=payload, refused=None),
+    "fit_refused": lambda state, payload: replace(state, refused=payload, solved=None),
+    "reopened": lambda state, payload: replace(state, solved=None),
+    "saved": lambda state, payload: replace(state, saved=payload["name"]),
+    "hand_started": lambda state, payload: state,
+    "hand_stopped": lambda state, payload: state,
+    "ended": lambda state, payload: replace(state, ended=True, swinging=False),
+}

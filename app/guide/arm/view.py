@@ -1,0 +1,112 @@
+"""What the browser is shown of an arm session; field for field the shapes of types.ts."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from app.guide.arm.state import Purpose
+from app.guide.view import Action, Busy, ChoiceOption, LiveNumber, Step, StepProgress, Vec3
+from app.station.findings import Finding, Quality
+
+
+@dataclass(frozen=True)
+class JointSwing:
+    """How far one joint has turned in this seat, and may turn."""
+
+    name: str
+    lowest_deg: float | None
+    highest_deg: float | None
+    now_deg: float | None
+    limit_low_deg: float
+    limit_high_deg: float
+
+
+@dataclass(frozen=True)
+class SeatLine:
+    """One seat of the session."""
+
+    name: str
+    points: int
+    half_range_um: float
+    """The largest of the three axes."""
+
+
+@dataclass(frozen=True)
+class Before:
+    """One line of before and after."""
+
+    title: str
+    before_um: float
+    after_um: float
+
+
+@dataclass(frozen=True)
+class ParameterLine:
+    """One of the arm's parameters that was moved."""
+
+    name: str
+    unit: str
+    before: float
+    after: float
+    standard_uncertainty: float
+
+
+@dataclass(frozen=True)
+class ArmResult:
+    """What an identification found."""
+
+    volume_before_um: float
+    volume_after_um: float
+    places: int
+    lines: Sequence[Before]
+    parameters: Sequence[ParameterLine]
+
+
+@dataclass(frozen=True)
+class ArmPicture:
+    """The points of the present seat about their mean, and how the arm swung."""
+
+    tips_um: Sequence[Vec3]
+    half_range_um: Vec3 | None
+    two_sigma_um: Vec3 | None
+    encoders_two_sigma_um: Vec3 | None
+    limit_um: float | None
+    joints: Sequence[JointSwing]
+    seats: Sequence[SeatLine]
+    result: ArmResult | None
+
+
+@dataclass(frozen=True)
+class ArmView:
+    """The whole state of the arm session."""
+
+    session_id: str
+    rev: int
+    running: bool
+    purpose: Purpose
+    arms: Sequence[ChoiceOption]
+    arm: str
+    steps: Sequence[Step]
+    step: str
+    title: str
+    instruction: str
+    picture: ArmPicture
+    number: LiveNumber | None
+    progress: StepProgress | None
+    findings: Sequence[Finding]
+    actions: Sequence[Action]
+    busy: Busy | None
+
+
+@dataclass(frozen=True)
+class ArmCheckSummary:
+    """One check of the history."""
+
+    id: str
+    at: str
+    arm_name: str
+    arm_serial: str
+    points: int
+    half_range_um: Vec3
+    two_sigma_um: Vec3
+    limit_um: float | None
+    verdict: Quality

@@ -1,0 +1,72 @@
+"""The longer works of an arm session: the fit, and putting the identified arm into use."""
+
+from datetime import UTC, datetime
+
+from app.files.arm_identification import ARM
+from app.files.atomic import write_atomically
+from app.files.failures import files_refused
+from app.files.identify import identify_folder, parameter_lines
+from app.guide.arm.guide import IDENTIFIED, ArmGuide
+from app.metrology.arm_model.identification import Identification
+from app.metrology.refusal import Refusal
+from app.station.jobs import Progress
+
+REPLACED = "replaced"
+"""Folder beside the station's arms that keeps those that were replaced."""
+
+
+def fit(guide: ArmGuide, progress: Progress) -> None:
+    """Identifies the arm from the session's folder, exactly as the command line does."""
+    folder = guide.folder
+    with guide.lock:
+        guide.keep_seats()
+    try:
+        _, result = identify_folder(
+            folder, folder / IDENTIFIED, progress=lambda share, text: progress(text, share)
+        )
+    except Refusal as refusal:
+        # the folder's path says nothing to an operator
+        what = refusal.what.removeprefix(f"{folder}: ").replace(f"{folder}/", "")
+        guide.append(
+            "fit_refused",
+            {"code": refusal.code, "what": what, "why": refusal.why, "remedy": refusal.remedy},
+        )
+        guide.station.bus.event("refused", refusal.line, "bad")
+        return
+    guide.append("solved", _payload(result))
+    guide.station.bus.event("step_done", "The arm is identified.", "good")
+
+
+def save(guide: ArmGuide, key: str | None) -> None:
+    """Makes the identified arm the station's; the one before is kept aside."""
+    arms = guide.data_folder / "arms"
+    target = arms / f"{guide.state.arm}.json"
+    stamp = datetime.now(UTC).strftime("%Y%m%d-%H%M%S")
+    kept = arms / REPLACED / f"{guide.state.arm}-{stamp}.json"
+    with files_refused(target):
+        kept.parent.mkdir(exist_ok=True)
+        write_atomically(kept, (guide.folder / ARM).read_bytes())
+        write_atomically(target, (guide.folder / IDENTIFIED).read_bytes())
+    guide.append("saved", {"name": target.name, "replaced": kept.name}, key)
+    guide.station.bus.event("accepted", "The identified arm is in use.", "good")
+
+
+def _payload(result: Identification) -> dict[str, object]:
+    before, after = result.validation.before, result.validation.after
+    lines = [
+        {"title": title, "before_um": was, "after_um": now}
+        for title, was, now in (
+            ("Seats", before.seats_um, after.seats_um),
+            ("Spheres", before.spheres_um, after.spheres_um),
+            ("Ball bars' lengths", before.lengths_um, after.lengths_um),
+        )
+        if was is not None and now is not None
+    ]
+    return {
+        "volume_before_um": result.volume_before_mm * 1e3,
+        "volume_after_um": result.volume_after_mm * 1e3,
+        "places": result.validation.places,
+        "lines": lines,
+        "parameters": parameter_lines(result),
+        "warnings": list(result.warnings),
+    }

@@ -1,0 +1,115 @@
+"""Seats about the arm's reach, and the swing of the arm about a tip that stays in one."""
+
+from contextlib import suppress
+
+import numpy as np
+
+from hardware.twin.kinematics import (
+    ArmModel,
+    Floats,
+    UnreachableError,
+    flange_pose,
+    reach,
+    rotation_about,
+)
+from hardware.twin.motion import JointPath, path_over, smooth
+
+SEATS = (
+    (-0.42, 0.62, -0.32),
+    (0.55, 0.45, -0.10),
+    (0.15, 0.78, -0.22),
+    (-0.95, 0.55, 0.05),
+    (0.85, 0.68, 0.18),
+    (-0.20, 0.42, 0.25),
+    (0.30, 0.60, 0.35),
+    (-0.60, 0.75, -0.12),
+)
+"""Bearing in rad, share of the reach, and rise in rad from the shoulder, of each seat."""
+SWING_RAD, LEAN_RAD, TWIST_RAD = 0.75, 0.55, 1.5
+SWING_S = 11.0
+KNOTS = 300
+TRIES, ENOUGH = 60, 8
+EVEN_RAD = 0.02
+"""Between neighbours of a path a joint's speed changes by no more."""
+
+
+def seat_centre(arm: ArmModel, seat: int) -> Floats:
+    """(3,) where the ``seat``-th seat holds the tip's centre, arm frame."""
+    bearing, share, rise = SEATS[seat % len(SEATS)]
+    tip = float(np.linalg.norm(arm.tip_mm))
+    span = tip + sum(float(np.hypot(link.a_mm, link.d_mm)) for link in arm.links[1:])
+    flat = span * share * np.cos(rise)
+    return np.array(
+        [
+            flat * np.cos(bearing),
+            flat * np.sin(bearing),
+            arm.links[0].d_mm + span * share * np.sin(rise),
+        ]
+    )
+
+
+def seated(arm: ArmModel, centre_mm: Floats, q_rad: Floats, rng: np.random.Generator) -> Floats:
+    """Joint angles (n,) with the tip in a seat, from which the arm swings freely.
+
+    Raises:
+        UnreachableError: the arm cannot get its tip there.
+    """
+    bearing = float(np.arctan2(centre_mm[1], centre_mm[0]))
+    best: tuple[float, Floats] | None = None
+    for attempt in range(TRIES):
+        T = rotation_about("z", bearing + float(rng.uniform(-0.6, 0.6)))
+        T = T @ rotation_about("y", float(rng.uniform(1.7, 2.7)))
+        T = T @ rotation_about("z", float(rng.uniform(-np.pi, np.pi)))
+        T[:3, 3] = centre_mm - T[:3, :3] @ np.array(arm.tip_mm)
+        with suppress(UnreachableError):
+            q = reach(arm, T, q_rad, rng, attempts=2)
+            path = swing_path(arm, q, rng)
+            freedom = float(np.mean(np.ptp(path.q_rad, axis=0))) / path.duration_s
+            if best is None or freedom > best[0]:
+                best = freedom, q
+            if attempt >= ENOUGH:
+                break
+    if best is None:
+        raise UnreachableError(f"the tip does not reach {np.round(centre_mm, 1).tolist()} mm")
+    return best[1]
+
+
+def swing_path(
+    arm: ArmModel, q_rad: Floats, rng: np.random.Generator, play_mm: float = 0.0
+) -> JointPath:
+    """The arm swung from side to side, leaned and twisted about the tip, and back again.
+
+    As far as it goes from here. ``play_mm``: how much the tip moves in its seat.
+
+    Raises:
+        UnreachableError: it goes nowhere without flipping over.
+    """
+    start = flange_pose(arm, q_rad)
+    tip = start[:3, :3] @ np.array(arm.tip_mm) + start[:3, 3]
+    turn = 2 * np.pi * np.linspace(0.0, 1.0, KNOTS)
+    # sets out and comes back at rest
+    gently = smooth(np.minimum(1.0, np.minimum(turn, turn[::-1]) / (np.pi / 3)))
+    play = rng.normal(0.0, play_mm, (KNOTS, 3)) * gently[:, None]
+    for share in (1.0, 0.75, 0.55, 0.4):
+        angles = (
+            share
+            * gently[:, None]
+            * np.column_stack(
+                [
+                    SWING_RAD * np.sin(turn),
+                    LEAN_RAD * np.sin(2 * turn),
+                    TWIST_RAD * np.sin(turn + 0.6),
+                ]
+            )
+        )
+        poses = np.tile(np.eye(4), (KNOTS, 1, 1))
+        for pose, (swing, lean, twist), off in zip(poses, angles.tolist(), play, strict=True):
+            R = start @ rotation_about("x", swing) @ rotation_about("y", lean)
+            pose[:3, :3] = (R @ rotation_about("z", twist))[:3, :3]
+            pose[:3, 3] = tip + off - pose[:3, :3] @ np.array(arm.tip_mm)
+        with suppress(UnreachableError):
+            path = path_over(arm, poses, q_rad, SWING_S)
+            # past a wrist stretched out straight the joints race, and the tip with them
+            if float(np.max(np.abs(np.diff(path.q_rad, 2, axis=0)))) < EVEN_RAD:
+                return path
+    raise UnreachableError("the arm cannot swing about its tip here")

@@ -1,0 +1,149 @@
+"""The arm's own flows on the simulated station: the daily check, and the identification."""
+
+import time
+import uuid
+from collections.abc import Callable
+from typing import Any
+
+import httpx
+import pytest
+
+from app.files.arm import ArmFile, read_arm
+from app.files.articulation import check_table
+from app.metrology.arm_model.articulation import ArticulationLimits
+from tests.api.conftest import Server
+from tests.metrology.arm_sessions import volumetric_error_um
+
+View = dict[str, Any]
+
+
+def view_of(server: Server) -> View:
+    return dict(server.http.get("/api/arm").json())
+
+
+def command(server: Server, name: str, **args: object) -> httpx.Response:
+    body = {"name": name, "args": args, "rev": view_of(server)["rev"], "key": uuid.uuid4().hex}
+    return server.http.post("/api/arm/command", json=body)
+
+
+def do(server: Server, name: str, **args: object) -> View:
+    answer = command(server, name, **args)
+    assert answer.status_code == 200, answer.text
+    return dict(answer.json())
+
+
+def wait(server: Server, ready: Callable[[View], bool], timeout_s: float = 90.0) -> View:
+    deadline = time.monotonic() + timeout_s
+    while not ready(view := view_of(server)):
+        assert time.monotonic() < deadline, view
+        time.sleep(0.05)
+    return view
+
+
+@pytest.fixture
+def session(server: Server) -> Callable[[str], View]:
+    """Starts a new session of a purpose, once nothing else is at work."""
+
+    def begin(purpose: str) -> View:
+        wait(server, lambda view: view["busy"] is None)
+        if view_of(server)["running"]:
+            do(server, "end")
+        answer = server.http.post("/api/arm/start", json={"purpose": purpose})
+        assert answer.status_code == 200, answer.text
+        wait(
+            server, lambda view: all(a["enabled"] for a in view["actions"] if a["name"] == "begin")
+        )
+        return dict(answer.json())
+
+    return begin
+
+
+def test_a_check_by_the_hand_is_judged_and_recorded(
+    server: Server, session: Callable[[str], View]
+) -> None:
+    before = len(server.http.get("/api/arm/checks").json())
+    view = session("check")
+    assert view["step"] == "seat"
+    do(server, "set_limit", limit_um=2000)
+    do(server, "let_hand")
+    swinging = wait(server, lambda view: len(view["picture"]["tips_um"]) > 5)
+    assert swinging["step"] == "swing"
+    assert swinging["number"]["value"] > 0
+    view = wait(server, lambda view: view["step"] == "result" and view["busy"] is None)
+    assert view["number"]["quality"] == "good"
+    newest, *others = server.http.get("/api/arm/checks").json()
+    assert len(others) == before
+    assert newest["verdict"] == "good"
+    assert newest["points"] >= 30
+    assert newest["half_range_um"] == pytest.approx(view["picture"]["half_range_um"])
+    # the record can be judged again without us
+    folder = server.data / "sessions" / view["session_id"]
+    (report,) = check_table(folder, None, ArticulationLimits(half_range_um=2000))
+    assert report.check.half_range_um.tolist() == pytest.approx(newest["half_range_um"], rel=1e-6)
+    refused = command(server, "set_limit", limit_um=10)
+    assert refused.status_code == 422
+    # the next check begins with the same limit
+    assert do(server, "again")["picture"]["limit_um"] == 2000
+
+
+def test_a_swing_that_is_too_small_is_not_finished(
+    server: Server, session: Callable[[str], View]
+) -> None:
+    session("check")
+    do(server, "begin")
+    refused = command(server, "finish")
+    assert refused.status_code == 422
+    assert "of at least 30 points" in refused.json()["detail"]
+    assert do(server, "drop_swing")["step"] == "seat"
+
+
+def test_an_old_view_and_a_repeated_key_do_nothing(
+    server: Server, session: Callable[[str], View]
+) -> None:
+    view = session("check")
+    key = uuid.uuid4().hex
+    body = {"name": "begin", "args": {}, "rev": view["rev"], "key": key}
+    assert server.http.post("/api/arm/command", json=body).status_code == 200
+    again = server.http.post("/api/arm/command", json=body)
+    assert again.status_code == 200
+    assert len(again.json()["picture"]["seats"]) <= 1
+    stale = server.http.post("/api/arm/command", json={**body, "key": uuid.uuid4().hex})
+    assert stale.status_code == 422
+    assert stale.json()["code"] == "stale-view"
+
+
+def test_stop_ends_the_hand(server: Server, session: Callable[[str], View]) -> None:
+    session("check")
+    do(server, "let_hand")
+    wait(server, lambda view: view["step"] == "swing")
+    assert server.http.post("/api/stop").status_code == 204
+    view = wait(server, lambda view: view["busy"] is None)
+    assert view["step"] == "swing"
+
+
+def test_several_seats_identify_the_arm_and_the_old_one_is_kept(
+    server: Server, session: Callable[[str], View], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(server.twin.hand, "_pace", 12.0)
+    session("identify")
+    assert command(server, "fit").status_code == 422
+    do(server, "let_hand")
+    view = wait(
+        server, lambda view: view["busy"] is None and len(view["picture"]["seats"]) == 6, 150.0
+    )
+    do(server, "fit")
+    view = wait(server, lambda view: view["step"] == "result", 60.0)
+    result = view["picture"]["result"]
+    (seats,) = result["lines"]
+    assert seats["after_um"] < seats["before_um"]
+    assert result["volume_after_um"] < result["volume_before_um"] / 2
+    assert any("ball bar" in finding["text"] for finding in view["findings"])
+    arms, true = server.data / "arms", server.twin._rig.arm
+    was = volumetric_error_um(true, read_arm(arms / "simulated.json"))
+    before = (arms / "simulated.json").read_bytes()
+    do(server, "save")
+    assert ArmFile.read(arms / "simulated.json").identification is not None
+    assert volumetric_error_um(true, read_arm(arms / "simulated.json")) < was / 2
+    assert [path.read_bytes() for path in (arms / "replaced").iterdir()] == [before]
+    (arms / "simulated.json").write_bytes(before)
+    do(server, "end")
