@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from app.metrology.camera import project
 from app.metrology.crenellated import Crenellated
-from app.metrology.detection.edge_strays import overrun, stray_edge
+from app.metrology.detection.edge_strays import missized, overrun
 from app.metrology.detection.edge_survey import Survey
 from app.metrology.detection.locate import Search
 from app.metrology.detection.picture import BLURRED, PictureFinding
@@ -17,14 +17,16 @@ from app.metrology.refusal import Refusal
 _SIGMAS = 5.0
 # What a camera model and an edge's finish may do to a whole edge, over the longer side.
 _MODEL = 0.05 / 1280
-# All edges together may lie off by this many standard deviations, root mean square.
-_SIGMAS_TOGETHER = 1.5
+# All edges together may lie off by this many standard deviations.
+_SPREAD = 3.0
 # Pixels of today's sensors are square; by how much a fitted camera may differ.
 _SQUARE = 0.005
 # Of the drawn edges' length, how much must show: faces of equal brightness hide some.
 _LEAST_SHOWN = 0.45
 # Of the points that show, how many must agree with the edge they were looked for on.
 _LEAST_AGREEING = 0.8
+# and of the edges of floors and base.
+_LEAST_LOWER = 0.05
 # Share of the edges in the frame that makes the object whole.
 _WHOLE = 0.9
 # Below this support at the small scale nothing like the block was found.
@@ -156,7 +158,17 @@ def disagreement(grey: Floats, found: Survey, certificate_mm: float) -> str:
             "its edges would fit only if the camera's pixels were"
             f" {100 * abs(K[1, 1] / K[0, 0] - 1):.1f} % out of square"
         )
-    return stray_edge(grey, found) or overrun(grey, found) or _displaced(found, certificate_mm)
+    if _levels_shown(found) < _LEAST_LOWER:
+        return "none of the edges of its floors and its base shows in the picture"
+    return missized(grey, found) or overrun(grey, found) or _displaced(found, certificate_mm)
+
+
+def _levels_shown(found: Survey) -> float:
+    """Share of the lower edges' length that shows: without it any height would do."""
+    lower = np.array([name.startswith(("floor", "base")) for name in found.frame.names])
+    rows = lower[found.at.edge]
+    shown = float(found.at.length_px[rows & found.used].sum())
+    return shown / max(float(found.at.length_px[rows].sum()), 1e-9)
 
 
 def _displaced(found: Survey, certificate_mm: float) -> str:
@@ -168,7 +180,8 @@ def _displaced(found: Survey, certificate_mm: float) -> str:
     at = found.at
     model_px = _MODEL * max(found.camera.width_px, found.camera.height_px)
     depth = (at.points_mm @ found.camera.rotation.T + found.camera.translation_mm)[:, 2]
-    ratios, names, distances_um = [], [], []
+    ratios: list[float] = []
+    names, distances_um = [], []
     for part in np.unique(at.part[found.used]):
         rows = np.flatnonzero(found.used & (at.part == part))
         if len(rows) < 4:
@@ -182,8 +195,10 @@ def _displaced(found: Survey, certificate_mm: float) -> str:
         distances_um.append(1000 * abs(off) * mm_per_px)
     if not ratios:
         return "too few of its edges could be measured"
+    # Texture along the edges moves each as a whole; one that is moved more stands out.
+    spread = max(1.0, float(np.median(ratios)) / 0.6745)
     worst = int(np.argmax(ratios))
-    if ratios[worst] > _SIGMAS or float(np.mean(np.square(ratios))) > _SIGMAS_TOGETHER**2:
+    if ratios[worst] > _SIGMAS * spread or spread > _SPREAD:
         return (
             f"its edge {names[worst]} lies {distances_um[worst]:.0f} µm from where the"
             " certificate puts it"

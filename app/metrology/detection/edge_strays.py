@@ -1,66 +1,129 @@
-"""Edges that the picture shows beside where the certificate puts them."""
+"""What the picture shows elsewhere than where the certificate puts it."""
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.camera import project
-from app.metrology.detection.edge_points import Stations, profiles
+from app.metrology.detection.edge_points import Stations, profiles, stations
 from app.metrology.detection.edge_step import chosen, measure
 from app.metrology.detection.edge_survey import Survey
 from app.metrology.frames import Floats
 
-# Edges are judged by at least so many points of their kind; one with at least so few
-# points, at most this share of which show, is missing;
+# Lines of the block are judged by at least so many points of their kind.
 _ENOUGH = 6
-_FEW = 4
-_MISSING = 0.2
-# one of which at least this share shows is there.
-_PRESENT = 0.6
-# How far a stray is looked for, over the picture's longer side, and how far its points
-# may lie from a straight line.
-_FAR = 0.1
+# By how much, in mm, a size may be thought wrong, and what is too little to be told so, px.
+_FURTHEST_MM, _NEAREST_PX = 2.6, 2.5
+# Steps this much lower than the faces' usual ones are none of the block's.
+_STEP = 0.35
+# Share of the edges of a size that must show elsewhere where the size is wrong, of those at
+# least so many free of others; and how much of it may show where the certificate puts them.
+_THERE, _FREE, _HERE = 0.2, 0.4, 0.15
+# Length, px, that the edges of a size must have in the picture to say anything.
+_LENGTH_PX = 25.0
+_SPACING_PX = 3.0
+# How far a line may run beside an edge, in px, and be the edge's.
 _STRAIGHT_PX = 1.5
-# Of the missing edge's stations, how many must see the stray, and its step over the usual.
-_SEEN = 0.7
-_STEP = 0.5
 # How far beyond the block's ends its lines are followed, over its length, and how many
 # stations in a row, every two pixels, must see one go on.
 _BEYOND = 0.3
 _IN_A_ROW = 8
 
 
-def stray_edge(grey: Floats, found: Survey) -> str:
-    """A missing edge whose like is seen elsewhere, in words; empty where there is none.
+def missized(grey: Floats, found: Survey) -> str:
+    """A size of the certificate that the picture shows to be another, in words; else empty.
 
-    Faces of equal brightness hide the edge between them, which is no fault. But
-    where all others between the same kinds of face show, and a straight step of
-    their height runs beside the missing one where nothing should be, the block
-    has other measures.
+    Faces of equal brightness, shadows and things in the way hide edges, which is no
+    fault. But where the edges of one size (all those in one plane) are missing, and would
+    all be seen if the plane lay elsewhere, the block has another measure.
 
     Args:
         grey: (H, W) the picture, NaN where it must not count.
         found: the edges measured in it.
     """
+    lines = _lines_about(grey, found)
+    frame = found.frame
+    both = np.stack([frame.starts_mm, frame.ends_mm], axis=1)
+    for axis in range(3):
+        for value in np.unique(both[..., axis]):
+            edges = np.flatnonzero((np.abs(both[..., axis] - value) < 1e-9).all(axis=1))
+            rows = np.flatnonzero(np.isin(lines.at.edge, edges))
+            off_mm = _elsewhere(found, lines, rows, axis)
+            if off_mm is not None:
+                name = frame.names[lines.at.edge[rows[0]]]
+                return (
+                    f"its edge {name} seems to lie {abs(off_mm):.2f} mm from where the"
+                    " certificate puts it"
+                )
+    return ""
+
+
+@dataclass(frozen=True)
+class _Lines:
+    """Where steps of brightness lie along the normals of stations.
+
+    ``there``: (N, 2 reach + 1) whether one like the block's lies at each offset;
+    ``free``: (N, 2 reach + 1) whether no other drawn edge lies near.
+    """
+
+    at: Stations
+    there: NDArray[np.bool_]
+    free: NDArray[np.bool_]
+
+
+def _lines_about(grey: Floats, found: Survey) -> _Lines:
     hidden = np.isnan(grey)
     smooth: Floats = np.asarray(
         cv2.GaussianBlur(np.nan_to_num(grey), (0, 0), max(1.0, found.blur_px)), dtype=np.float64
     )
     smooth[hidden] = np.nan
-    for part, step in _missing(found, _uncovered(hidden, found)):
-        rows = np.flatnonzero(found.at.part == part)
-        away_px = _stray(smooth, found, rows, step)
-        if away_px is not None:
-            at = found.at.points_mm[rows] @ found.camera.rotation.T
-            depth = float(np.median((at + found.camera.translation_mm)[:, 2]))
-            away_mm = abs(away_px) * depth / found.camera.matrix[0, 0]
-            name = found.frame.names[found.at.edge[rows[0]]]
-            return (
-                f"its edge {name} seems to lie {away_mm:.2f} mm from where the certificate puts it"
-            )
-    return ""
+    at = stations(found.frame, found.camera, _SPACING_PX, _STRAIGHT_PX)
+    depth = at.points_mm @ found.camera.rotation[2] + found.camera.translation_mm[2]
+    px_per_mm = found.camera.matrix[0, 0] / float(np.median(depth))
+    reach = int(np.ceil(_FURTHEST_MM * px_per_mm)) + 2
+    slope = np.gradient(profiles(smooth, at.uv_px, at.normal, reach), axis=1)
+    blur = float(np.hypot(found.blur_px, max(1.0, found.blur_px)))
+    usual = float(np.median(np.abs(found.step[found.used])))
+    size = np.abs(slope)
+    peak = size >= _STEP * usual / (2.5066 * blur)
+    peak[:, 1:-1] &= (size[:, 1:-1] >= size[:, :-2]) & (size[:, 1:-1] >= size[:, 2:])
+    peak[:, [0, -1]] = False
+    there = cv2.dilate(peak.astype(np.uint8), np.ones((1, 3), np.uint8)) > 0
+    offset = np.arange(-reach, reach + 1)
+    clear = 2 * blur + 1
+    free = (offset < at.room_px[:, :1] - clear) & (offset > -(at.room_px[:, 1:] - clear))
+    return _Lines(at, there, free)
+
+
+def _elsewhere(found: Survey, lines: _Lines, rows: NDArray[np.int64], axis: int) -> float | None:
+    """By how many mm along an axis the edges at some stations lie elsewhere; None if they do not.
+
+    Every shift of their plane moves each station's edge along its normal by a known amount.
+    """
+    at = lines.at
+    along = np.eye(3)[axis]
+    ahead = project(found.camera, at.points_mm[rows] + 0.1 * along) - at.uv_px[rows]
+    px_per_mm = 10.0 * (ahead * at.normal[rows]).sum(axis=1)
+    length = at.length_px[rows]
+    telling = np.abs(px_per_mm) * _FURTHEST_MM > 2 * _NEAREST_PX
+    if float(length[telling].sum()) < _LENGTH_PX:
+        return None
+    rows, px_per_mm, length = rows[telling], px_per_mm[telling], length[telling]
+    reach = lines.there.shape[1] // 2
+    steps = np.arange(-_FURTHEST_MM, _FURTHEST_MM, 0.5 / float(np.abs(px_per_mm).max()))
+    away = np.rint(steps[:, None] * px_per_mm).astype(np.int64)
+    column = np.clip(away + reach, 0, 2 * reach)
+    free = lines.free[rows, column] & (np.abs(away) >= _NEAREST_PX)
+    seen = lines.there[rows, column] & free
+    near = lines.there[rows][:, reach - 1 : reach + 2].any(axis=1)
+    share = seen @ length / np.maximum(free @ length, _FREE * length.sum())
+    best = int(np.argmax(share))
+    here = float(near @ length / length.sum())
+    if share[best] > _THERE and here < _HERE * share[best]:
+        return float(steps[best])
+    return None
 
 
 def overrun(grey: Floats, found: Survey) -> str:
@@ -143,76 +206,3 @@ def _stations_at(found: Survey, points_mm: Floats, along_mm: Floats, row: int) -
         length_px=np.ones(count),
     )
     return chosen(at, np.all((uv > 0) & (uv < limit), axis=1))
-
-
-def _uncovered(hidden: NDArray[np.bool_], found: Survey) -> NDArray[np.bool_]:
-    """Which stations (N,) have all of their surroundings in sight."""
-    reach = 2 * int(np.ceil(3 + 2.5 * found.blur_px + found.at.half_length_px)) + 1
-    wide = cv2.dilate(hidden.astype(np.uint8), np.ones((reach, reach), np.uint8)) > 0
-    at = np.rint(found.at.uv_px).astype(np.int64)
-    return np.asarray(~wide[at[:, 1], at[:, 0]])
-
-
-def _missing(found: Survey, uncovered: NDArray[np.bool_]) -> list[tuple[int, float]]:
-    """Missing parts and the step, from second to first region, that their likes show."""
-    at = found.at
-    kinds = [_kind(name) for name in found.frame.regions]
-    alike: dict[tuple[str, str], list[tuple[int, int, int, float, float]]] = {}
-    for part in np.unique(at.part):
-        rows = (at.part == part) & uncovered
-        one, other = (kinds[region] for region in at.regions[part])
-        sense = 1.0 if one <= other else -1.0
-        shown = rows & found.used
-        step = sense * float(np.median(found.step[shown])) if shown.any() else 0.0
-        key = (min(one, other), max(one, other))
-        alike.setdefault(key, []).append(
-            (int(part), int(rows.sum()), int(shown.sum()), step, sense)
-        )
-    missing = []
-    for group in alike.values():
-        there = [one for one in group if one[2] >= _PRESENT * one[1]]
-        steps = np.array([one[3] for one in there])
-        if sum(one[2] for one in there) < _ENOUGH or steps.min() * steps.max() <= 0:
-            continue
-        for part, count, shown_count, _, sense in group:
-            if count >= _FEW and shown_count <= _MISSING * count:
-                missing.append((part, sense * float(np.median(steps))))
-    return missing
-
-
-def _kind(region: str) -> str:
-    """What a region is, without its number: ``wall:2:L`` is a ``wall:L``."""
-    words = region.split(":")
-    return f"wall:{words[2]}" if words[0] == "wall" else words[0]
-
-
-def _stray(smooth: Floats, found: Survey, rows: NDArray[np.int64], step: float) -> float | None:
-    """Mean distance in px, along the normals, of a straight step beside some stations."""
-    at = found.at
-    reach = int(_FAR * max(smooth.shape))
-    blur = float(np.hypot(found.blur_px, max(1.0, found.blur_px)))
-    slope = np.gradient(profiles(smooth, at.uv_px[rows], at.normal[rows], reach), axis=1)
-    least = _STEP * abs(step) / (2.5066 * blur)
-    size = slope * np.sign(step)
-    offset = np.arange(-reach, reach + 1)
-    # Near other drawn edges a step is theirs.
-    own = (offset < at.room_px[rows, :1] - 3 * blur - 2) & (
-        offset > -(at.room_px[rows, 1:] - 3 * blur - 2)
-    )
-    peak = (size >= least) & own
-    peak[:, 1:-1] &= (size[:, 1:-1] >= size[:, :-2]) & (size[:, 1:-1] >= size[:, 2:])
-    peak[:, [0, -1]] = False
-    station, column = np.nonzero(peak)
-    if len(np.unique(station)) < _SEEN * len(rows):
-        return None
-    away = offset[column].astype(np.float64)
-    third = len(rows) / 3
-    for a in np.flatnonzero(station < third)[:60]:
-        for b in np.flatnonzero(station > 2 * third)[:60]:
-            incline = (away[b] - away[a]) / (station[b] - station[a])
-            near = np.abs(away - away[a] - incline * (station - station[a])) < _STRAIGHT_PX
-            seen = len(np.unique(station[near])) >= _SEEN * len(rows)
-            # What runs along the drawn edge itself is that edge, only too faint to measure.
-            if seen and abs(np.mean(away[near])) > _STRAIGHT_PX:
-                return float(np.mean(away[near]))
-    return None

@@ -26,6 +26,8 @@ _SIGNIFICANT = 3.0
 # Steps over noise at which points every few pixels are good, and the most they may lengthen.
 _GOOD_CONTRAST, _LONGEST = 12.0, 5.0
 _NOISY_SPACING_PX = 20.0
+# Points that make a part's mean, and means that tell how parts scatter.
+_IN_MEAN, _FEWEST_MEANS = 3, 6
 
 
 @dataclass(frozen=True)
@@ -189,30 +191,53 @@ def _fitted(
     ), covariance
 
 
-def _agreeing(off: Floats, found: Survey) -> tuple[NDArray[np.bool_], float]:
-    """Which points agree with the others of their part, and what their sigma lacks.
+def _agreeing(off: Floats, found: Survey) -> tuple[NDArray[np.bool_], Floats]:
+    """Which points agree with the others of their part, and what their sigmas lack (N,).
 
-    The factor brings the sigmas to the scatter along the parts, and further to
-    that of parts' means where neighbouring points err alike (texture).
+    The factors bring the sigmas to the scatter along the parts, further to that of
+    parts' means where neighbouring points err alike (texture), and so far that the
+    parts' means scatter no more than they say.
     """
     used = np.zeros(len(off), dtype=bool)
     scatter, products, squares = [], 0.0, 0.0
+    means = []
     for part in np.unique(found.at.part[found.shows]):
         rows = np.flatnonzero(found.shows & (found.at.part == part))
         z = (off[rows] - np.median(off[rows])) / found.sigma_px[rows]
         spread = max(float(np.median(np.abs(z))) / 0.6745, 1.0)
         fine = np.abs(z) < 4.0 * spread
         used[rows[fine]] = True
+        if fine.sum() >= _IN_MEAN:
+            weight = 1 / found.sigma_px[rows[fine]] ** 2
+            means.append((part, weight @ off[rows[fine]] / weight.sum(), 1 / weight.sum()))
         if fine.sum() >= 8:
             z = z[fine] - z[fine].mean()
             scatter.append(np.full(len(z), float(np.mean(z**2)) * len(z) / (len(z) - 1)))
             products += float((z[1:] * z[:-1]).sum())
             squares += float((z[1:] ** 2 + z[:-1] ** 2).sum()) / 2
-    if not scatter:
-        return used, 1.0
-    factor = float(np.sqrt(np.median(np.concatenate(scatter))))
-    alike = float(np.clip(products / max(squares, 1e-12), 0.0, 0.8))
-    return used, factor * float(np.sqrt((1 + alike) / (1 - alike)))
+    factor = np.ones(len(off))
+    if scatter:
+        alike = float(np.clip(products / max(squares, 1e-12), 0.0, 0.8))
+        factor *= np.sqrt(np.median(np.concatenate(scatter)) * (1 + alike) / (1 - alike))
+    return used, factor * _together(found.at, means, factor[0] ** 2)
+
+
+def _together(at: Stations, means: list[tuple[int, float, float]], scale: float) -> Floats:
+    """Factors (N,) on the points' sigmas for what moves each edge as a whole.
+
+    A tool mark along an edge, a shadow at its foot, rounding. ``means``: of each part
+    its number, mean distance and variance; ``scale``: what the variances lack already.
+    """
+    factor = np.ones(len(at.part))
+    if len(means) < _FEWEST_MEANS:
+        return factor
+    off = np.array([mean for _, mean, _ in means])
+    variance = scale * np.array([one for _, _, one in means])
+    # About as much as makes the median of the squares what it is of unit variance.
+    moved = max(float(np.median(off**2 - 0.455 * variance)) / 0.455, 0.0)
+    for (part, _, _), own in zip(means, variance, strict=True):
+        factor[at.part == part] = np.sqrt(1 + moved / own)
+    return factor
 
 
 def _with_significant_lens(found: Survey, certificate_mm: float) -> Survey | None:
