@@ -101,7 +101,8 @@ class Observations:
             shape = corner_rows(scene, self.corners)
         else:
             shape = no_rows(scene)
-        return shape, stripe_rows(scene, self.stripe, self.levels)
+        level = np.where(self.levels.used, self.levels.level, "")
+        return shape, stripe_rows(scene, self.stripe, level)
 
 
 def fit_camera(camera: Camera, block: Crenellated, seen: Observations) -> CameraFit:

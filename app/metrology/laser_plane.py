@@ -184,6 +184,18 @@ def fit_laser_plane(
     )
 
 
+def agreeing_levels(
+    camera: Camera, block: Crenellated, stripe: Stripe, plane: LaserPlane
+) -> NDArray[np.str_]:
+    """The level (N,) of each point of the stripe that agrees with a known plane, else empty."""
+    level, points = levels_of(camera, block, stripe.uv_px)
+    on = level != ""
+    if on.any():
+        per_sigma = _moves(camera, stripe, on, points[on]) * stripe.sigma_px[on, None]
+        level[np.flatnonzero(on)[~_agreeing(plane, points[on], per_sigma)]] = ""
+    return level
+
+
 def _require_both(level: NDArray[np.str_], found: int) -> None:
     """Refuses a stripe that does not show enough of crests and floors."""
     count = {name: int(np.sum(level == name)) for name in ("crest", "floor")}

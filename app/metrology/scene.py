@@ -10,7 +10,7 @@ from app.metrology.camera import Camera, rays
 from app.metrology.crenellated import Crenellated, corners, edges
 from app.metrology.detection.corners import Corner, EdgePoints
 from app.metrology.frames import Floats
-from app.metrology.laser_plane import LaserPlane, LaserPlaneFit, tangents
+from app.metrology.laser_plane import LaserPlane, tangents
 from app.metrology.projection import COUNT, PARAMETERS, project_with_jacobian, stepped
 from app.metrology.stripe import Stripe
 
@@ -127,11 +127,15 @@ def edge_rows(scene: Scene, measured: Sequence[EdgePoints]) -> Rows:
     return Rows(residuals, sigma, -J, uv, line, SHARED_EDGE_PX)
 
 
-def stripe_rows(scene: Scene, stripe: Stripe, fit: LaserPlaneFit) -> Rows:
-    """Stripe points on the two straight lines in which the laser plane meets the levels."""
+def stripe_rows(scene: Scene, stripe: Stripe, level: NDArray[np.str_]) -> Rows:
+    """Stripe points on the two straight lines in which the laser plane meets the levels.
+
+    ``level`` (N,) is ``crest`` or ``floor``, and empty for points that do not count.
+    """
     plane = scene.plane
-    uv, sigma = stripe.uv_px[fit.used], stripe.sigma_px[fit.used]
-    line = (fit.level[fit.used] == "floor").astype(np.int64)
+    used = level != ""
+    uv, sigma = stripe.uv_px[used], stripe.sigma_px[used]
+    line = (level[used] == "floor").astype(np.int64)
     z = np.array([scene.block.crest_z_mm, scene.block.floor_z_mm])[line]
     # across the line within its level: how the line moves when the plane does
     across = np.array([*plane.normal[:2], 0.0]) / float(plane.normal[:2] @ plane.normal[:2])

@@ -1,0 +1,108 @@
+"""The crenellated block as the adjustment sees it: its papers, its pictures, its contacts."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.adjustment.arm_motion import arm_motion, tip_shift
+from app.metrology.adjustment.evidence import Papers, Touches
+from app.metrology.arm import Arm, tip_centres, tip_covariances
+from app.metrology.camera import Camera
+from app.metrology.crenellated import Crenellated, probing_face
+from app.metrology.detection.corners import Corner, EdgePoints
+from app.metrology.frames import Floats
+from app.metrology.laser_plane import LaserPlane, agreeing_levels
+from app.metrology.scene import (
+    Rows,
+    Scene,
+    coordinates,
+    corner_rows,
+    edge_rows,
+    no_rows,
+    stripe_rows,
+    with_coordinates,
+)
+from app.metrology.stripe import Stripe
+
+LEAST_CERTIFICATE_MM = 1e-6
+
+
+@dataclass(frozen=True)
+class BlockView:
+    """The block in the pictures of one pose: points on its edges, and the stripe on it.
+
+    Corners count only where there are no edge points, from which they are drawn.
+    """
+
+    block: Crenellated
+    edges: tuple[EdgePoints, ...]
+    corners: tuple[Corner, ...]
+    stripe: Stripe
+    level: NDArray[np.str_]  # of each stripe point that counts; empty of others
+
+    def rows(self, camera: Camera, plane: LaserPlane, coordinates: Floats) -> tuple[Rows, Rows]:
+        scene = Scene(camera, plane, with_coordinates(self.block, coordinates))
+        if self.edges:
+            shape = edge_rows(scene, self.edges)
+        elif self.corners:
+            shape = corner_rows(scene, self.corners)
+        else:
+            shape = no_rows(scene)
+        return shape, stripe_rows(scene, self.stripe, self.level)
+
+    def sorted_anew(self, camera: Camera, plane: LaserPlane, coordinates: Floats) -> "BlockView":
+        block = with_coordinates(self.block, coordinates)
+        return replace(self, level=agreeing_levels(camera, block, self.stripe, plane))
+
+    def stripe_px(self) -> Floats:
+        return np.asarray(self.stripe.uv_px[self.level != ""])
+
+
+def block_papers(block: Crenellated) -> Papers:
+    """The certificate: every coordinate known to its standard uncertainty."""
+    count = len(block.edges_x_mm)
+    names = tuple(f"edge_x:{i}" for i in range(count))
+    names += ("front_y", "back_y", "crest_z", "floor_z", "base_z")
+    sd = max(block.standard_uncertainty_mm, LEAST_CERTIFICATE_MM)
+    return Papers(names, coordinates(block), np.full(len(names), sd))
+
+
+def block_touches(
+    arm: Arm,
+    block: Crenellated,
+    features: Sequence[str],
+    q_rad: Floats,
+    kept: NDArray[np.bool_],
+) -> Touches:
+    """Contacts (N) on the block's faces at encoder angles (N, n)."""
+    moves = arm_motion(arm, q_rad)
+    values = coordinates(block)
+    faces = {face: _face(block, face, values) for face in set(features)}
+    return Touches(
+        tuple(features),
+        np.array([faces[face][0] for face in features]),
+        np.array([faces[face][1] for face in features]),
+        arm.tip.radius_mm,
+        tip_centres(arm, q_rad),
+        np.array(
+            [
+                tip_shift(T, arm.tip.centre_mm) @ by_links
+                for T, by_links in zip(moves.T_arm_flange, moves.by_links, strict=True)
+            ]
+        ),
+        tip_covariances(arm, q_rad),
+        kept,
+    )
+
+
+def _face(block: Crenellated, face: str, values: Floats) -> tuple[Floats, Floats]:
+    """Normal (3,) of a face, and its offset as a linear function (B,) of the coordinates."""
+    normal, offset_mm = probing_face(block, face)
+    by_coordinates = np.zeros(len(values))
+    for k in range(len(values)):
+        moved = values.copy()
+        moved[k] += 1.0
+        by_coordinates[k] = probing_face(with_coordinates(block, moved), face)[1] - offset_mm
+    return normal, by_coordinates

@@ -1,0 +1,130 @@
+"""What goes into the adjustment: what each pose's pictures show, and the contact points."""
+
+from dataclasses import dataclass, replace
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.adjustment.arm_motion import FlangeMotion
+from app.metrology.camera import Camera
+from app.metrology.frames import Floats, inverse
+from app.metrology.laser_plane import LaserPlane
+from app.metrology.scene import Rows
+
+
+class PoseView(Protocol):
+    """What the pictures of one pose show of the object."""
+
+    def rows(self, camera: Camera, plane: LaserPlane, coordinates: Floats) -> tuple[Rows, Rows]:
+        """Observation equations of the object's shape, and of the stripe.
+
+        Args:
+            camera: with the object's frame as its sensor frame.
+            plane: the laser plane in the object's frame.
+            coordinates: (B,) the object's own, as in its ``Papers``.
+
+        Returns:
+            rows whose parameters are the camera's (``projection.PARAMETERS``), the
+            plane's two tilts and offset, and the B coordinates.
+        """
+        ...
+
+    def sorted_anew(self, camera: Camera, plane: LaserPlane, coordinates: Floats) -> "PoseView":
+        """The same, with the stripe's points judged against this camera and plane."""
+        ...
+
+    def stripe_px(self) -> Floats:
+        """(N, 2) pixels of the stripe that are in use."""
+        ...
+
+
+@dataclass(frozen=True)
+class Papers:
+    """The object's coordinates by its certificate, each known to a standard deviation (mm)."""
+
+    names: tuple[str, ...]
+    coordinates: Floats  # (B,)
+    sd: Floats  # (B,)
+
+
+@dataclass(frozen=True)
+class Touches:
+    """N contact points: the tip's centre lies one radius outside the face that was touched.
+
+    In the object's frame a face has the normal ``normals`` (N, 3) and the offset
+    ``offset_by_coordinates @ coordinates`` (N, B). Tip centres ``tips_mm`` (N, 3) are by
+    the arm's model; ``by_links`` (N, 3, 6n) is how they move with the links' errors and
+    ``noise_mm2`` (N, 3, 3) their covariance by the encoders' noise. ``kept`` (N,) are
+    those that agree with one another.
+    """
+
+    features: tuple[str, ...]
+    normals: Floats
+    offset_by_coordinates: Floats
+    radius_mm: float
+    tips_mm: Floats
+    by_links: Floats
+    noise_mm2: Floats
+    kept: NDArray[np.bool_]
+
+    def __len__(self) -> int:
+        return len(self.features)
+
+
+@dataclass(frozen=True)
+class Problem:
+    """All that is to agree: P poses seen, contacts (perhaps none), and the papers."""
+
+    numbers: tuple[int, ...]
+    views: tuple[PoseView, ...]
+    motion: FlangeMotion
+    touches: Touches | None
+    papers: Papers
+    width_px: int
+    height_px: int
+
+    def without_poses(self, left_out: NDArray[np.bool_]) -> "Problem":
+        """The same without the poses marked (P,)."""
+        keep = np.flatnonzero(~left_out)
+        motion = self.motion
+        return replace(
+            self,
+            numbers=tuple(self.numbers[i] for i in keep),
+            views=tuple(self.views[i] for i in keep),
+            motion=replace(
+                motion,
+                T_arm_flange=motion.T_arm_flange[keep],
+                by_links=motion.by_links[keep],
+                by_noise=motion.by_noise[keep],
+            ),
+        )
+
+
+@dataclass(frozen=True)
+class ContactRows:
+    """Contact residuals (N,) in mm, positive outward, and what they change with."""
+
+    residuals_mm: Floats
+    by_place: Floats  # (N, 6) left twist of T_arm_obj
+    by_links: Floats  # (N, 6n)
+    by_coordinates: Floats  # (N, B)
+    noise_mm2: Floats  # (N,) variance by the encoders
+
+
+def contact_rows(
+    touches: Touches, T_arm_obj: Floats, coordinates: Floats, links: Floats
+) -> ContactRows:
+    """How the tips lie on their faces, for a place of the object and errors of the links (6n,)."""
+    tips = touches.tips_mm + touches.by_links @ links
+    T_obj_arm = inverse(T_arm_obj)
+    in_obj = tips @ T_obj_arm[:3, :3].T + T_obj_arm[:3, 3]
+    normals_arm = touches.normals @ T_arm_obj[:3, :3].T
+    offsets = touches.offset_by_coordinates @ coordinates + touches.radius_mm
+    return ContactRows(
+        np.sum(touches.normals * in_obj, axis=1) - offsets,
+        -np.column_stack([np.cross(tips, normals_arm), normals_arm]),
+        np.einsum("ni,nis->ns", normals_arm, touches.by_links),
+        -touches.offset_by_coordinates,
+        np.einsum("ni,nij,nj->n", normals_arm, touches.noise_mm2, normals_arm),
+    )

@@ -1,0 +1,84 @@
+"""Standard deviations that the data themselves tell: variance components.
+
+A sum of squares is compared with the number of values that the data, and not the
+scale itself, determined (Foerstner's estimate, iterated).
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.metrology.frames import Floats
+
+# What is usual where nothing tells; counted like so many observations, so that it settles.
+USUAL_LINKS_RAD, USUAL_LINKS_MM, USUAL_TOUCH_MM = 2e-6, 0.003, 0.003
+USUAL_COUNT = 0.02
+SETTLED = 0.01
+MOST_ROUNDS = 15
+
+
+@dataclass(frozen=True)
+class Scales:
+    """What scatters how much.
+
+    ``links_rad``, ``links_mm``: the turn and the shift of one link's error; ``noise``:
+    factor on the noise of each reading; ``touch_mm``: one touch, beside that noise.
+    """
+
+    links_rad: float
+    links_mm: float
+    noise: float
+    touch_mm: float
+
+    def of_links(self, count: int) -> Floats:
+        """(6 count,) of the errors of so many links."""
+        return np.tile(np.repeat([self.links_rad, self.links_mm], 3), count)
+
+
+def usual_scales(noise_factor: float) -> Scales:
+    return Scales(USUAL_LINKS_RAD, USUAL_LINKS_MM, noise_factor, USUAL_TOUCH_MM)
+
+
+def told_by(values: Floats, variances: Floats, scale: float, usual: float) -> float:
+    """The scale of values (N,) that are known to ``variances`` (N,) with ``scale`` assumed."""
+    if not len(values):
+        return scale
+    determined = max(float(len(values) - np.sum(variances) / scale**2), 0.0)
+    squares = float(values @ values) + USUAL_COUNT * usual**2
+    return float(np.sqrt(squares / (determined + USUAL_COUNT)))
+
+
+def touch_told(
+    residuals_mm: Floats, noise_mm2: Floats, fitted_mm2: Floats, scales: Scales
+) -> float:
+    """Of one touch, from contact residuals (N,) after the fit.
+
+    Each counts for what of it the encoders' variance ``noise_mm2`` (N,) does not
+    explain; ``fitted_mm2`` (N,) is the variance of the fit itself at the contacts.
+    """
+    variance = scales.touch_mm**2 + noise_mm2
+    weight = scales.touch_mm**2 / variance
+    squares = float(np.sum((weight * residuals_mm) ** 2)) + USUAL_COUNT * USUAL_TOUCH_MM**2
+    determined = float(np.sum(weight * np.maximum(1 - fitted_mm2 / variance, 0.0)))
+    return float(np.sqrt(squares / (determined + USUAL_COUNT)))
+
+
+def settled(scales: Scales, told: Callable[[Scales], Scales]) -> Scales:
+    """Where ``told`` changes the scales no more, or nearly so."""
+    for _ in range(MOST_ROUNDS):
+        before, scales = scales, told(scales)
+        if difference(before, scales) < SETTLED:
+            break
+    return scales
+
+
+def difference(a: Scales, b: Scales) -> float:
+    """Largest relative change of any scale."""
+    pairs = (
+        (a.links_rad, b.links_rad),
+        (a.links_mm, b.links_mm),
+        (a.noise, b.noise),
+        (a.touch_mm, b.touch_mm),
+    )
+    return max(abs(float(np.log(x / y))) for x, y in pairs)

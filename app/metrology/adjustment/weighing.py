@@ -1,0 +1,62 @@
+"""How much each observation counts: outliers, scatter beyond what was said, shared errors."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.frames import Floats
+from app.metrology.laser_plane import neighbours_alike
+from app.metrology.scene import Rows
+
+OUTLIER_SIGMAS = 4.5
+FEWEST_TO_JUDGE = 12
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """Which rows (N,) of a kind agree, and the factors (N,) on their standard deviations."""
+
+    kept: NDArray[np.bool_]
+    inflation: Floats
+
+
+def judged(rows: Rows) -> Judgement:
+    """Rows against their own scatter; each line's deviations raised where it scatters more
+    than it says, and where neighbouring points are alike (speckle)."""
+    off = rows.residuals / rows.sigma
+    spread = max(float(np.median(np.abs(off))) / 0.6745, 1.0) if len(off) else 1.0
+    kept = np.abs(off) < OUTLIER_SIGMAS * spread
+    inflation = np.ones(len(off))
+    for number in np.unique(rows.line):
+        own = (rows.line == number) & kept
+        if own.sum() < FEWEST_TO_JUDGE:
+            continue
+        # what all points of a line share is an error of its own, no scatter
+        scatter = off[own] - (np.mean(off[own]) if rows.shared_px else 0.0)
+        variance = max(float(np.mean(scatter**2)), 1.0)
+        variance *= neighbours_alike(rows.places[own], off[own])
+        inflation[rows.line == number] = np.sqrt(variance)
+    return Judgement(kept, inflation)
+
+
+def normal_equations(rows: Rows, judgement: Judgement) -> tuple[Floats, Floats]:
+    """``J' W J`` (K, K) and ``J' W r`` (K,) of rows whose lines have an error in common.
+
+    Each line's covariance is that of its points plus ``shared_px`` squared for every
+    pair of them; its inverse takes one row from the sum (Sherman-Morrison).
+    """
+    kept = judgement.kept
+    J, r = rows.jacobian[kept], rows.residuals[kept]
+    weight = (rows.sigma * judgement.inflation)[kept] ** -2.0
+    WJ = J * weight[:, None]
+    N, g = WJ.T @ J, WJ.T @ r
+    if rows.shared_px == 0.0 or not len(r):
+        return N, g
+    line = rows.line[kept]
+    starts = np.flatnonzero(np.diff(line, prepend=line[0] - 1))
+    sums = np.add.reduceat(WJ, starts, axis=0)
+    pulls = np.add.reduceat(weight * r, starts)
+    total = np.add.reduceat(weight, starts)
+    share = 1 / (rows.shared_px**-2.0 + total)
+    return N - (sums * share[:, None]).T @ sums, g - sums.T @ (share * pulls)
