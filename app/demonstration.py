@@ -6,8 +6,10 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from app.api.wiring import Parts
+from app.files.arm import ArmFile
 from app.files.atomic import write_atomically
 from app.files.failures import files_refused
+from app.metrology.refusal import Refusal
 from hardware.registry import arm_driver
 from hardware.twin.station import Twin
 
@@ -40,6 +42,14 @@ def parts_of(twin: Twin, data: Path, hosts: tuple[str, ...] = ()) -> Parts:
     )
 
 
+def _identified(path: Path) -> bool:
+    """Whether a file holds an arm that was identified."""
+    try:
+        return ArmFile.read(path).identification is not None
+    except Refusal:
+        return False
+
+
 def put_papers(twin: Twin, data: Path) -> None:
     """Writes what an operator would be given with the devices into the data folder."""
     with files_refused(data):
@@ -49,5 +59,7 @@ def put_papers(twin: Twin, data: Path) -> None:
                 target = data / FOLDERS[name] / f"{PAPERS_NAME}.json"
             else:
                 target = data / "gauges" / name
+            if name == "arm.json" and _identified(target):
+                continue  # it is known better than its papers have it
             target.parent.mkdir(parents=True, exist_ok=True)
             write_atomically(target, content)

@@ -4,13 +4,14 @@ import styles from "./App.module.css";
 import { Rail } from "./frame/Rail";
 import { StatusLine } from "./frame/StatusLine";
 import { TopBar } from "./frame/TopBar";
+import { ArmPage } from "./pages/ArmPage";
 import { CalibratePage } from "./pages/CalibratePage";
 import { HomePage } from "./pages/HomePage";
 import { RecordsPage } from "./pages/RecordsPage";
 import { ScanPage } from "./pages/ScanPage";
 import { TITLES, usePage } from "./state/router";
 
-const PAGE = { home: HomePage, calibrate: CalibratePage, scan: ScanPage, records: RecordsPage };
+const PAGE = { home: HomePage, calibrate: CalibratePage, scan: ScanPage, arm: ArmPage, records: RecordsPage };
 
 export function App() {
   const page = usePage();

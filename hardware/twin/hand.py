@@ -5,7 +5,7 @@ Moves block until they are done. Any other thread may read ``state`` and ``cance
 
 import threading
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 
 import numpy as np
@@ -23,7 +23,7 @@ from hardware.twin.kinematics import (
     translation,
 )
 from hardware.twin.motion import HALT_S, JointPath, Motion, path_over, reaching_path, smooth
-from hardware.twin.swinging import seat_centre, seated, swing_path
+from hardware.twin.swinging import LIFT_MM, LIFT_S, swing_path, way_into_seat
 from hardware.twin.world import Ball, Box, Comb, Scene, Shell, Thing
 
 LEAD_NS = 4_000_000
@@ -31,7 +31,6 @@ CLEAR_MM = 3.0
 """From here the tip goes straight to the face, and back."""
 SETTLE_S, PRESS_S = 0.36, 0.05
 APPROACH_S, RETRACT_S = 0.09, 0.06
-LIFT_MM, LIFT_S = 25.0, 0.5
 HAND_MM_S, HAND_RAD_S = 260.0, 2.2
 SCAN_MM_S = 16.0
 TRIES = 12
@@ -177,15 +176,14 @@ class Hand:
         A ``posture`` other than 0: with the elbow or the wrist turned over.
         """
         with self._move(f"going to seat {seat + 1}"):
-            centre = seat_centre(self._arm, seat)
             limits = self._arm.limits_rad
             start = 0.8 * self._rng.uniform(limits[:, 0], limits[:, 1]) if posture else self._now()
-            goal = seated(self._arm, centre, start, self._rng)
-            up = translation(0.0, 0.0, LIFT_MM)
-            self._run(self._straight(up @ flange_pose(self._arm, self._now()), LIFT_S), 0.0, 0.1)
-            seat_pose = flange_pose(self._arm, goal)
-            self._run(self._turned_to(reach(self._arm, up @ seat_pose, goal, self._rng)), 0.1, 0.8)
-            self._run(self._straight(seat_pose, LIFT_S), 0.8, 1.0)
+            into = way_into_seat(self._arm, seat, start, self._rng, self._pace)
+            up = translation(0.0, 0.0, LIFT_MM) @ flange_pose(self._arm, self._now())
+            with suppress(UnreachableError):
+                self._run(self._straight(up, LIFT_S), 0.0, 0.1)
+            self._run(self._turned_to(into.q_rad[0]), 0.1, 0.8)
+            self._run(into, 0.8, 1.0)
             self._touched = None
             return True
         return False

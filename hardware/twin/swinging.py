@@ -11,8 +11,9 @@ from hardware.twin.kinematics import (
     flange_pose,
     reach,
     rotation_about,
+    translation,
 )
-from hardware.twin.motion import JointPath, path_over, smooth
+from hardware.twin.motion import JointPath, path_over, reaching_path, smooth
 
 SEATS = (
     (-0.42, 0.62, -0.32),
@@ -28,6 +29,8 @@ SEATS = (
 SWING_RAD, LEAN_RAD, TWIST_RAD = 0.75, 0.55, 1.5
 SWING_S = 11.0
 KNOTS = 300
+LIFT_MM, LIFT_S = 25.0, 0.5
+WAYS = 8
 TRIES, ENOUGH = 60, 8
 EVEN_RAD = 0.02
 """Between neighbours of a path a joint's speed changes by no more."""
@@ -46,6 +49,27 @@ def seat_centre(arm: ArmModel, seat: int) -> Floats:
             arm.links[0].d_mm + span * share * np.sin(rise),
         ]
     )
+
+
+def way_into_seat(
+    arm: ArmModel, seat: int, q_rad: Floats, rng: np.random.Generator, pace: float
+) -> JointPath:
+    """From above the ``seat``-th seat straight down into it, where the arm can swing.
+
+    Raises:
+        UnreachableError: the arm cannot do that with any posture tried.
+    """
+    tip, still = np.array(arm.tip_mm), np.zeros(3)
+    for _ in range(WAYS):
+        with suppress(UnreachableError):
+            goal = seated(arm, seat_centre(arm, seat), q_rad, rng)
+            target = flange_pose(arm, goal)
+            above = reach(arm, translation(0.0, 0.0, LIFT_MM) @ target, goal, rng, attempts=1)
+            path = reaching_path(arm, above, target, tip, (still, still), LIFT_S / pace)
+            swing_path(arm, path.q_rad[-1], rng)
+            return path
+        q_rad = rng.uniform(0.8 * arm.limits_rad[:, 0], 0.8 * arm.limits_rad[:, 1])
+    raise UnreachableError(f"the arm cannot swing in seat {seat + 1}")
 
 
 def seated(arm: ArmModel, centre_mm: Floats, q_rad: Floats, rng: np.random.Generator) -> Floats:

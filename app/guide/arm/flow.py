@@ -68,6 +68,8 @@ def _words(state: ArmState, seat: SeatTaken | None) -> tuple[str, str]:
             "Clamp the cone or ball seat at about two thirds of the reach and put the tip into it.",
         )
     done = len(state.seats)
+    if done >= SEATS_WANTED:
+        return "Enough seats", "Identify the arm, or take more seats to know it better."
     where = ("near the base", "far out", "to the left", "to the right", "high up", "low down")
     return (
         f"Put the tip into seat {done + 1}",
@@ -109,7 +111,8 @@ def _progress(state: ArmState, seat: SeatTaken | None) -> StepProgress | None:
     if state.step == "swing" and seat is not None:
         taken = len(seat.q_rad)
         swing = swing_deg(seat.q_rad)
-        text = f"{taken} of {WANTED} points, largest swing {swing:.0f}°"
+        points = f"{taken} of {WANTED} points" if taken < WANTED else f"{taken} points"
+        text = f"{points}, largest swing {swing:.0f}°"
         return StepProgress(min(taken, WANTED), WANTED, text)
     if state.purpose == "identify" and state.step == "seat":
         done = len(state.seats)

@@ -284,7 +284,7 @@ class ArmGuide:
             },
         )
         worst = f"{float(found.half_range_um.max()):.0f} µm"
-        self.station.bus.event("step_done", f"The arm is checked: {worst}.", quality)
+        self.station.bus.event("step_done", f"The arm is checked: {worst}.")
 
     # -- the session's folder -------------------------------------------------
 

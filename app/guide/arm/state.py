@@ -49,7 +49,8 @@ class ArmState:
         """seat, swing or result."""
         if self.swinging:
             return "swing"
-        return "result" if self.checked or self.solved else "seat"
+        done = self.checked is not None or self.solved is not None
+        return "result" if done else "seat"
 
 
 def after(state: ArmState, row: Row) -> ArmState:

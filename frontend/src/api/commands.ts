@@ -4,7 +4,7 @@ import { NoAnswer, post, Refused } from "./http";
 import type { FlowCommand, FlowView, Problem, ScanState } from "./types";
 
 /** 128 random bits; works on plain http too, where randomUUID does not exist. */
-function newKey(): string {
+export function newKey(): string {
   const bytes = crypto.getRandomValues(new Uint8Array(16));
   return Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");
 }
@@ -18,7 +18,7 @@ function tellProblem(problem: Problem): void {
   });
 }
 
-function tell(error: unknown, whatWas: string): void {
+export function tell(error: unknown, whatWas: string): void {
   if (error instanceof Refused) return tellProblem(error.problem);
   if (error instanceof NoAnswer) {
     return notify({

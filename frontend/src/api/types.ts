@@ -1,5 +1,7 @@
 /** What the server sends and takes. The Python side of each shape is in app/api/schema.py. */
 
+import type { ArmView } from "./armTypes";
+
 export type Quality = "good" | "attention" | "bad" | "neutral";
 
 /** A number that the operator watches: value and unit, never one without the other. */
@@ -293,6 +295,7 @@ export type LiveMessage =
   | { type: "topic"; name: "flow"; value: FlowView }
   | { type: "topic"; name: "scan"; value: ScanState }
   | { type: "topic"; name: "home"; value: Home }
+  | { type: "topic"; name: "arm"; value: ArmView }
   | { type: "event"; id: number; kind: string; quality: Quality; text: string }
   | { type: "beat" };
 

@@ -2,7 +2,7 @@ import type { FlowView } from "../api/types";
 import styles from "./StepDots.module.css";
 
 /** On a phone, where the list of steps has no room: where we are, in one line. */
-export function StepDots({ view }: { view: FlowView }) {
+export function StepDots({ view }: { view: Pick<FlowView, "steps" | "step"> }) {
   const index = view.steps.findIndex((step) => step.id === view.step);
   return (
     <div className={styles.steps} aria-hidden="true">

@@ -1,14 +1,17 @@
 import type { MouseEvent } from "react";
 
-import { CalibrateIcon, HomeIcon, RecordsIcon, ScanIcon } from "../parts/icons";
+import { ArmIcon, CalibrateIcon, HomeIcon, RecordsIcon, ScanIcon } from "../parts/icons";
 import { go, type Page, PAGES, pathOf, TITLES } from "../state/router";
+import { useLive } from "../state/store";
 import styles from "./Rail.module.css";
 import { StepList } from "./StepList";
 
-const ICONS = { home: HomeIcon, calibrate: CalibrateIcon, scan: ScanIcon, records: RecordsIcon };
+const ICONS = { home: HomeIcon, calibrate: CalibrateIcon, scan: ScanIcon, arm: ArmIcon, records: RecordsIcon };
 
 /** Pages, and under them the steps of the flow while it is on. */
 export function Rail({ page }: { page: Page }) {
+  const flow = useLive((s) => s.flow);
+  const arm = useLive((s) => s.arm);
   return (
     <div className={styles.rail}>
       <nav className={styles.pages} aria-label="Pages">
@@ -16,7 +19,8 @@ export function Rail({ page }: { page: Page }) {
           <PageLink key={to} to={to} current={to === page} />
         ))}
       </nav>
-      {page === "calibrate" && <StepList />}
+      {page === "calibrate" && <StepList flow={flow} />}
+      {page === "arm" && <StepList flow={arm} />}
     </div>
   );
 }

@@ -1,6 +1,5 @@
-import type { Step } from "../api/types";
+import type { FlowView, Step } from "../api/types";
 import { CheckIcon, StaleIcon } from "../parts/icons";
-import { useLive } from "../state/store";
 import styles from "./StepList.module.css";
 
 const WORDS: Record<Step["state"], string> = {
@@ -11,8 +10,7 @@ const WORDS: Record<Step["state"], string> = {
 };
 
 /** The steps of the flow: what is done, where we are, what comes, what must be done again. */
-export function StepList() {
-  const flow = useLive((s) => s.flow);
+export function StepList({ flow }: { flow: Pick<FlowView, "running" | "steps" | "step"> | null }) {
   if (!flow?.running) return null;
   return (
     <ol className={styles.steps} aria-label="Steps">

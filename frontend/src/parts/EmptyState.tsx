@@ -1,11 +1,13 @@
+import type { ReactNode } from "react";
+
 import { Illustration } from "../object/Illustration";
 import styles from "./EmptyState.module.css";
 
 /** A page without data says what will be here and how to get it. */
-export function EmptyState({ title, text }: { title: string; text: string }) {
+export function EmptyState({ title, text, picture }: { title: string; text: string; picture?: ReactNode }) {
   return (
     <div className={styles.empty}>
-      <Illustration />
+      {picture ?? <Illustration />}
       <div className={styles.words}>
         <h2 className={styles.title}>{title}</h2>
         <p className={styles.text}>{text}</p>

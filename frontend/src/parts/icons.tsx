@@ -31,6 +31,16 @@ export const CalibrateIcon = icon(<path d="M3 19V8h4v6h3V8h4v6h3V8h4v11zM2 11.5h
 export const ScanIcon = icon(
   <path d="M4 8V5a1 1 0 0 1 1-1h3M16 4h3a1 1 0 0 1 1 1v3M20 16v3a1 1 0 0 1-1 1h-3M8 20H5a1 1 0 0 1-1-1v-3M3 12h4l2.5-3 3 6 2.5-3h6" />,
 );
+export const ArmIcon = icon(
+  <>
+    <path d="M4 20h7M7.5 20v-5" />
+    <circle cx="7.5" cy="13" r="2" />
+    <path d="m8.600 11.400 4.900-5.900" />
+    <circle cx="14.700" cy="4.500" r="1.500" />
+    <path d="M15.700 5.600 19 11.500v4.500" />
+    <path d="M16.500 20 19 16l2.500 4" />
+  </>,
+);
 export const RecordsIcon = icon(<path d="M5 4h10l4 4v12H5zM15 4v4h4M8.5 12h7M8.5 15.5h7" />);
 export const CheckIcon = icon(<path d="m5 12.5 4.5 4.5L19 7.5" />);
 export const AttentionIcon = icon(<path d="M12 4 2.5 20h19zM12 10v4.5M12 17.4v.1" />);

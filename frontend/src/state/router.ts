@@ -1,12 +1,13 @@
 import { useSyncExternalStore } from "react";
 
-export const PAGES = ["home", "calibrate", "scan", "records"] as const;
+export const PAGES = ["home", "calibrate", "scan", "arm", "records"] as const;
 export type Page = (typeof PAGES)[number];
 
 export const TITLES: Record<Page, string> = {
   home: "Home",
   calibrate: "Calibrate",
   scan: "Scan",
+  arm: "Arm check",
   records: "Records",
 };
 

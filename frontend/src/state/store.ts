@@ -1,5 +1,6 @@
 import { useSyncExternalStore } from "react";
 
+import type { ArmView } from "../api/armTypes";
 import type { Devices, FlowView, Home, Quality, ScanState, Station } from "../api/types";
 
 export type Connection = "connecting" | "live" | "lost";
@@ -32,6 +33,7 @@ export interface LiveState {
   flow: FlowView | null;
   scan: ScanState | null;
   home: Home | null;
+  arm: ArmView | null;
   event: StationEvent | null;
   notice: Notice | null;
 }
@@ -44,6 +46,7 @@ let state: LiveState = {
   flow: null,
   scan: null,
   home: null,
+  arm: null,
   event: null,
   notice: null,
 };

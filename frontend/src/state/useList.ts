@@ -3,8 +3,11 @@ import { useEffect, useState } from "react";
 import { get } from "../api/http";
 import { useLive } from "./store";
 
-/** A list of the station's records, read again when the station's own state says it may have grown. */
-export function useList<T>(path: string): { list: T[] | null; failed: boolean } {
+/**
+ * A list of the station's records, read again when the station's own state, or `change`, says
+ * that it may have grown.
+ */
+export function useList<T>(path: string, change = ""): { list: T[] | null; failed: boolean } {
   const [list, setList] = useState<T[] | null>(null);
   const [failed, setFailed] = useState(false);
   const live = useLive((s) => s.connection === "live");
@@ -22,6 +25,6 @@ export function useList<T>(path: string): { list: T[] | null; failed: boolean } 
     return () => {
       wanted = false;
     };
-  }, [path, live, grown]);
+  }, [path, live, grown, change]);
   return { list, failed };
 }

@@ -1,0 +1,91 @@
+/** The arm's own flows. The Python side of each shape is in app/guide/arm/view.py. */
+
+import type { Action, ChoiceOption, Finding, LiveNumber, Quality, Step, Vec3 } from "./types";
+
+/** How far one joint has turned in this seat, and may turn. */
+export interface JointSwing {
+  name: string;
+  lowest_deg: number | null;
+  highest_deg: number | null;
+  now_deg: number | null;
+  limit_low_deg: number;
+  limit_high_deg: number;
+}
+
+/** One seat of the session. */
+export interface SeatLine {
+  name: string;
+  points: number;
+  /** The largest of the three axes. */
+  half_range_um: number;
+}
+
+/** One line of before and after. */
+export interface Before {
+  title: string;
+  before_um: number;
+  after_um: number;
+}
+
+/** One of the arm's parameters that was moved. */
+export interface ParameterLine {
+  name: string;
+  unit: string;
+  before: number;
+  after: number;
+  standard_uncertainty: number;
+}
+
+/** What an identification found. */
+export interface ArmResult {
+  volume_before_um: number;
+  volume_after_um: number;
+  places: number;
+  lines: Before[];
+  parameters: ParameterLine[];
+}
+
+/** The points of the present seat about their middle, and how the arm swung. */
+export interface ArmPicture {
+  tips_um: Vec3[];
+  half_range_um: Vec3 | null;
+  two_sigma_um: Vec3 | null;
+  encoders_two_sigma_um: Vec3 | null;
+  limit_um: number | null;
+  joints: JointSwing[];
+  seats: SeatLine[];
+  result: ArmResult | null;
+}
+
+/** The whole state of the arm session, owned by the server. */
+export interface ArmView {
+  session_id: string;
+  rev: number;
+  running: boolean;
+  purpose: "check" | "identify";
+  arms: ChoiceOption[];
+  arm: string;
+  steps: Step[];
+  step: string;
+  title: string;
+  instruction: string;
+  picture: ArmPicture;
+  number: LiveNumber | null;
+  progress: { done: number; of: number; text: string } | null;
+  findings: Finding[];
+  actions: Action[];
+  busy: { text: string; fraction: number | null } | null;
+}
+
+/** One check of the history. */
+export interface ArmCheckSummary {
+  id: string;
+  at: string;
+  arm_name: string;
+  arm_serial: string;
+  points: number;
+  half_range_um: Vec3;
+  two_sigma_um: Vec3;
+  limit_um: number | null;
+  verdict: Quality;
+}

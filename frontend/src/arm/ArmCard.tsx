@@ -1,0 +1,45 @@
+import { useEffect, useRef } from "react";
+
+import { sendArm } from "../api/armCommands";
+import type { ArmView } from "../api/armTypes";
+import type { Finding } from "../api/types";
+import { StepDots } from "../flow/StepDots";
+import { Actions } from "../parts/Actions";
+import { BigNumber } from "../parts/BigNumber";
+import { CardHead } from "../parts/CardHead";
+import { Findings } from "../parts/Findings";
+import { Busy, Progress } from "../parts/Progress";
+import { ArmChoice } from "./ArmChoice";
+import { LimitField } from "./LimitField";
+
+/** A finding that only says why an act is not possible is said there. */
+function withoutEchoes({ findings, actions }: ArmView): Finding[] {
+  const told = new Set(actions.filter(({ enabled }) => !enabled).map(({ why_not }) => why_not));
+  return findings.filter(({ text }) => !told.has(text));
+}
+
+/** What to do now: the server's words, number, progress and allowed acts. */
+export function ArmCard({ view }: { view: ArmView }) {
+  const heading = useRef<HTMLHeadingElement>(null);
+  const shown = useRef(view.step);
+  useEffect(() => {
+    if (shown.current === view.step) return;
+    shown.current = view.step;
+    heading.current?.focus({ preventScroll: true });
+  }, [view.step]);
+  const choosing = view.step === "seat" && view.picture.seats.length === 0;
+  return (
+    <>
+      <StepDots view={view} />
+      <CardHead title={view.title} text={view.instruction} ref={heading} />
+      {view.number && <BigNumber number={view.number} verdict={view.step === "result"} />}
+      {view.progress && <Progress {...view.progress} />}
+      {view.busy && <Busy key={view.busy.text} {...view.busy} />}
+      <Actions actions={view.actions} busy={view.busy !== null} onAct={(action) => sendArm(action.name, action.args)}>
+        {choosing && view.arms.length > 1 && <ArmChoice arms={view.arms} arm={view.arm} />}
+        {choosing && view.purpose === "check" && <LimitField limit_um={view.picture.limit_um} />}
+        <Findings findings={withoutEchoes(view)} />
+      </Actions>
+    </>
+  );
+}

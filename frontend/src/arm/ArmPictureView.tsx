@@ -1,0 +1,20 @@
+import type { ArmView } from "../api/armTypes";
+import styles from "./ArmPictureView.module.css";
+import { History } from "./History";
+import { JointBars } from "./JointBars";
+import { ResultView } from "./ResultView";
+import { RunCharts } from "./RunCharts";
+import { SeatList } from "./SeatList";
+
+/** Where the tip seems to go while it is held in one place; between seats, what there is so far. */
+export function ArmPictureView({ view }: { view: ArmView }) {
+  const { picture } = view;
+  if (picture.result) return <ResultView result={picture.result} />;
+  if (view.step === "seat") return view.purpose === "check" ? <History /> : <SeatList seats={picture.seats} />;
+  return (
+    <div className={styles.picture}>
+      <RunCharts picture={picture} />
+      <JointBars joints={picture.joints} />
+    </div>
+  );
+}

@@ -1,0 +1,62 @@
+import type { ArmCheckSummary } from "../api/armTypes";
+import { EmptyState } from "../parts/EmptyState";
+import { figures, moment, plural } from "../parts/format";
+import { QualityMark } from "../parts/QualityMark";
+import { useLive } from "../state/store";
+import { useList } from "../state/useList";
+import styles from "./History.module.css";
+import { HistoryChart } from "./HistoryChart";
+import { SeatIllustration } from "./SeatIllustration";
+
+/** Every finished check, as a line over time and one by one, the newest first. */
+export function History() {
+  const grown = useLive((s) => `${s.arm?.session_id ?? ""} ${s.arm?.step ?? ""}`);
+  const { list, failed } = useList<ArmCheckSummary>("/api/arm/checks", grown);
+  if (!list) return failed ? <p className={styles.told}>The checks could not be read. They are read again when the station is back.</p> : null;
+  if (list.length === 0) {
+    return (
+      <EmptyState
+        picture={<SeatIllustration />}
+        title="No check yet"
+        text="Every check of the arm will stand here, as a line over time: (max − min)/2 of the tip on the worst axis, against your limit."
+      />
+    );
+  }
+  return (
+    <div className={styles.history}>
+      <h2 className={styles.title}>Checks of the arm: (max − min)/2 on the worst axis</h2>
+      <HistoryChart checks={list} />
+      <ul className={styles.list}>
+        {list.map((check) => (
+          <Row key={check.id} check={check} />
+        ))}
+      </ul>
+    </div>
+  );
+}
+
+function Row({ check }: { check: ArmCheckSummary }) {
+  const limit = check.limit_um === null ? "no limit was set" : `limit ${figures(check.limit_um)} µm`;
+  return (
+    <li className={styles.row}>
+      <QualityMark quality={check.verdict} />
+      <div className={styles.what}>
+        <p className={styles.when}>{moment(check.at)}</p>
+        <p className={styles.detail}>
+          arm {check.arm_serial || check.arm_name} · {plural(check.points, "point")} · {limit}
+        </p>
+      </div>
+      <Axes label="(max − min)/2" values={check.half_range_um} />
+      <Axes label="2σ" values={check.two_sigma_um} />
+    </li>
+  );
+}
+
+function Axes({ label, values }: { label: string; values: number[] }) {
+  return (
+    <dl className={styles.axes}>
+      <dt>{label} x, y, z</dt>
+      <dd>{values.map((value) => figures(value)).join(" · ")} µm</dd>
+    </dl>
+  );
+}

@@ -1,0 +1,40 @@
+import type { JointSwing } from "../api/armTypes";
+import { figures } from "../parts/format";
+import styles from "./JointBars.module.css";
+
+/** How far each joint has turned in this seat, within what it can turn. */
+export function JointBars({ joints }: { joints: JointSwing[] }) {
+  return (
+    <dl className={styles.joints}>
+      {joints.map((joint) => (
+        <div key={joint.name} className={styles.joint}>
+          <dt>{joint.name}</dt>
+          <dd>
+            <span className={styles.track}>
+              {joint.lowest_deg !== null && joint.highest_deg !== null && (
+                <span
+                  className={styles.swing}
+                  style={{
+                    left: `${share(joint, joint.lowest_deg)}%`,
+                    width: `${share(joint, joint.highest_deg) - share(joint, joint.lowest_deg)}%`,
+                  }}
+                />
+              )}
+              {joint.now_deg !== null && <span className={styles.now} style={{ left: `${share(joint, joint.now_deg)}%` }} />}
+            </span>
+            <span className={styles.value}>{swing(joint)}</span>
+          </dd>
+        </div>
+      ))}
+    </dl>
+  );
+}
+
+function share({ limit_low_deg, limit_high_deg }: JointSwing, angle_deg: number): number {
+  const part = (angle_deg - limit_low_deg) / (limit_high_deg - limit_low_deg);
+  return 100 * Math.min(1, Math.max(0, part));
+}
+
+function swing({ lowest_deg, highest_deg }: JointSwing): string {
+  return lowest_deg === null || highest_deg === null ? "–" : `${figures(highest_deg - lowest_deg)}°`;
+}

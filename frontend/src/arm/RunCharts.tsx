@@ -1,0 +1,81 @@
+import type { ArmPicture } from "../api/armTypes";
+import { figures } from "../parts/format";
+import styles from "./RunCharts.module.css";
+
+const AXES = ["X", "Y", "Z"];
+const WIDTH = 600;
+const HEIGHT = 120;
+const LEAST_UM = 10;
+
+/** The tip's place along each axis of the arm, point after point, between the limits. */
+export function RunCharts({ picture }: { picture: ArmPicture }) {
+  const { tips_um, half_range_um, two_sigma_um, limit_um } = picture;
+  const largest = Math.max(LEAST_UM, ...(half_range_um ?? []));
+  /* A far limit does not flatten the points: it is then said in words alone. */
+  const shown = limit_um !== null && limit_um < 4 * largest ? limit_um : null;
+  const reach = 1.15 * Math.max(largest, shown ?? 0);
+  return (
+    <div className={styles.charts}>
+      {AXES.map((axis, k) => (
+        <figure key={axis} className={styles.chart}>
+          <figcaption className={styles.caption}>
+            <span className={styles.axis}>{axis}</span>
+            <Value label="(max − min)/2" value={half_range_um?.[k]} />
+            <Value label="2σ" value={two_sigma_um?.[k]} />
+          </figcaption>
+          <svg
+            className={styles.plot}
+            viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
+            preserveAspectRatio="none"
+            role="img"
+            aria-label={`The tip along ${axis}, ${tips_um.length} points`}
+          >
+            <line className={styles.middle} x1={0} x2={WIDTH} y1={HEIGHT / 2} y2={HEIGHT / 2} />
+            {shown !== null &&
+              [-1, 1].map((side) => (
+                <line
+                  key={side}
+                  className={styles.limit}
+                  x1={0}
+                  x2={WIDTH}
+                  y1={at(side * shown, reach)}
+                  y2={at(side * shown, reach)}
+                />
+              ))}
+            <polyline
+              className={styles.line}
+              points={tips_um.map((tip, i) => `${across(i, tips_um.length)},${at(tip[k] ?? 0, reach)}`).join(" ")}
+            />
+          </svg>
+          <div className={styles.scale} aria-hidden="true">
+            <span>+{figures(reach)} µm</span>
+            <span>−{figures(reach)} µm</span>
+          </div>
+        </figure>
+      ))}
+      <p className={styles.note}>
+        {tips_um.length > 1
+          ? `The last ${figures(tips_um.length)} points in the order of taking, about their middle.`
+          : "Points appear here as the arm swings."}
+        {shown !== null && ` Dashed: the limit, ±${figures(shown)} µm.`}
+      </p>
+    </div>
+  );
+}
+
+function across(i: number, count: number): number {
+  return (WIDTH * (i + 0.5)) / Math.max(count, 60);
+}
+
+function at(value_um: number, reach: number): number {
+  return HEIGHT / 2 - ((HEIGHT / 2) * value_um) / reach;
+}
+
+function Value({ label, value }: { label: string; value: number | undefined }) {
+  return (
+    <span className={styles.value}>
+      <span className={styles.name}>{label}</span>
+      <strong>{value === undefined ? "–" : `${figures(value)} µm`}</strong>
+    </span>
+  );
+}

@@ -1,0 +1,43 @@
+import { startArm } from "../api/armCommands";
+import { ArmCard } from "../arm/ArmCard";
+import { ArmPictureView } from "../arm/ArmPictureView";
+import { History } from "../arm/History";
+import { Layout } from "../frame/Layout";
+import { CardHead } from "../parts/CardHead";
+import { PressButton } from "../parts/PressButton";
+import { useLive } from "../state/store";
+import styles from "./ArmPage.module.css";
+
+/** The arm itself: its daily check with the history, and its identification. */
+export function ArmPage() {
+  const view = useLive((s) => s.arm);
+  if (!view?.running) return <NotStarted />;
+  return <Layout picture={<ArmPictureView view={view} />} card={<ArmCard view={view} />} />;
+}
+
+function NotStarted() {
+  return (
+    <Layout
+      picture={<History />}
+      card={
+        <>
+          <CardHead
+            title="Is the arm in order?"
+            text="Hold the tip in a cone or ball seat and swing the arm about it: what the tip seems to move by is the arm's own error. It takes five minutes."
+          />
+          <PressButton kind="primary" onPress={() => startArm("check")}>
+            Check the arm
+          </PressButton>
+          <div className={styles.other}>
+            <h2 className={styles.heading}>Identify the arm</h2>
+            <p className={styles.text}>
+              From six seats all over the reach the arm's geometry is determined anew. Do it when a check fails, or
+              before the first calibration.
+            </p>
+            <PressButton onPress={() => startArm("identify")}>Identify the arm</PressButton>
+          </div>
+        </>
+      }
+    />
+  );
+}

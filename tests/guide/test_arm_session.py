@@ -1,0 +1,167 @@
+"""An arm session: its fold, the points that take themselves, and what is allowed when."""
+
+import json
+from collections.abc import Mapping
+
+import numpy as np
+import pytest
+
+from app.guide.arm.flow import view_of
+from app.guide.arm.live import ArmLive
+from app.guide.arm.rules import LEAST, why_not
+from app.guide.arm.sampling import HOLD_NS, TURN_RAD, pick
+from app.guide.arm.state import ArmState, after
+from app.guide.journal import fold
+from app.guide.library import Library
+from app.guide.view import Busy
+from app.metrology.arm import Arm, tip_centres
+from app.station.joints import JointWindow
+from tests.guide.builders import CONNECTED, REST_RAD, Row, reach_tip
+
+MS = 1_000_000
+
+
+def state_after(*rows: tuple[str, Mapping[str, object]]) -> ArmState:
+    journal = [Row(i + 1, kind, json.loads(json.dumps(p))) for i, (kind, p) in enumerate(rows)]
+    return fold(journal, ArmState(), after)
+
+
+def started(purpose: str = "check") -> tuple[str, dict[str, object]]:
+    return "started", {"purpose": purpose, "arm": "a", "limit_um": 50.0}
+
+
+def begun(name: str = "Seat 1") -> tuple[str, dict[str, object]]:
+    return "seat_begun", {"name": name}
+
+
+def points(q_rad: np.ndarray) -> tuple[str, dict[str, object]]:
+    return "points", {"q_rad": q_rad.tolist()}
+
+
+def live_of(arm: Arm | None, **changes: object) -> ArmLive:
+    known: dict[str, object] = {
+        "library": Library({}, {}, {}, ()),
+        "arm": arm,
+        "link": CONNECTED,
+        "connected_joints": 6,
+        "q_rad": None,
+        "left_mm": None,
+        "has_hand": False,
+        "hand_running": False,
+        "busy": None,
+        "trouble": None,
+    }
+    return ArmLive(**{**known, **changes})  # type: ignore[arg-type]
+
+
+def swung(arm: Arm, count: int, reach_rad: float = 1.2) -> np.ndarray:
+    """Angles that hold the tip in one place while joints 4 to 6 turn."""
+    centre = tip_centres(arm, REST_RAD[None])[0]
+    path = []
+    q = REST_RAD.copy()
+    for share in np.linspace(-1, 1, count):
+        q = q.copy()
+        q[3:] = REST_RAD[3:] + reach_rad * share * np.array([0.4, 0.3, 1.0])
+        q = hold(arm, centre, q)
+        path.append(q)
+    return np.array(path)
+
+
+def hold(arm: Arm, centre: np.ndarray, q: np.ndarray) -> np.ndarray:
+    return reach_tip(arm, centre, q)
+
+
+def test_points_make_no_view_stale_and_other_rows_do(arm: Arm) -> None:
+    before = state_after(started(), begun())
+    more = state_after(started(), begun(), points(swung(arm, 5)))
+    assert more.rev == before.rev
+    assert len(more.seats[0].q_rad) == 5
+    assert state_after(started(), begun(), ("seat_ended", {})).rev > before.rev
+
+
+def test_the_fold_goes_from_seat_to_swing_to_result() -> None:
+    assert state_after(started()).step == "seat"
+    assert state_after(started(), begun()).step == "swing"
+    assert state_after(started(), begun(), ("seat_ended", {})).step == "seat"
+    assert state_after(started(), begun(), ("seat_ended", {}), ("checked", {})).step == "result"
+    dropped = state_after(started(), begun(), ("seat_dropped", {"name": "Seat 1"}))
+    assert (dropped.step, dropped.seats) == ("seat", ())
+    solved = state_after(
+        started("identify"), begun(), ("seat_ended", {}), ("solved", {"x": 1}), ("reopened", {})
+    )
+    assert (solved.step, solved.solved) == ("seat", None)
+    with pytest.raises(ValueError, match="unknown"):
+        state_after(("danced", {}))
+
+
+def window(q_rad: np.ndarray, step_ns: int = MS) -> JointWindow:
+    return JointWindow(np.arange(len(q_rad), dtype=np.int64) * step_ns, q_rad)
+
+
+def test_a_point_is_taken_whenever_a_joint_has_turned_enough(arm: Arm) -> None:
+    q = swung(arm, 400)
+    picked = pick(arm, (), window(q), 0, 400 * MS)
+    taken = np.array(picked.q_rad)
+    assert np.all(np.abs(np.diff(taken, axis=0)).max(axis=1) >= TURN_RAD)
+    assert len(taken) == pytest.approx(np.ptp(q[:, 5]) / TURN_RAD, rel=0.25)
+    # what comes later goes on from the last point
+    assert pick(arm, picked.q_rad, window(q[-1:]), 0, MS).q_rad == ()
+    assert pick(arm, (), window(np.repeat(q[:1], 50, axis=0)), 0, 50 * MS).q_rad == (tuple(q[0]),)
+
+
+def test_no_point_counts_near_the_moment_when_the_tip_leaves(arm: Arm) -> None:
+    q = swung(arm, 300)
+    out = q[-1] + np.array([0.05, 0, 0, 0, 0, 0])
+    step = 10 * MS
+    samples = window(np.vstack([q, out]), step)
+    picked = pick(arm, (), samples, 0, 300 * step)
+    assert picked.left_mm is not None
+    assert picked.left_mm > 3
+    kept = [int(np.argmin(np.abs(q - p).max(axis=1))) for p in np.array(picked.q_rad)]
+    assert max(kept) * step <= 300 * step - HOLD_NS
+    back = pick(arm, picked.q_rad, window(q[:1]), 0, step)
+    assert back.left_mm is None
+
+
+def test_a_swing_is_finished_only_with_points_and_swing(arm: Arm) -> None:
+    def reason(q: np.ndarray) -> str:
+        return why_not(state_after(started(), begun(), points(q)), live_of(arm), "finish", {})
+
+    assert f"{LEAST} points" in reason(swung(arm, 5))
+    assert "Swing further" in reason(swung(arm, 60, 0.3))
+    assert reason(swung(arm, 60)) == ""
+
+
+def test_commands_belong_to_their_step(arm: Arm) -> None:
+    live = live_of(arm)
+    state = state_after(started())
+    assert why_not(state, live, "begin", {}) == ""
+    assert "another step" in why_not(state, live, "finish", {})
+    assert "no command" in why_not(state, live, "fly", {})
+    assert "one seat" in why_not(state, live, "fit", {})
+    assert "Choose the arm" in why_not(state, live_of(None), "begin", {})
+    assert "7 joints" in why_not(state, live_of(arm, connected_joints=7), "begin", {})
+    assert "Wait" in why_not(state, live_of(arm, busy=Busy("At work", None)), "begin", {})
+    assert "simulated hand" in why_not(state, live, "let_hand", {})
+    assert why_not(state, live, "set_limit", {"limit_um": 40}) == ""
+    for wrong in (0, -3, "40", True):
+        assert "number of micrometres" in why_not(state, live, "set_limit", {"limit_um": wrong})
+    closed = state_after(started(), ("ended", {}))
+    assert "closed" in why_not(closed, live, "begin", {})
+    few = state_after(started("identify"), begun(), ("seat_ended", {}))
+    assert "1 of at least" in why_not(few, live, "fit", {})
+
+
+def test_the_view_shows_each_axis_against_the_limit(arm: Arm) -> None:
+    q = swung(arm, 60)
+    q[30] += 2e-4
+    state = state_after(started(), begun(), points(q))
+    view = view_of(state, live_of(arm, left_mm=7.0))
+    tips_um = tip_centres(arm, q) * 1e3
+    assert view.picture.half_range_um == pytest.approx(np.ptp(tips_um, axis=0) / 2)
+    assert view.number is not None
+    assert view.number.quality == "bad"
+    assert any("7 mm from the seat" in finding.text for finding in view.findings)
+    assert [step.state for step in view.steps] == ["done", "current", "todo"]
+    assert len(view.picture.tips_um) == 60
+    assert view.picture.joints[5].highest_deg is not None
