@@ -41,6 +41,7 @@ DataFolder = Annotated[
 class Method(StrEnum):
     """How a session is calibrated."""
 
+    JOINT = "joint"
     ONE_POSE = "one-pose"
 
 
@@ -128,16 +129,29 @@ def calibrate(
         "calibration.json"
     ),
     method: Annotated[
-        Method, typer.Option(help="one-pose: contacts and the pictures of the first pose.")
-    ] = Method.ONE_POSE,
+        Method,
+        typer.Option(
+            help="joint: all poses in one adjustment. one-pose: the paper's, by the first pose."
+        ),
+    ] = Method.JOINT,
+    good_um: Annotated[
+        float, typer.Option(min=0.0, help="A point known to this (k = 1) is good.")
+    ] = 50.0,
+    usable_um: Annotated[
+        float, typer.Option(min=0.0, help="Beyond this (k = 1) it is not to be used.")
+    ] = 150.0,
     as_json: AsJson = False,
 ) -> None:
-    """Calibrate from contact points and one picture: camera, laser plane, probe matrix."""
-    from app.files.calibrate import calibrate_session, figures_of
+    """Calibrate from contact points and pictures: camera, laser plane, probe matrix."""
+    from app.files.calibrate import calibrate_session
+    from app.files.calibration_figures import figures_of
+    from app.metrology.findings import Limits
 
     began = time.perf_counter()
     with progress_bar("Calibrating", not as_json) as tell:
-        sheet, warnings = calibrate_session(session, output, tell)
+        sheet, warnings = calibrate_session(
+            session, output, tell, method.value, Limits(good_um, usable_um)
+        )
     seconds = time.perf_counter() - began
     for text in warnings:
         warn(text)

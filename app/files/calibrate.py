@@ -1,56 +1,46 @@
 """From a session's folder to its calibration file."""
 
 import getpass
+import os
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
-from datetime import UTC, datetime
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Literal
 
 import numpy as np
 
 from app.files.atomic import checked_target
-from app.files.calibration import (
-    BudgetPart,
-    CalibrationFile,
-    CameraPart,
-    Covariance,
-    FacePart,
-    FindingPart,
-    Input,
-    LaserPlanePart,
-    Residuals,
-    SerialNumbers,
-    Uncertainty,
-    Verdict,
-)
+from app.files.calibration import CalibrationFile, Input, SerialNumbers
+from app.files.calibration_sheet import Origin, joint_sheet, one_pose_sheet
 from app.files.documents import sha256_of
 from app.files.failures import refusals_naming
 from app.files.images import read_grey
 from app.files.progress import Progress, no_progress
 from app.files.session import Pose, Session, read_session
-from app.files.software import SOFTWARE
-from app.metrology.camera import Camera
-from app.metrology.findings import Quality
-from app.metrology.one_pose import OnePoseCalibration, OnePoseInputs, calibrate_one_pose
+from app.metrology.adjustment.block_start import SeenPose
+from app.metrology.adjustment.joint import JointInputs, NotSeen, calibrate_joint, see_pose
+from app.metrology.findings import LIMITS, Limits
+from app.metrology.one_pose import OnePoseInputs, calibrate_one_pose
+from app.metrology.refusal import Refusal
 
-QUALITIES: tuple[Quality, ...] = ("neutral", "good", "attention", "bad")
-
-
-@dataclass(frozen=True)
-class Origin:
-    """What a calibration came from, beside its numbers."""
-
-    serial_numbers: SerialNumbers
-    stripe_axis: Literal["u", "v"]
-    inputs: tuple[Input, ...]
-    operator: str
+Method = Literal["one-pose", "joint"]
+# Share of the time that looking at the pictures takes.
+LOOKING = 0.8
 
 
 def calibrate_session(
-    folder: Path, output: Path, progress: Progress = no_progress
+    folder: Path,
+    output: Path,
+    progress: Progress = no_progress,
+    method: Method = "joint",
+    limits: Limits = LIMITS,
 ) -> tuple[CalibrationFile, list[str]]:
-    """The paper's calibration of a session's first pose, written to ``output``.
+    """Calibrates a session, and writes the result to ``output``.
+
+    Args:
+        method: ``joint`` takes all poses in one adjustment; ``one-pose`` is the
+            paper's, from the first pose alone.
+        limits: what the verdict goes by.
 
     Returns:
         What was written, and what whoever asked for it should know beside it.
@@ -62,15 +52,23 @@ def calibrate_session(
     checked_target(output)
     session = read_session(folder)
     checked_target(output, session.files)
-    pose = session.poses[0]
-    inputs = one_pose_inputs(session, pose)
     with refusals_naming(folder):
-        result = calibrate_one_pose(inputs, lambda text, share: progress(share, text))
-    sheet = calibration_from(result, origin_of(session, pose, _user()))
+        if method == "one-pose":
+            pose = session.poses[0]
+            result = calibrate_one_pose(
+                one_pose_inputs(session, pose), lambda text, share: progress(share, text)
+            )
+            sheet = one_pose_sheet(result, origin_of(session, (pose,), _user()))
+        else:
+            inputs = joint_inputs(session, limits, progress)
+            joint = calibrate_joint(
+                inputs, lambda text, share: progress(LOOKING + (1 - LOOKING) * share, text)
+            )
+            sheet = joint_sheet(joint, origin_of(session, session.poses, _user()))
     sheet.write(output)
-    unused = len(session.poses) - 1
+    unused = len(session.poses) - 1 if method == "one-pose" else 0
     warnings = (
-        [f"pose {pose.number} was used; the other {unused} are not, by the method one-pose"]
+        [f"pose {session.poses[0].number} was used; the other {unused} are not, by one-pose"]
         if unused
         else []
     )
@@ -92,7 +90,49 @@ def one_pose_inputs(session: Session, pose: Pose) -> OnePoseInputs:
     )
 
 
-def origin_of(session: Session, pose: Pose, operator: str) -> Origin:
+def joint_inputs(
+    session: Session, limits: Limits = LIMITS, progress: Progress = no_progress
+) -> JointInputs:
+    """The pictures of all poses read and looked at, on all cores.
+
+    Poses that show nothing usable are kept with the reason; ``Refusal`` if a file is
+    damaged.
+    """
+    seen: list[SeenPose] = []
+    unseen: list[NotSeen] = []
+    q_rad = []
+    with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as looking:
+        found = looking.map(lambda pose: _seen(session, pose), session.poses)
+        for done, (pose, one) in enumerate(zip(session.poses, found, strict=True), start=1):
+            progress(LOOKING * done / len(session.poses), f"Looked at pose {pose.number}")
+            if isinstance(one, Refusal):
+                unseen.append(NotSeen(pose.number, one))
+            else:
+                seen.append(one)
+                q_rad.append(pose.q_rad)
+    return JointInputs(
+        arm=session.arm,
+        block=session.block,
+        features=session.contacts.features,
+        contact_q_rad=session.contacts.q_rad,
+        seen=tuple(seen),
+        q_rad=np.array(q_rad).reshape(-1, session.arm.joint_count),
+        unseen=tuple(unseen),
+        limits=limits,
+    )
+
+
+def _seen(session: Session, pose: Pose) -> SeenPose | Refusal:
+    """A pose's pictures looked at; the refusal where they show nothing usable."""
+    ambient = read_grey(pose.ambient)
+    laser = None if pose.laser is None else read_grey(pose.laser)
+    try:
+        return see_pose(pose.number, session.block, ambient, laser, session.sensor.stripe_axis)
+    except Refusal as refusal:
+        return refusal
+
+
+def origin_of(session: Session, poses: Sequence[Pose], operator: str) -> Origin:
     """Serial numbers, and the SHA-256 of every file that the calibration used."""
     folder = session.folder
     return Origin(
@@ -104,109 +144,10 @@ def origin_of(session: Session, pose: Pose, operator: str) -> Origin:
         stripe_axis=session.sensor.stripe_axis,
         inputs=tuple(
             Input(file=path.relative_to(folder).as_posix(), sha256=sha256_of(path))
-            for path in (*session.tables, *pose.files)
+            for path in (*session.tables, *(file for pose in poses for file in pose.files))
         ),
         operator=operator,
     )
-
-
-def calibration_from(result: OnePoseCalibration, origin: Origin) -> CalibrationFile:
-    """The file of a calibration, made now."""
-    plane, budget = result.plane, result.full_budget
-    return CalibrationFile.model_validate(
-        {
-            "camera": _camera_part(result.camera),
-            "laser_plane": LaserPlanePart.model_validate(
-                {"normal": plane.normal.tolist(), "offset_mm": plane.offset_mm}
-            ),
-            "probe_matrix": result.T_flange_sensor.tolist(),
-            "stripe_axis": origin.stripe_axis,
-            "method": "one-pose",
-            "created_at": datetime.now(UTC).isoformat(timespec="seconds"),
-            "operator": origin.operator,
-            "serial_numbers": origin.serial_numbers,
-            "T_arm_obj": result.alignment.T_arm_obj.tolist(),
-            "verdict": _verdict(result),
-            "uncertainty": Uncertainty(
-                total_um=budget.total_um,
-                budget=tuple(
-                    BudgetPart(source=row.source, value_um=row.value_um) for row in budget.rows
-                ),
-                depth_range_mm=result.depth_range_mm,
-            ),
-            "residuals": _residuals(result),
-            "condition_number": result.faugeras.condition_number,
-            "orthogonality_defect": result.faugeras.orthogonality_defect,
-            "covariance": Covariance.model_validate(
-                {
-                    "parameters": budget.names,
-                    "matrix": budget.covariance.tolist(),
-                    "pivot_mm": budget.pivot_mm.tolist(),
-                }
-            ),
-            "inputs": origin.inputs,
-            "software": SOFTWARE,
-        }
-    )
-
-
-def _camera_part(camera: Camera) -> CameraPart:
-    return CameraPart.model_validate(
-        {
-            "projection_matrix": camera.projection_matrix.tolist(),
-            "matrix": camera.matrix.tolist(),
-            "rotation": camera.rotation.tolist(),
-            "translation_mm": camera.translation_mm.tolist(),
-            "distortion": camera.distortion.tolist(),
-            "width_px": camera.width_px,
-            "height_px": camera.height_px,
-        }
-    )
-
-
-def _residuals(result: OnePoseCalibration) -> Residuals:
-    alignment = result.alignment
-    corners = zip(result.detection.corners, result.corner_residuals_px.tolist(), strict=True)
-    return Residuals.model_validate(
-        {
-            "reprojection_rms_px": result.reprojection_rms_px,
-            "corners_px": {corner.name: residual for corner, residual in corners},
-            "laser_plane_rms_um": result.laser.rms_mm * 1e3,
-            "stripe_points": int(np.sum(result.laser.used)),
-            "contacts_rms_um": alignment.rms_mm * 1e3,
-            "contacts_um": (alignment.residuals_mm * 1e3).tolist(),
-            "contacts_left_out": np.flatnonzero(alignment.outliers).tolist(),
-            "worst": [asdict(point) for point in result.worst],
-            "faces": [
-                FacePart(
-                    face=face.face,
-                    points=face.points,
-                    rms_um=face.rms_mm * 1e3,
-                    form_um=face.form_mm * 1e3,
-                )
-                for face in alignment.faces
-            ],
-        }
-    )
-
-
-def _verdict(result: OnePoseCalibration) -> Verdict:
-    findings = tuple(
-        FindingPart(
-            quality=finding.quality, code=finding.code, text=finding.text, remedy=finding.remedy
-        )
-        for finding in result.findings
-    )
-    return Verdict(
-        quality=worst_of([finding.quality for finding in findings]),
-        text=findings[0].text.rstrip("."),
-        findings=findings,
-    )
-
-
-def worst_of(qualities: Sequence[Quality]) -> Quality:
-    """The worst of some qualities; good where there are none."""
-    return max(qualities, key=QUALITIES.index, default="good")
 
 
 def _user() -> str:
@@ -215,59 +156,3 @@ def _user() -> str:
         return getpass.getuser()
     except (KeyError, OSError):
         return ""
-
-
-def figures_of(sheet: CalibrationFile) -> list[tuple[str, str]]:
-    """What an operator wants to know of a new calibration: names and values to print."""
-    figures: list[tuple[str, str]] = []
-    if sheet.verdict:
-        figures.append(("verdict", sheet.verdict.quality))
-        for finding in sheet.verdict.findings:
-            mark = "" if finding.quality in ("good", "neutral") else f"{finding.quality.upper()}: "
-            figures.append(("", f"{mark}{finding.text} {finding.remedy}"))
-    if sheet.uncertainty:
-        figures += _uncertainty_figures(sheet.uncertainty)
-    if sheet.residuals:
-        figures += _residual_figures(sheet.residuals)
-    k1, k2, p1, p2, k3 = sheet.camera.distortion
-    used = [
-        f"{name} {value:+.5f}"
-        for name, value in (("k1", k1), ("k2", k2), ("p1", p1), ("p2", p2), ("k3", k3))
-        if value
-    ]
-    figures.append(("lens", ", ".join(used) or "no distortion"))
-    if sheet.condition_number is not None:
-        figures.append(("condition number", f"{sheet.condition_number:.1f} (refused above 50)"))
-    for title, row in zip(("probe matrix", "", ""), sheet.probe_matrix, strict=False):
-        figures.append((title, "".join(f"{value:12.6f}" for value in row)))
-    return figures
-
-
-def _uncertainty_figures(uncertainty: Uncertainty) -> list[tuple[str, str]]:
-    near_mm, far_mm = uncertainty.depth_range_mm
-    figures = [("uncertainty of a point", f"{uncertainty.total_um:.1f} µm (k = 1)")]
-    figures += [(f"  {row.source}", f"{row.value_um:.1f} µm") for row in uncertainty.budget]
-    return [*figures, ("depth range", f"{near_mm:.1f} to {far_mm:.1f} mm from the camera")]
-
-
-def _residual_figures(residuals: Residuals) -> list[tuple[str, str]]:
-    left_out = len(residuals.contacts_left_out)
-    contacts = f"{residuals.contacts_rms_um:.1f} µm rms of {len(residuals.contacts_um)}"
-    figures = [
-        ("edges", f"{residuals.reprojection_rms_px:.3f} px rms"),
-        ("corners", f"{len(residuals.corners_px)}, {_rms_px(residuals):.3f} px rms"),
-        (
-            "laser plane",
-            f"{residuals.laser_plane_rms_um:.1f} µm rms of {residuals.stripe_points} points",
-        ),
-        ("contacts", contacts + (f", {left_out} left out" if left_out else "")),
-    ]
-    for face in residuals.faces:
-        form = f"{face.rms_um:6.1f} µm rms, form {face.form_um:.1f} µm, {face.points} points"
-        figures.append((f"  {face.face}", form))
-    return figures
-
-
-def _rms_px(residuals: Residuals) -> float:
-    values = np.array(list(residuals.corners_px.values()))
-    return float(np.sqrt(np.mean(np.sum(values**2, axis=1)))) if len(values) else 0.0

@@ -102,16 +102,16 @@ class Residuals(Part):
     """What the measurements left over."""
 
     reprojection_rms_px: NotNegative
-    corners_px: dict[str, tuple[Number, Number]]
-    """Found minus computed (u, v) of each corner."""
+    corners_px: dict[str, tuple[Number, Number]] = Field(default_factory=dict)
+    """Found minus computed (u, v) of each corner of the one pose."""
     laser_plane_rms_um: NotNegative
     stripe_points: int
-    contacts_rms_um: NotNegative
-    contacts_um: tuple[Number, ...]
+    contacts_rms_um: NotNegative = 0.0
+    contacts_um: tuple[Number, ...] = ()
     """Distance of each contact from its face, in the order of ``probing.csv``."""
-    contacts_left_out: tuple[int, ...]
+    contacts_left_out: tuple[int, ...] = ()
     """Index of each contact that was named an outlier."""
-    faces: tuple[FacePart, ...]
+    faces: tuple[FacePart, ...] = ()
     worst: tuple[WorstPart, ...] = ()
     """The few that fit worst of each kind."""
 
@@ -121,13 +121,63 @@ class BudgetPart(Part):
     value_um: NotNegative
 
 
-class Uncertainty(Part):
-    """Of a reconstructed point in the flange frame, k = 1."""
+class MapPart(Part):
+    """Over the picture, wherever its rays meet the laser plane at a usable depth."""
 
+    uv_px: tuple[tuple[Number, Number], ...]
+    points_mm: tuple[Vector3, ...]
+    """In the sensor frame."""
+    u_um: tuple[NotNegative, ...]
+    calibrated: tuple[bool, ...]
+    """Within the depths that the stripe covered; elsewhere it is extrapolated."""
+
+
+class PlanePart(Part):
+    """Of a plane that faces the sensor in the middle of its volume, swept straight across."""
+
+    angle_arcsec: NotNegative
+    """About the direction of the sweep."""
+    offset_um: NotNegative
+
+
+class Uncertainty(Part):
+    """Standard uncertainties in the flange frame."""
+
+    k: Literal[1] = 1
+    """The coverage factor of every figure here."""
     total_um: NotNegative
+    """Of a reconstructed point, rms over the measuring volume."""
     budget: tuple[BudgetPart, ...]
     depth_range_mm: tuple[Number, Number]
     """Nearest and furthest distance from the camera's centre that the object covered."""
+    plane: PlanePart | None = None
+    map: MapPart | None = None
+
+
+class PosePart(Part):
+    """What became of one pose; without residuals where it was left out."""
+
+    number: int
+    used: bool
+    reason: str = ""
+    edges_rms_px: NotNegative = 0.0
+    edge_points: int = 0
+    stripe_rms_px: NotNegative = 0.0
+    stripe_points: int = 0
+    off_um: NotNegative = 0.0
+    """How far the arm's noise had to move the object for the pose to agree."""
+    corners_px: dict[str, tuple[Number, Number]] = Field(default_factory=dict)
+    """Found minus computed (u, v) of each corner."""
+
+
+class ScalesPart(Part):
+    """Standard deviations that the data themselves told."""
+
+    links_rad: NotNegative
+    links_mm: NotNegative
+    reading_factor: NotNegative
+    """On the noise of the arm's readings by its sheet."""
+    touch_mm: NotNegative
 
 
 class FindingPart(Part):
@@ -177,6 +227,8 @@ class CalibrationFile(Document):
     verdict: Verdict | None = None
     uncertainty: Uncertainty | None = None
     residuals: Residuals | None = None
+    poses: tuple[PosePart, ...] = ()
+    scales: ScalesPart | None = None
     condition_number: NotNegative | None = None
     orthogonality_defect: NotNegative | None = None
     covariance: Covariance | None = None

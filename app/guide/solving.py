@@ -2,8 +2,9 @@
 
 import numpy as np
 
-from app.files.calibrate import calibration_from, one_pose_inputs, origin_of, worst_of
+from app.files.calibrate import one_pose_inputs, origin_of
 from app.files.calibration import CalibrationFile, Verdict, calibration_in
+from app.files.calibration_sheet import one_pose_sheet, worst_of
 from app.files.session import read_session
 from app.guide.journal import Calibration
 from app.guide.live import Chosen
@@ -73,7 +74,7 @@ def solve(folder: SessionFolder, in_use: Calibration | None, progress: Progress)
     pose = session.poses[0]
     inputs = one_pose_inputs(session, pose)
     result = calibrate_one_pose(inputs, progress)
-    sheet = calibration_from(result, origin_of(session, pose, operator=""))
+    sheet = one_pose_sheet(result, origin_of(session, (pose,), operator=""))
     sheet.write(folder.calibration)
     corners = [
         ImageCorner(corner.name, corner.u, corner.v, float(np.hypot(*residual)))

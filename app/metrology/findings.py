@@ -7,7 +7,8 @@ from typing import Literal
 import numpy as np
 
 from app.metrology.alignment import Alignment
-from app.metrology.budget import Budget
+from app.metrology.budget import Budget, BudgetRow
+from app.metrology.camera import Camera
 from app.metrology.camera_fit import CameraFit
 from app.metrology.crenellated import Crenellated
 from app.metrology.detection.corners import ObjectDetection
@@ -19,8 +20,6 @@ from app.metrology.stripe import Stripe
 
 Quality = Literal["good", "attention", "bad", "neutral"]
 
-# Uncertainty of a point, k = 1: good up to the first, not to be used beyond the second.
-GOOD_UM, USABLE_UM = 50.0, 150.0
 # The arm's contacts scatter by this factor beyond what its encoders explain.
 EXCESS = 5.0
 CONDITION = 15.0
@@ -35,6 +34,17 @@ FARTHEST_MM = 600.0
 # Shares: of the stripe on the levels that agrees with the plane; of the block's width it spans.
 AGREEING, SPANNED = 0.85, 0.5
 WORST_OF_A_KIND = 3
+
+
+@dataclass(frozen=True)
+class Limits:
+    """Uncertainty of a point, k = 1: good up to the first, not to be used beyond the second."""
+
+    good_um: float = 50.0
+    usable_um: float = 150.0
+
+
+LIMITS = Limits()
 
 
 @dataclass(frozen=True)
@@ -77,8 +87,9 @@ class Evidence:
 def findings_of(seen: Evidence) -> tuple[Finding, ...]:
     """The verdict first, then every reason for or against it."""
     return (
-        _verdict(seen.budget),
-        *_about_contacts(seen),
+        verdict(seen.budget.total_um, seen.budget.rows),
+        *about_contacts(seen.alignment, seen.features),
+        *_about_scatter(seen),
         about_size(seen.alignment, seen.features, seen.block),
         *_about_arm(seen),
         *_about_picture(seen),
@@ -86,30 +97,36 @@ def findings_of(seen: Evidence) -> tuple[Finding, ...]:
     )
 
 
-def _verdict(budget: Budget) -> Finding:
-    total = budget.total_um
-    known = f"A scanned point is known to {total:.0f} µm (k = 1) in the flange frame"
-    if total <= GOOD_UM:
-        return Finding("good", "uncertainty", f"{known}; up to {GOOD_UM:.0f} µm is good.")
-    largest = max(budget.rows, key=lambda row: row.value_um)
-    remedy = {
-        "contact points": "Touch more points, spread wide over all six faces.",
-        "arm encoders": "Have the arm's calibration checked; hold it in a compact posture.",
-        "object certificate": "Use a block with a better certificate.",
-        "edges and corners": "Light the block evenly, sharp and large in the picture.",
-        "stripe": "Set the exposure so that the stripe is bright but not clipped.",
-        "distortion": "Bring the block closer, so that it fills the picture.",
-    }[largest.source]
+REMEDIES = {
+    "contact points": "Touch more points, spread wide over all six faces.",
+    "arm encoders": "Have the arm's calibration checked; hold it in a compact posture.",
+    "arm geometry": "Take more poses, tilted and turned; have the arm's model identified anew.",
+    "object certificate": "Use a block with a better certificate.",
+    "edges and corners": "Light the block evenly, sharp and large in the picture.",
+    "stripe": "Set the exposure so that the stripe is bright but not clipped.",
+    "distortion": "Bring the block closer, so that it fills the picture.",
+}
+
+
+def verdict(total_um: float, rows: Sequence[BudgetRow], limits: Limits = LIMITS) -> Finding:
+    """Good, usable or not, by the uncertainty of a point against the user's limits."""
+    known = f"A scanned point is known to {total_um:.0f} µm (k = 1) in the flange frame"
+    if total_um <= limits.good_um:
+        return Finding("good", "uncertainty", f"{known}; up to {limits.good_um:.0f} µm is good.")
+    largest = max(rows, key=lambda row: row.value_um)
     because = f"mostly by the {largest.source} ({largest.value_um:.0f} µm)"
-    quality: Quality = "attention" if total <= USABLE_UM else "bad"
-    limit = GOOD_UM if total <= USABLE_UM else USABLE_UM
+    usable = total_um <= limits.usable_um
+    limit = limits.good_um if usable else limits.usable_um
     return Finding(
-        quality, "uncertainty", f"{known}, {because}; the limit is {limit:.0f} µm.", remedy
+        "attention" if usable else "bad",
+        "uncertainty",
+        f"{known}, {because}; the limit is {limit:.0f} µm.",
+        REMEDIES[largest.source],
     )
 
 
-def _about_contacts(seen: Evidence) -> list[Finding]:
-    alignment = seen.alignment
+def about_contacts(alignment: Alignment, features: Sequence[str]) -> list[Finding]:
+    """How well the contacts agree, and which were left out."""
     left_out = np.flatnonzero(alignment.outliers)
     found = [
         Finding(
@@ -121,7 +138,7 @@ def _about_contacts(seen: Evidence) -> list[Finding]:
     ]
     if len(left_out):
         named = ", ".join(
-            f"{i + 1} ({seen.features[i]}, {1e3 * alignment.residuals_mm[i]:+.0f} µm)"
+            f"{i + 1} ({features[i]}, {1e3 * alignment.residuals_mm[i]:+.0f} µm)"
             for i in left_out[:4]
         )
         found.append(
@@ -133,18 +150,22 @@ def _about_contacts(seen: Evidence) -> list[Finding]:
                 "Take these points again.",
             )
         )
-    if seen.arm_excess > EXCESS:
-        found.append(
-            Finding(
-                "attention",
-                "arm-scatter",
-                f"The contacts scatter by {1e3 * alignment.sigma_mm:.0f} µm, "
-                f"{seen.arm_excess:.0f} times what the arm's encoders explain "
-                f"(limit {EXCESS:.0f}).",
-                "Check the tip for play and the faces for dirt; have the arm's model checked.",
-            )
-        )
     return found
+
+
+def _about_scatter(seen: Evidence) -> list[Finding]:
+    if seen.arm_excess <= EXCESS:
+        return []
+    return [
+        Finding(
+            "attention",
+            "arm-scatter",
+            f"The contacts scatter by {1e3 * seen.alignment.sigma_mm:.0f} µm, "
+            f"{seen.arm_excess:.0f} times what the arm's encoders explain "
+            f"(limit {EXCESS:.0f}).",
+            "Check the tip for play and the faces for dirt; have the arm's model checked.",
+        )
+    ]
 
 
 def about_size(alignment: Alignment, features: Sequence[str], block: Crenellated) -> Finding:
@@ -220,7 +241,7 @@ def _about_picture(seen: Evidence) -> list[Finding]:
     remedy = "" if good else "Clean the block's edges; check focus, lighting and certificate."
     found = [Finding("good" if good else "attention", "edges", text, remedy)]
     found += [Finding("attention", item.code, item.text, item.remedy) for item in seen.picture]
-    found += _about_pixels(seen.fit)
+    found += about_pixels(seen.fit.camera, seen.fit.covariance[:2, :2])
     condition = seen.faugeras.condition_number
     if condition > CONDITION:
         found.append(
@@ -235,11 +256,14 @@ def _about_picture(seen: Evidence) -> list[Finding]:
     return found
 
 
-def _about_pixels(fit: CameraFit) -> list[Finding]:
-    """A certificate that is wrong along the camera's view looks like oblong pixels."""
-    fx, fy = fit.camera.matrix[0, 0], fit.camera.matrix[1, 1]
+def about_pixels(camera: Camera, covariance_px2: Floats) -> list[Finding]:
+    """A certificate that is wrong along the camera's view looks like oblong pixels.
+
+    ``covariance_px2`` (2, 2) is that of the two focal lengths.
+    """
+    fx, fy = camera.matrix[0, 0], camera.matrix[1, 1]
     gradient = np.array([-fy / fx**2, 1 / fx])
-    sd = float(np.sqrt(gradient @ fit.covariance[:2, :2] @ gradient))
+    sd = float(np.sqrt(gradient @ covariance_px2 @ gradient))
     limit = max(SQUARE, SQUARE_SIGMAS * sd)
     if abs(fy / fx - 1) <= limit:
         return []

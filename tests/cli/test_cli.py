@@ -264,7 +264,7 @@ def write_flat(path: Path) -> Path:
         ["fly"],
         ["extract"],
         ["extract", "a.png", "--axis", "w"],
-        ["calibrate", "session", "--method", "joint"],
+        ["calibrate", "session", "--method", "guess"],
         ["reconstruct", "scan.mcap"],
         ["verify", "cone", "a.ply"],
         ["verify", "plane"],

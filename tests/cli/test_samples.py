@@ -100,9 +100,11 @@ def test_a_cut_recording_is_read_up_to_the_cut(
     assert 40 * share - 3 <= fields["frames"] <= 40 * share + 1
 
 
-def test_many_poses_say_that_one_is_used(samples: Path, tmp_path: Path) -> None:
+def test_one_pose_of_many_says_that_one_is_used(samples: Path, tmp_path: Path) -> None:
     out = tmp_path / "c.json"
-    result = crenel("calibrate", samples / "many-poses", "-o", out, "--json")
+    result = crenel(
+        "calibrate", samples / "many-poses", "-o", out, "--method", "one-pose", "--json"
+    )
     assert result.exit_code == 0, result.output
     fields = json.loads(result.stdout)
     assert len(fields["warnings"]) == 1

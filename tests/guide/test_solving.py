@@ -7,7 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.files.calibrate import calibration_from, one_pose_inputs, origin_of
+from app.files.calibrate import one_pose_inputs, origin_of
+from app.files.calibration_sheet import one_pose_sheet
 from app.files.images import read_grey, write_png
 from app.files.session import read_session
 from app.guide.live import Chosen
@@ -63,7 +64,7 @@ def test_a_calibration_is_compared_with_the_one_in_use(
     session = read_session(folder.path)
     pose = session.poses[0]
     result = calibrate_one_pose(one_pose_inputs(session, pose))
-    sheet = calibration_from(result, origin_of(session, pose, ""))
+    sheet = one_pose_sheet(result, origin_of(session, (pose,), ""))
     in_use = InUse("the first", tmp_path / "calibration.json")
 
     def compared(**changes: object) -> Comparison | None:

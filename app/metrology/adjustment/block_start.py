@@ -10,6 +10,7 @@ from app.metrology.camera import Camera
 from app.metrology.camera_fit import CameraFit, Observations, fit_camera
 from app.metrology.crenellated import Crenellated, corners
 from app.metrology.detection.corners import ObjectDetection
+from app.metrology.detection.picture import PictureFinding
 from app.metrology.frames import Floats, rigid
 from app.metrology.laser_plane import LaserPlane, fit_laser_plane
 from app.metrology.refusal import Refusal
@@ -25,6 +26,7 @@ class SeenPose:
     number: int
     detection: ObjectDetection
     stripe: Stripe
+    picture: tuple[PictureFinding, ...] = ()
 
 
 def common_camera(seen: Sequence[SeenPose], block: Crenellated) -> tuple[Camera, LaserPlane]:

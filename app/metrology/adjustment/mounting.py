@@ -27,6 +27,8 @@ class Mounting:
 
     T_flange_cam: Floats
     T_arm_obj: Floats
+    T_arm_flange: Floats  # (P, 4, 4), as it was given
+    T_cam_obj: Floats  # (P, 4, 4), as it was given
     off_mm: Floats
     contradicts: NDArray[np.bool_]
 
@@ -48,7 +50,7 @@ def mounting_by_contacts(
     contradicts = contradicting(off_mm)
     X = mean_of(each[~contradicts])
     off_mm = _apart(T_arm_flange, T_cam_obj, X, T_arm_obj, reach_mm)
-    return Mounting(X, T_arm_obj, off_mm, contradicts)
+    return Mounting(X, T_arm_obj, T_arm_flange, T_cam_obj, off_mm, contradicts)
 
 
 def mounting_by_motion(T_arm_flange: Floats, T_cam_obj: Floats, reach_mm: float) -> Mounting:
@@ -71,13 +73,13 @@ def mounting_by_motion(T_arm_flange: Floats, T_cam_obj: Floats, reach_mm: float)
         X, Z = _hand_eye(T_arm_flange[draw], T_cam_obj[draw])
         off_mm = _apart(T_arm_flange, T_cam_obj, X, Z, reach_mm)
         if best is None or np.median(off_mm) < np.median(best.off_mm):
-            best = Mounting(X, Z, off_mm, contradicting(off_mm))
+            best = Mounting(X, Z, T_arm_flange, T_cam_obj, off_mm, contradicting(off_mm))
     assert best is not None
     kept = ~best.contradicts
     if kept.sum() >= 3:
         X, Z = _hand_eye(T_arm_flange[kept], T_cam_obj[kept])
         off_mm = _apart(T_arm_flange, T_cam_obj, X, Z, reach_mm)
-        best = Mounting(X, Z, off_mm, contradicting(off_mm))
+        best = Mounting(X, Z, T_arm_flange, T_cam_obj, off_mm, contradicting(off_mm))
     return best
 
 

@@ -1,0 +1,315 @@
+"""The calibration over many poses: contacts and pictures of one block, all in one adjustment.
+
+One pose alone gives the paper's method (Eq. 5-8) with the arm's errors counted in.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.adjustment.arm_motion import arm_motion
+from app.metrology.adjustment.block_start import SeenPose, common_camera, seen_from
+from app.metrology.adjustment.block_view import BlockView, block_papers, block_touches
+from app.metrology.adjustment.evidence import Problem
+from app.metrology.adjustment.joint_findings import JointEvidence, joint_findings
+from app.metrology.adjustment.mounting import Mounting, mounting_by_contacts
+from app.metrology.adjustment.pose_results import PoseResult, left_out, pose_results, worst_of_all
+from app.metrology.adjustment.solve import Adjusted, adjust
+from app.metrology.adjustment.state import State, pose_scene
+from app.metrology.adjustment.uncertainty import Known, known, sensor_of
+from app.metrology.alignment import Alignment, align, refuse_wrong_faces
+from app.metrology.arm import Arm, tip_centres, tip_covariances
+from app.metrology.camera import Camera
+from app.metrology.crenellated import Crenellated
+from app.metrology.detection.corners import detect_object
+from app.metrology.detection.picture import picture_findings
+from app.metrology.findings import LIMITS, Finding, Limits, WorstPoint
+from app.metrology.frames import Floats, inverse
+from app.metrology.laser_plane import LaserPlane, stripe_on_levels
+from app.metrology.projection import COUNT
+from app.metrology.reconstruct import sensor_points
+from app.metrology.refusal import Refusal
+from app.metrology.stripe import Image, extract_stripe
+
+Progress = Callable[[str, float], None]
+# Where the laser plane's offset stands among a scene's parameters.
+OFFSET = COUNT + 2
+
+
+@dataclass(frozen=True)
+class NotSeen:
+    """A pose whose pictures could not be used, and why."""
+
+    number: int
+    refusal: Refusal
+
+
+@dataclass(frozen=True)
+class JointInputs:
+    """What a calibration over P poses is made from: one block that has not moved.
+
+    ``q_rad`` (P, n) belongs to ``seen``; ``unseen`` are poses that show nothing usable.
+    """
+
+    arm: Arm
+    block: Crenellated
+    features: tuple[str, ...]  # (N) the face of each contact
+    contact_q_rad: Floats  # (N, n)
+    seen: tuple[SeenPose, ...]
+    q_rad: Floats
+    unseen: tuple[NotSeen, ...] = ()
+    limits: Limits = LIMITS
+
+
+@dataclass(frozen=True)
+class JointCalibration:
+    """A calibration and what it rests on.
+
+    The sensor frame is the object's frame as the first used pose saw it (Eq. 6): a
+    choice, which lets one pose give what the paper gives.
+    """
+
+    adjusted: Adjusted
+    alignment: Alignment
+    camera: Camera
+    plane: LaserPlane
+    T_flange_sensor: Floats
+    T_arm_obj: Floats
+    poses: tuple[PoseResult, ...]
+    known: Known
+    stripe_rms_um: float  # of the stripe's points to the laser plane
+    depth_range_mm: tuple[float, float]
+    findings: tuple[Finding, ...]
+    worst: tuple[WorstPoint, ...]
+
+
+def see_pose(
+    number: int, block: Crenellated, ambient: Image, laser: Image | None, axis: str
+) -> SeenPose:
+    """What the pictures of one pose show, by themselves.
+
+    Args:
+        ambient: (H, W) with room light; with both lights where ``laser`` is None.
+        axis: along which stripe points are counted, see ``extract_stripe``.
+
+    Raises:
+        Refusal: the object or the stripe is not to be found.
+    """
+    lit = ambient if laser is None else laser
+    in_the_way = extract_stripe(lit, axis) if laser is None else None
+    detection = detect_object(ambient, block, in_the_way)
+    stripe = stripe_on_levels(detection.camera, block, lit, axis)
+    return SeenPose(number, detection, stripe, tuple(picture_findings(ambient)))
+
+
+def calibrate_joint(inputs: JointInputs, progress: Progress | None = None) -> JointCalibration:
+    """Camera, laser plane and probe matrix from all poses and contacts at once.
+
+    Raises:
+        Refusal: whatever makes the calibration impossible, by its reason.
+    """
+    say = progress or (lambda _what, _share: None)
+    _refuse_unusable(inputs)
+    say("Fitting the contact points", 0.0)
+    alignment = _aligned(inputs)
+    say("Finding a start", 0.1)
+    problem, start, mounting = _start(inputs, alignment)
+    say("Adjusting all poses together", 0.3)
+    found = _adjusted(problem, start)
+    say("Working out the uncertainty", 0.8)
+    result = _assembled(inputs, alignment, found, mounting)
+    say("Done", 1.0)
+    return result
+
+
+def _aligned(inputs: JointInputs) -> Alignment:
+    tips = tip_centres(inputs.arm, inputs.contact_q_rad)
+    noise = tip_covariances(inputs.arm, inputs.contact_q_rad)
+    weighed = noise if np.any(noise) else None
+    alignment = align(inputs.features, tips, inputs.arm.tip.radius_mm, inputs.block, weighed)
+    refuse_wrong_faces(alignment, inputs.features, inputs.block)
+    return alignment
+
+
+def _start(inputs: JointInputs, alignment: Alignment) -> tuple[Problem, State, Mounting]:
+    """All that is to agree without poses that contradict the others, and a start for it."""
+    arm, block = inputs.arm, inputs.block
+    camera, plane = common_camera(inputs.seen, block)
+    T_cam_obj = np.array([seen_from(camera, pose, block) for pose in inputs.seen])
+    moves = arm_motion(arm, inputs.q_rad)
+    mounting = mounting_by_contacts(
+        moves.T_arm_flange, T_cam_obj, alignment.T_arm_obj, block_size_mm(block)
+    )
+    _refuse_contradictions(inputs, mounting)
+    papers = block_papers(block)
+    views = tuple(
+        _view(pose, block, camera, plane, T) for pose, T in zip(inputs.seen, T_cam_obj, strict=True)
+    )
+    problem = Problem(
+        tuple(pose.number for pose in inputs.seen),
+        views,
+        moves,
+        block_touches(arm, block, inputs.features, inputs.contact_q_rad, ~alignment.outliers),
+        papers,
+        camera.width_px,
+        camera.height_px,
+    ).without_poses(mounting.contradicts)
+    start = State(
+        camera,
+        plane,
+        mounting.T_flange_cam,
+        mounting.T_arm_obj,
+        papers.coordinates,
+        np.zeros(moves.by_links.shape[2]),
+        np.zeros((len(problem.views), moves.by_noise.shape[2])),
+    )
+    return problem, start, mounting
+
+
+def block_size_mm(block: Crenellated) -> float:
+    return float(
+        np.linalg.norm(
+            [
+                block.edges_x_mm[-1] - block.edges_x_mm[0],
+                block.back_y_mm - block.front_y_mm,
+                block.crest_z_mm - block.floor_z_mm,
+            ]
+        )
+    )
+
+
+def _view(
+    pose: SeenPose, block: Crenellated, camera: Camera, plane: LaserPlane, T_cam_obj: Floats
+) -> BlockView:
+    """The pose's pictures, the stripe sorted as the pose itself saw the block."""
+    R, t = T_cam_obj[:3, :3], T_cam_obj[:3, 3]
+    in_obj = LaserPlane(R.T @ plane.normal, float(plane.offset_mm - plane.normal @ t))
+    found = pose.detection
+    view = BlockView(
+        block, found.edges, found.corners, pose.stripe, np.full(len(pose.stripe.u), "", "<U5")
+    )
+    placed = replace(camera, rotation=R, translation_mm=t)
+    return view.sorted_anew(placed, in_obj, block_papers(block).coordinates)
+
+
+def _adjusted(problem: Problem, start: State) -> Adjusted:
+    """Adjusted, the stripes sorted by the first result, and adjusted again where that differs."""
+    found = adjust(problem, start)
+    again = sorted_anew(found)
+    same = all(
+        len(a.stripe_px()) == len(b.stripe_px())
+        for a, b in zip(problem.views, again.views, strict=True)
+    )
+    return found if same else adjust(again, found.state)
+
+
+def sorted_anew(found: Adjusted) -> Problem:
+    """The problem with all stripes judged against what was found."""
+    problem, state = found.problem, found.state
+    views = []
+    for p, view in enumerate(problem.views):
+        scene = pose_scene(state, problem, found.layout, p)
+        views.append(view.sorted_anew(scene.camera, scene.plane, state.coordinates))
+    return replace(problem, views=tuple(views))
+
+
+def _assembled(
+    inputs: JointInputs, alignment: Alignment, found: Adjusted, mounting: Mounting
+) -> JointCalibration:
+    state = found.state
+    T_arm_flange = found.problem.motion.T_arm_flange[0]
+    T_cam_sensor = inverse(T_arm_flange @ state.T_flange_cam) @ state.T_arm_obj
+    worth = known(found, T_cam_sensor)
+    camera, plane, T_flange_sensor = sensor_of(state, T_cam_sensor)
+    used = pose_results(found, inputs.seen, inputs.block)
+    out = left_out(inputs.seen, mounting, inputs.q_rad, inputs.arm)
+    unseen = tuple(PoseResult(one.number, False, str(one.refusal)) for one in inputs.unseen)
+    poses = tuple(sorted((*used, *out, *unseen), key=lambda pose: pose.number))
+    evidence = JointEvidence(
+        inputs.block, alignment, inputs.features, inputs.seen, found, worth, poses, inputs.limits
+    )
+    distance = np.linalg.norm(_depths(found), axis=1)
+    return JointCalibration(
+        found,
+        alignment,
+        camera,
+        plane,
+        T_flange_sensor,
+        state.T_arm_obj,
+        poses,
+        worth,
+        1e3 * _stripe_rms_mm(found),
+        (float(distance.min()), float(distance.max())),
+        joint_findings(evidence),
+        worst_of_all(found, alignment, inputs.features, used),
+    )
+
+
+def _stripe_rms_mm(found: Adjusted) -> float:
+    """Rms distance from the laser plane of the stripe's points on their levels.
+
+    A pixel across the stripe is a length on the level, and so much of it off the plane.
+    """
+    square, count = 0.0, 0
+    for (_, rows), (_, judgement) in zip(found.linear.rows, found.judgements, strict=True):
+        by_offset = rows.jacobian[:, OFFSET]
+        off = (rows.residuals / by_offset)[judgement.kept & (by_offset != 0)]
+        square, count = square + float(off @ off), count + len(off)
+    return float(np.sqrt(square / max(count, 1)))
+
+
+def _depths(found: Adjusted) -> Floats:
+    """Points of all stripes in the camera's frame."""
+    stripe = np.concatenate([view.stripe_px() for view in found.problem.views])
+    points = sensor_points(found.state.camera, found.state.plane, stripe)
+    return points[np.isfinite(points).all(axis=1)]
+
+
+def _refuse_contradictions(inputs: JointInputs, mounting: Mounting) -> None:
+    """Refuses where the poses that agree are not more than those that do not."""
+    contradicts: NDArray[np.bool_] = mounting.contradicts
+    if contradicts.sum() * 2 < len(contradicts) or len(contradicts) < 2:
+        return
+    numbers = _listed([pose.number for pose in inputs.seen])
+    raise Refusal(
+        "poses-contradict",
+        f"poses {numbers} put the object up to {mounting.off_mm.max():.1f} mm apart",
+        "with half of them or more contradicting the others, none can be trusted",
+        "check that the object was not moved, and that every picture has the joint angles of"
+        " its own pose",
+    )
+
+
+def _listed(numbers: Sequence[int]) -> str:
+    return ", ".join(str(number) for number in numbers)
+
+
+def _refuse_unusable(inputs: JointInputs) -> None:
+    if not inputs.seen:
+        raise (
+            inputs.unseen[0].refusal
+            if inputs.unseen
+            else Refusal("no-images", "no pose was given", "", "take a picture of the object")
+        )
+    joints = inputs.arm.joint_count
+    for name, q in (("the poses", inputs.q_rad), ("the contacts", inputs.contact_q_rad)):
+        if q.ndim != 2 or q.shape[1] != joints:
+            raise Refusal(
+                "joint-count",
+                f"{name}: {q.shape[-1]} joint angles",
+                f"the arm {inputs.arm.name} has {joints} joints",
+                "check that the session was taken with this arm",
+            )
+        if not np.isfinite(q).all():
+            raise Refusal("angles-not-finite", f"{name}: a joint angle is not a number")
+    sizes = {(p.detection.camera.width_px, p.detection.camera.height_px) for p in inputs.seen}
+    if len(sizes) > 1:
+        raise Refusal(
+            "image-size",
+            "the pictures are of different sizes: "
+            + ", ".join(f"{width} x {height}" for width, height in sorted(sizes)),
+            "they come from more than one camera, or were scaled",
+            "use full pictures of one sensor",
+        )

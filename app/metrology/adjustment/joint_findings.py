@@ -1,0 +1,226 @@
+"""What an adjustment shows about itself, in words: the verdict first, then the reasons."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from app.metrology.adjustment.block_start import SeenPose
+from app.metrology.adjustment.pose_results import PoseResult
+from app.metrology.adjustment.scales import Scales
+from app.metrology.adjustment.solve import Adjusted
+from app.metrology.adjustment.uncertainty import Known
+from app.metrology.alignment import Alignment
+from app.metrology.crenellated import Crenellated
+from app.metrology.findings import (
+    AGREEING,
+    EDGE_RMS_PX,
+    FARTHEST_MM,
+    Finding,
+    Limits,
+    about_contacts,
+    about_pixels,
+    about_size,
+    verdict,
+)
+from app.metrology.frames import Floats, inverse
+
+# The arm reads worse than its sheet by this factor.
+NOISY = 2.5
+# Turns between the poses below which they tell little more than one.
+ALIKE_DEG = 8.0
+# A tip's diameter is doubted beyond this many deviations, and this much.
+TIP_SIGMAS, TIP_MM = 4.0, 0.02
+
+
+@dataclass(frozen=True)
+class JointEvidence:
+    """All that a calibration over many poses can be judged by."""
+
+    block: Crenellated
+    alignment: Alignment
+    features: Sequence[str]
+    seen: Sequence[SeenPose]
+    found: Adjusted
+    known: Known
+    poses: Sequence[PoseResult]
+    limits: Limits
+
+
+def joint_findings(evidence: JointEvidence) -> tuple[Finding, ...]:
+    """The verdict first, then every reason for or against it."""
+    state, covariance = evidence.found.state, evidence.found.covariance
+    return (
+        verdict(evidence.known.total_um, evidence.known.rows, evidence.limits),
+        *about_contacts(evidence.alignment, evidence.features),
+        about_size(evidence.alignment, evidence.features, evidence.block),
+        *about_tip(evidence.found),
+        *_about_poses(evidence),
+        *_about_arm(evidence),
+        *_about_pictures(evidence),
+        *about_pixels(state.camera, covariance[:2, :2]),
+        _about_stripe(evidence),
+    )
+
+
+def about_tip(found: Adjusted) -> list[Finding]:
+    """Whether contacts and pictures would agree better with a tip of another diameter.
+
+    The tip's radius is added to the adjustment as one more unknown, in one step.
+    """
+    contacts = found.linear.contacts
+    if contacts is None:
+        return []
+    weight = 1 / contacts.variances(found.scales)
+    by_radius = -np.ones(len(weight))
+    J = contacts.jacobian
+    pulled = J.T @ (weight * by_radius)
+    free = float(weight.sum() - pulled @ found.covariance @ pulled)
+    if free <= 0:
+        return []
+    radius_mm = -float(by_radius @ (weight * contacts.residuals_mm)) / free
+    sd_mm = free**-0.5
+    if abs(radius_mm) < max(TIP_SIGMAS * sd_mm, TIP_MM / 2):
+        return []
+    assert found.problem.touches is not None
+    given = 2 * found.problem.touches.radius_mm
+    return [
+        Finding(
+            "attention",
+            "tip-diameter",
+            f"Contacts and pictures agree better with a tip of {given + 2 * radius_mm:.3f} mm "
+            f"(± {2 * sd_mm:.3f}) than with {given:.3f} mm.",
+            "Check which tip is mounted, its diameter, and that this is the block.",
+        )
+    ]
+
+
+def _about_poses(evidence: JointEvidence) -> list[Finding]:
+    used = [pose for pose in evidence.poses if pose.used]
+    out = [pose for pose in evidence.poses if not pose.used]
+    found = [
+        Finding(
+            "attention",
+            "pose-left-out",
+            f"Pose {pose.number} was left out: {pose.reason}.",
+            "Check that picture and joint angles are of one moment, or take the pose again.",
+        )
+        for pose in out
+    ]
+    if len(used) == 1:
+        text = "One pose alone was used: errors of the arm's links show in the contacts only."
+        return [*found, Finding("neutral", "one-pose", text, "Take more poses, tilted and turned.")]
+    off = [pose.off_um for pose in used]
+    furthest = used[int(np.argmax(off))]
+    found.append(
+        Finding(
+            "good",
+            "poses",
+            f"{len(used)} poses agree on the object's place to {np.median(off):.0f} µm; pose "
+            f"{furthest.number} is furthest off, by {furthest.off_um:.0f} µm.",
+        )
+    )
+    turn = largest_turn_deg(evidence.found.problem.motion.T_arm_flange)
+    if turn < ALIKE_DEG:
+        found.append(
+            Finding(
+                "attention",
+                "poses-alike",
+                f"The sensor turned by {turn:.1f}° at most between the poses (wanted: "
+                f"{ALIKE_DEG:.0f}° and more), so that they tell little more than one.",
+                "Take poses tilted to the left, right, front and back, and turned about the view.",
+            )
+        )
+    return found
+
+
+def largest_turn_deg(T_arm_flange: Floats) -> float:
+    """The largest angle between any two of P poses (P, 4, 4)."""
+    turns = [
+        float(np.linalg.norm(Rotation.from_matrix((inverse(a) @ b)[:3, :3]).as_rotvec()))
+        for i, a in enumerate(T_arm_flange)
+        for b in T_arm_flange[i + 1 :]
+    ]
+    return float(np.degrees(max(turns, default=0.0)))
+
+
+def _about_arm(evidence: JointEvidence) -> list[Finding]:
+    scales: Scales = evidence.found.scales
+    links_um = next(
+        (row.value_um for row in evidence.known.rows if row.source == "arm geometry"), 0.0
+    )
+    found = [
+        Finding(
+            "neutral",
+            "arm-links",
+            f"The data speak for errors of the arm's links of {1e3 * scales.links_mm:.0f} µm and "
+            f"{np.degrees(scales.links_rad) * 3600:.1f}″ each; what is left of them makes "
+            f"{links_um:.0f} µm of a point's uncertainty.",
+        )
+    ]
+    if scales.noise > NOISY:
+        found.append(
+            Finding(
+                "attention",
+                "arm-scatter",
+                f"The poses and contacts scatter {scales.noise:.1f} times more than the arm's "
+                f"encoders explain (limit {NOISY:.1f}).",
+                "Check the arm for play, the tip and the sensor for a loose mount; hold still.",
+            )
+        )
+    away_mm = float(np.linalg.norm(evidence.known.pivot_mm))
+    if away_mm > FARTHEST_MM:
+        found.append(
+            Finding(
+                "attention",
+                "sensor-far",
+                f"The sensor measures {away_mm:.0f} mm away from the arm's last joint "
+                f"(limit {FARTHEST_MM:.0f} mm).",
+                "Check that the pictures' joint angles are those of their poses.",
+            )
+        )
+    return found
+
+
+def _about_pictures(evidence: JointEvidence) -> list[Finding]:
+    used = [pose for pose in evidence.poses if pose.used]
+    points = sum(pose.edge_points for pose in used)
+    square = sum(pose.edges_rms_px**2 * pose.edge_points for pose in used) / max(points, 1)
+    worst = max(used, key=lambda pose: pose.edges_rms_px)
+    good = worst.edges_rms_px <= EDGE_RMS_PX
+    found = [
+        Finding(
+            "good" if good else "attention",
+            "edges",
+            f"{points} points on the block's edges fit the camera to {np.sqrt(square):.2f} px rms, "
+            f"worst in pose {worst.number} ({worst.edges_rms_px:.2f} px); the limit is "
+            f"{EDGE_RMS_PX:.1f} px.",
+            "" if good else "Clean the block's edges; check focus, lighting and certificate.",
+        )
+    ]
+    told: set[str] = set()
+    for pose in evidence.seen:
+        for item in pose.picture:
+            if item.code not in told:
+                told.add(item.code)
+                text = f"Pose {pose.number}: {item.text}"
+                found.append(Finding("attention", item.code, text, item.remedy))
+    return found
+
+
+def _about_stripe(evidence: JointEvidence) -> Finding:
+    used = [pose for pose in evidence.poses if pose.used]
+    points = sum(pose.stripe_points for pose in used)
+    square = sum(pose.stripe_rms_px**2 * pose.stripe_points for pose in used) / max(points, 1)
+    numbers = set(evidence.found.problem.numbers)
+    extracted = sum(len(pose.stripe.u) for pose in evidence.seen if pose.number in numbers)
+    share = points / max(extracted, 1)
+    good = share >= AGREEING
+    return Finding(
+        "good" if good else "attention",
+        "laser-plane",
+        f"{points} stripe points fit one laser plane to {np.sqrt(square):.2f} px rms, "
+        f"{100 * share:.0f} % of those on the object (limit {100 * AGREEING:.0f} %).",
+        "" if good else "Keep reflections out of the grooves: matt spray, lower exposure.",
+    )

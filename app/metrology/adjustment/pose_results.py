@@ -1,0 +1,157 @@
+"""What became of each pose in the adjustment: how well it fits, or why it was left out."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.metrology.adjustment.block_start import SeenPose
+from app.metrology.adjustment.mounting import Mounting
+from app.metrology.adjustment.solve import Adjusted
+from app.metrology.adjustment.state import pose_scene
+from app.metrology.alignment import Alignment
+from app.metrology.arm import Arm, flange_poses
+from app.metrology.camera import project
+from app.metrology.crenellated import Crenellated, corners
+from app.metrology.findings import WORST_OF_A_KIND, WorstPoint
+from app.metrology.frames import Floats, inverse
+from app.metrology.scene import Rows, with_coordinates
+
+# A pose that contradicts the others fits another's joint angles if it then lies so near.
+FITS_SHARE = 0.2
+
+
+@dataclass(frozen=True)
+class PoseResult:
+    """One pose: residuals where it was used, ``reason`` where it was left out.
+
+    ``off_um`` is how far the arm's noise had to move the object for this pose to agree;
+    ``corners_px`` are measured minus projected, by name.
+    """
+
+    number: int
+    used: bool
+    reason: str = ""
+    edges_rms_px: float = 0.0
+    edge_points: int = 0
+    stripe_rms_px: float = 0.0
+    stripe_points: int = 0
+    off_um: float = 0.0
+    corners_px: tuple[tuple[str, float, float], ...] = ()
+
+
+def pose_results(found: Adjusted, seen: Sequence[SeenPose], block: Crenellated) -> list[PoseResult]:
+    """Of the poses that were used."""
+    by_number = {pose.number: pose for pose in seen}
+    block = with_coordinates(block, found.state.coordinates)
+    results = []
+    for p, number in enumerate(found.problem.numbers):
+        shape, stripe = found.linear.rows[p]
+        kept_shape, kept_stripe = (one.kept for one in found.judgements[p])
+        results.append(
+            PoseResult(
+                number,
+                True,
+                "",
+                _rms(shape, kept_shape),
+                int(kept_shape.sum()),
+                _rms(stripe, kept_stripe),
+                int(kept_stripe.sum()),
+                _off_um(found, p),
+                _corners(found, p, by_number[number], block),
+            )
+        )
+    return results
+
+
+def left_out(
+    seen: Sequence[SeenPose], mounting: Mounting, q_rad: Floats, arm: Arm
+) -> list[PoseResult]:
+    """Of the poses that contradict the others, each with the pose whose joints would fit it."""
+    T_arm_flange = flange_poses(arm, q_rad)
+    results = []
+    for p in map(int, np.flatnonzero(mounting.contradicts)):
+        reason = f"it puts the object {mounting.off_mm[p]:.1f} mm from where the others put it"
+        # the flange at which this pose's picture would agree with the others
+        wanted = T_arm_flange[p] @ _correction(mounting, p)
+        apart = np.linalg.norm(T_arm_flange[:, :3, 3] - wanted[:3, 3], axis=1)
+        other = int(np.argmin(apart))
+        if other != p and apart[other] < FITS_SHARE * apart[p] + 1.0:
+            reason += f"; it fits the joint angles of pose {seen[other].number}"
+        results.append(PoseResult(seen[p].number, False, reason))
+    return results
+
+
+def worst_of_all(
+    found: Adjusted,
+    alignment: Alignment,
+    features: Sequence[str],
+    poses: Sequence[PoseResult],
+) -> tuple[WorstPoint, ...]:
+    """The few worst contacts, corners and stripe points over all poses."""
+    contacts = 1e3 * np.abs(alignment.residuals_mm)
+    worst = [
+        WorstPoint("contact", f"{features[i]} {i + 1}", float(contacts[i]), "µm")
+        for i in np.argsort(-contacts)[:WORST_OF_A_KIND]
+    ]
+    at_corners = [
+        (float(np.hypot(u, v)), f"pose {pose.number} {name}")
+        for pose in poses
+        for name, u, v in pose.corners_px
+    ]
+    worst += [
+        WorstPoint("corner", name, off, "px")
+        for off, name in sorted(at_corners, reverse=True)[:WORST_OF_A_KIND]
+    ]
+    on_stripe = []
+    for number, (_, rows), (_, judgement) in zip(
+        found.problem.numbers, found.linear.rows, found.judgements, strict=True
+    ):
+        off_px = np.abs(rows.residuals) * judgement.kept
+        on_stripe += [
+            (float(off_px[i]), f"pose {number} ({rows.places[i, 0]:.0f}, {rows.places[i, 1]:.0f})")
+            for i in np.argsort(-off_px)[:WORST_OF_A_KIND]
+        ]
+    worst += [
+        WorstPoint("stripe", name, off, "px")
+        for off, name in sorted(on_stripe, reverse=True)[:WORST_OF_A_KIND]
+    ]
+    return tuple(worst)
+
+
+def _rms(rows: Rows, kept: np.ndarray[tuple[int, ...], np.dtype[np.bool_]]) -> float:
+    own = rows.residuals[kept]
+    return float(np.sqrt(np.mean(own**2))) if len(own) else 0.0
+
+
+def _off_um(found: Adjusted, pose: int) -> float:
+    moves, state = found.problem.motion, found.state
+    twist = moves.by_noise[pose] @ state.noise[pose]
+    at = state.T_arm_obj[:3, 3]
+    return float(1e3 * np.linalg.norm(np.cross(twist[:3], at) + twist[3:]))
+
+
+def _corners(
+    found: Adjusted, pose: int, seen: SeenPose, block: Crenellated
+) -> tuple[tuple[str, float, float], ...]:
+    measured = seen.detection.corners
+    if not measured:
+        return ()
+    at = corners(block)
+    scene = pose_scene(found.state, found.problem, found.layout, pose)
+    uv = project(scene.camera, np.array([at[corner.name] for corner in measured]))
+    return tuple(
+        (corner.name, float(corner.u - u), float(corner.v - v))
+        for corner, (u, v) in zip(measured, uv, strict=True)
+    )
+
+
+def _correction(mounting: Mounting, pose: int) -> Floats:
+    """(4, 4) by which the flange, in its own frame, would have to move for a pose to agree."""
+    X, T_cam_obj, T_arm_flange = (
+        mounting.T_flange_cam,
+        mounting.T_cam_obj[pose],
+        mounting.T_arm_flange[pose],
+    )
+    wanted = mounting.T_arm_obj @ inverse(X @ T_cam_obj)
+    return np.asarray(inverse(T_arm_flange) @ wanted)
