@@ -1,0 +1,213 @@
+"""Which pose to take next: the one after which a scanned point would be known best.
+
+Every candidate's picture is foretold (``expected``), and its part added to the normal
+matrix of the adjustment so far: the uncertainty that it would leave needs no picture.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from app.metrology.adjustment.arm_motion import FlangeMotion, arm_motion
+from app.metrology.adjustment.expected import Seeing, expected_view, in_view
+from app.metrology.adjustment.reaching import joints_for
+from app.metrology.adjustment.solve import Adjusted, embedded
+from app.metrology.adjustment.state import SENSOR, pose_scene
+from app.metrology.adjustment.uncertainty import by_sensor, measuring_volume
+from app.metrology.adjustment.weighing import Judgement, normal_equations
+from app.metrology.arm import Arm
+from app.metrology.camera import Camera, project
+from app.metrology.crenellated import Crenellated, edges
+from app.metrology.frames import (
+    Floats,
+    inverse,
+    rigid,
+    rotation_from_vector,
+    vector_from_rotation,
+)
+from app.metrology.laser_plane import LaserPlane
+from app.metrology.scene import Rows
+
+# Tilts, turns about the view and heights that an operator holds with ease.
+TILTS_DEG = (-20.0, 0.0, 20.0)
+TURNS_DEG = (-30.0, 0.0, 30.0)
+HEIGHTS_MM = (-8.0, 0.0, 8.0)
+# Share of the block in the picture, and points of the stripe on each level, at least.
+FRAMED, STRIPE_POINTS = 0.85, 40
+# Changes smaller than these are not worth a word.
+WORD_DEG, WORD_MM = 4.0, 3.0
+
+
+RowsOf = Callable[[Camera, LaserPlane, Floats], tuple[Rows, Rows]]
+
+
+@dataclass(frozen=True)
+class Hold:
+    """Where the sensor is held against another hold, as an operator would say it.
+
+    ``tilt_right_deg``: the camera swings to the right about the block; ``tilt_back_deg``:
+    to its back; ``turn_deg``: counter-clockwise as seen from above; ``higher_mm``: further
+    from the block.
+    """
+
+    tilt_right_deg: float
+    tilt_back_deg: float
+    turn_deg: float
+    higher_mm: float
+
+    @property
+    def words(self) -> str:
+        """``tilt left 20°, 8 mm higher``; ``hold as it is`` where nothing changes."""
+        said = []
+        for value, least, positive, negative, unit in (
+            (self.tilt_right_deg, WORD_DEG, "tilt right", "tilt left", "°"),
+            (self.tilt_back_deg, WORD_DEG, "tilt to the back", "tilt to the front", "°"),
+            (self.turn_deg, WORD_DEG, "turn anticlockwise", "turn clockwise", "°"),
+        ):
+            if abs(value) >= least:
+                said.append(f"{positive if value > 0 else negative} {abs(value):.0f}{unit}")
+        if abs(self.higher_mm) >= WORD_MM:
+            said.append(
+                f"{abs(self.higher_mm):.0f} mm {'higher' if self.higher_mm > 0 else 'lower'}"
+            )
+        return ", ".join(said) or "hold as it is"
+
+
+@dataclass(frozen=True)
+class PoseAdvice:
+    """A pose worth taking: where, what it would bring, and how the block would look."""
+
+    T_obj_cam: Floats  # (4, 4)
+    q_rad: Floats  # (n,) joint angles that reach it
+    total_um: float  # of a point, k = 1, after this pose
+    outline_px: tuple[tuple[tuple[float, float], tuple[float, float]], ...]
+    """The block's edges as the picture would show them, end to end."""
+
+
+def next_poses(
+    found: Adjusted, arm: Arm, block: Crenellated, q_rad: Floats, seeing: Seeing | None = None
+) -> list[PoseAdvice]:
+    """Poses that the arm can take, the most helpful first.
+
+    Args:
+        found: the adjustment of the P poses so far.
+        q_rad: (P, n) their encoder angles.
+    """
+    seeing = seeing or Seeing()
+    reference = pose_scene(found.state, found.problem, found.layout, 0)
+    T_cam_obj = rigid(reference.camera.rotation, reference.camera.translation_mm)
+    volume = by_sensor(found.state, measuring_volume(found).uv_px)
+    advice = []
+    for T_obj_cam in _candidates(inverse(T_cam_obj), block):
+        camera, plane = seen_at(found, T_obj_cam)
+        q = _joints(found, arm, T_obj_cam, q_rad)
+        if q is None or in_view(camera, block) < FRAMED:
+            continue
+        view = expected_view(camera, plane, block, seeing)
+        if min(int(np.sum(view.level == name)) for name in ("crest", "floor")) < STRIPE_POINTS:
+            continue
+        covariance = _after(found, arm_motion(arm, q[None]), view.rows)
+        total = float(np.sqrt(np.mean(np.einsum("gik,kl,gil->g", volume, covariance, volume))))
+        advice.append(PoseAdvice(T_obj_cam, q, 1e3 * total, outline(camera, block)))
+    return sorted(advice, key=lambda one: one.total_um)
+
+
+def held(T_obj_cam: Floats, T_obj_cam_before: Floats, block: Crenellated) -> Hold:
+    """One hold (4, 4) of the camera over the block, against another."""
+    turned = vector_from_rotation(T_obj_cam[:3, :3] @ T_obj_cam_before[:3, :3].T)
+    x, y, z = np.degrees(turned)
+    middle = middle_of(block)
+    apart = [float(np.linalg.norm(T[:3, 3] - middle)) for T in (T_obj_cam, T_obj_cam_before)]
+    # a turn about +y swings what is above to the right, about -x to the back
+    return Hold(float(y), float(-x), float(z), apart[0] - apart[1])
+
+
+def seen_at(found: Adjusted, T_obj_cam: Floats) -> tuple[Camera, LaserPlane]:
+    """Camera and plane in the object's frame for the camera held at a place."""
+    T_cam_obj = inverse(T_obj_cam)
+    R, t = T_cam_obj[:3, :3], T_cam_obj[:3, 3]
+    own = found.state.plane
+    plane = LaserPlane(R.T @ own.normal, float(own.offset_mm - own.normal @ t))
+    return replace(found.state.camera, rotation=R, translation_mm=t), plane
+
+
+def outline(
+    camera: Camera, block: Crenellated
+) -> tuple[tuple[tuple[float, float], tuple[float, float]], ...]:
+    """The edges of crests and floors in the picture, as pairs of pixels."""
+    drawn = []
+    for edge in edges(block):
+        if edge.name.startswith("base"):
+            continue
+        (u0, v0), (u1, v1) = project(camera, np.array([edge.start_mm, edge.end_mm]))
+        drawn.append(((float(u0), float(v0)), (float(u1), float(v1))))
+    return tuple(drawn)
+
+
+def middle_of(block: Crenellated) -> Floats:
+    """(3,) the middle of the block between floors and crests, object frame."""
+    x = block.edges_x_mm
+    return np.array(
+        [
+            (x[0] + x[-1]) / 2,
+            (block.front_y_mm + block.back_y_mm) / 2,
+            (block.floor_z_mm + block.crest_z_mm) / 2,
+        ]
+    )
+
+
+def _candidates(T_obj_cam: Floats, block: Crenellated) -> Sequence[Floats]:
+    """Holds swung about the block's middle from a first one."""
+    middle = middle_of(block)
+    away = T_obj_cam[:3, 3] - middle
+    away /= np.linalg.norm(away)
+    holds = []
+    for right in TILTS_DEG:
+        for back in TILTS_DEG:
+            for turn in TURNS_DEG:
+                swing = rotation_from_vector(np.radians([-back, right, turn]))
+                about_middle = rigid(swing, middle - swing @ middle)
+                for higher in HEIGHTS_MM if turn == 0.0 else (0.0,):
+                    lift = rigid(np.eye(3), higher * away)
+                    holds.append(about_middle @ lift @ T_obj_cam)
+    return holds
+
+
+def _joints(found: Adjusted, arm: Arm, T_obj_cam: Floats, q_rad: Floats) -> Floats | None:
+    """Joint angles for a hold, starting from the pose whose flange is nearest."""
+    T_arm_flange = found.state.T_arm_obj @ T_obj_cam @ inverse(found.state.T_flange_cam)
+    near = np.linalg.norm(found.problem.motion.T_arm_flange[:, :3, 3] - T_arm_flange[:3, 3], axis=1)
+    return joints_for(arm, T_arm_flange, q_rad[int(np.argmin(near))])
+
+
+def _after(found: Adjusted, moves: FlangeMotion, rows_of: RowsOf) -> Floats:
+    """Covariance (17, 17) of the sensor's unknowns with one more pose."""
+    problem, state, at = found.problem, found.state, found.layout
+    motion = problem.motion
+    more = replace(
+        problem,
+        numbers=(*problem.numbers, -1),
+        views=(*problem.views, problem.views[0]),
+        motion=replace(
+            motion,
+            T_arm_flange=np.concatenate([motion.T_arm_flange, moves.T_arm_flange]),
+            by_links=np.concatenate([motion.by_links, moves.by_links]),
+            by_noise=np.concatenate([motion.by_noise, moves.by_noise]),
+        ),
+    )
+    own = at.noise_per_pose
+    wider = replace(at, noise=slice(at.noise.start, at.count + own), count=at.count + own)
+    new = len(problem.views)
+    moved = replace(state, noise=np.vstack([state.noise, np.zeros(own)]))
+    scene = pose_scene(moved, more, wider, new)
+    N = np.zeros((wider.count, wider.count))
+    N[: at.count, : at.count] = np.sum(list(found.parts.values()), axis=0)
+    index = np.arange(wider.count)[wider.noise_of(new)]
+    N[index, index] += (found.scales.noise * motion.noise_sd) ** -2.0
+    for rows in rows_of(scene.camera, scene.plane, state.coordinates):
+        everything = Judgement(np.ones(len(rows.sigma), np.bool_), np.ones(len(rows.sigma)))
+        local, _ = normal_equations(rows, everything)
+        N += scene.by_unknowns.T @ local @ scene.by_unknowns
+    free = np.concatenate([found.free, np.ones(own, np.bool_)])
+    return embedded(N, free)[SENSOR, SENSOR]
