@@ -108,7 +108,7 @@ def test_noisy_solves_scatter_as_the_covariance_says(joints: int) -> None:
     arm, exact = papers_of(session.nominal_arm), observed(session)
     rng, choice = np.random.default_rng(1), candidates(arm, with_lengths=True)
     columns = solve(arm, noisy(exact, arm, rng).stacked, choice).moved
-    fits = [solve(arm, noisy(exact, arm, rng).stacked, choice, columns) for _ in range(70)]
+    fits = [solve(arm, noisy(exact, arm, rng).stacked, choice, columns) for _ in range(45)]
     values = np.array([parameter_values(fit.at.arm)[columns] for fit in fits])
     covariance = np.mean([fit.covariance for fit in fits], axis=0)
     whitened = np.linalg.solve(np.linalg.cholesky(covariance), (values - values.mean(axis=0)).T)
@@ -230,7 +230,49 @@ def test_too_little_is_refused(session: ArmSession, part: list[int], code: str) 
 def test_angles_of_another_arm_are_refused(session: ArmSession) -> None:
     other = draw_arm_session(12, replace(PLAN, seats=1, spheres=0, bar_lengths_mm=()))
     refusal = refused(session, observed(session), papers_of(other.nominal_arm))
-    assert refusal.remedy
+    assert refusal.code == "arm-does-not-fit"
+    arm = papers_of(session.nominal_arm)
+    joints = list(arm.joints)
+    joints[3] = replace(joints[3], sign=-joints[3].sign)
+    assert refused(session, observed(session), replace(arm, joints=tuple(joints))).remedy
+
+
+def test_a_wrong_length_of_a_bar_is_told_by_the_others(session: ArmSession) -> None:
+    good = observed(session)
+    bars = tuple(replace(b, length_mm=b.length_mm + (b.name == "B2") * 0.5) for b in good.bars)
+    refusal = refused(session, replace(good, bars=bars))
+    assert refusal.code == "bar-length"
+    assert "bar B2" in refusal.what
+    only = tuple(bar for bar in bars if bar.name == "B2")
+    result = identify(
+        papers_of(session.nominal_arm),
+        replace(good, bars=tuple(replace(b, length_mm=b.length_mm + 1.0) for b in only)),
+    )
+    assert any("bar B2" in text for text in result.warnings)
+
+
+def test_a_joint_that_reads_the_same_everywhere_is_refused(session: ArmSession) -> None:
+    def stuck(q: Floats) -> Floats:
+        return np.column_stack([q[:, :5], np.full(len(q), 0.5)])
+
+    good = observed(session)
+    bad = Observations(tuple(replace(s, q_rad=stuck(s.q_rad)) for s in good.seats))
+    refusal = refused(session, bad)
+    assert refusal.code == "joint-still"
+    assert "J6" in refusal.what
+
+
+def test_the_same_points_again_are_refused(session: ArmSession) -> None:
+    seat = observed(session).seats[0]
+    assert refused(session, Observations((seat,) * 5)).code == "points-twice"
+
+
+def test_a_tip_that_was_exchanged_is_found(session: ArmSession) -> None:
+    arm = papers_of(session.nominal_arm)
+    other = replace(arm, tip=replace(arm.tip, x_mm=arm.tip.x_mm + 20, z_mm=arm.tip.z_mm - 25))
+    result = identify(other, observed(session))
+    assert volumetric_error_um(session.arm, result.arm) < 10
+    assert any("tip.z_mm moves" in text for text in result.warnings)
 
 
 def test_the_arms_reach_decides_what_the_covariance_is_worth(session: ArmSession) -> None:

@@ -1,16 +1,20 @@
 """What is wrong with the points: too few, too alike, a place that moved, a wrong tip."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from app.metrology.arm import Arm
 from app.metrology.arm_model.adjustment import residuals
 from app.metrology.arm_model.observations import Observations, Stacked
 from app.metrology.arm_model.parameters import parameter_names, parameter_values, tip_jacobian
-from app.metrology.arm_model.selection import limits
-from app.metrology.arm_model.solving import Fit
+from app.metrology.arm_model.selection import LENGTH_MM, candidates, limits
+from app.metrology.arm_model.solving import Fit, solve
+from app.metrology.arm_model.volume import size_uncertainty_mm
 from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
 
+LEAST_TURN_RAD = np.deg2rad(1.0)
 LEAST_SEAT, LEAST_SPHERE, LEAST_PLACES = 6, 6, 4
 LEAST_SWING_RAD = np.deg2rad(15.0)
 """The joint that turns most in a seat must turn at least so far."""
@@ -18,6 +22,16 @@ OUTLIER_SHARE = 0.25
 """A place with more of its points left out is not to be trusted at all."""
 MOVED_SIGMAS = 4.0
 """First and later points of a seat lie so much further apart than single points scatter."""
+LEAST_HEAP = 4
+LARGEST_SCATTER_MM = 1.0
+FREE_MM = 1e3
+"""Uncertainty of a bar's length that says nothing of it."""
+CONTRADICTION = 2.0
+UNLIKELY = 5e-4
+"""Share of its length by which an arm hardly sees a bar wrong."""
+DIFFERENT = 0.8
+"""Share of the points that must have angles of their own."""
+NO_SEAT_MM = 50.0
 MIXED_MM = 100.0
 """No tip of a reasonable arm.json is off by so much."""
 EXCESS_SIGMAS, EXCESS_MM, WRONG_TIP_MM = 5.0, 0.005, 0.025
@@ -67,19 +81,51 @@ def check_swing(label: str, arm: Arm, q_rad: Floats) -> None:
         )
 
 
-def check_not_mixed(arm: Arm, observations: Observations) -> None:
-    """Refuses a seat whose points lie in two places, as any arm near the given one sees it."""
-    for seat in observations.seats:
-        tips, _ = tip_jacobian(arm, seat.q_rad)
-        split, gap_mm = _split(tips)
-        if gap_mm > MIXED_MM and _two_groups(tips, split, gap_mm):
+def check_arm_fits(arm: Arm, observations: Observations) -> None:
+    """Refuses an arm far from the given one, a joint that never moved, seats of two places."""
+    data = observations.stacked
+    still = np.ptp(data.q_rad, axis=0) < LEAST_TURN_RAD
+    if still.any():
+        joint = arm.joints[int(np.argmax(still))].name
+        raise Refusal(
+            "joint-still",
+            f"joint {joint} reads the same in all points",
+            "it was not moved, or its encoder is not read",
+            "Check the encoder; swing the arm so that every joint turns",
+        )
+    if len(np.unique(data.q_rad, axis=0)) < DIFFERENT * len(data.q_rad):
+        raise Refusal(
+            "points-twice",
+            "many points have the very same angles",
+            "rows were copied, or the arm was held still: the same point twice tells nothing more",
+            "Delete what stands there twice",
+        )
+    tips = {seat.name: tip_jacobian(arm, seat.q_rad)[0] for seat in observations.seats}
+    far_mm = {name: _typical_distance(points) for name, points in tips.items()}
+    if len(far_mm) > 1 and float(np.median(list(far_mm.values()))) > NO_SEAT_MM:
+        name = max(far_mm, key=lambda seat: far_mm[seat])
+        raise Refusal(
+            "arm-does-not-fit",
+            f"by this arm.json the tip goes far while it is in a seat: {far_mm[name]:.0f} mm from "
+            f"the middle of seat {name}",
+            "the points were taken with another arm, or the file is wrong",
+            "Check signs, lengths and the order of the joints in arm.json",
+        )
+    for name, points in tips.items():
+        split, gap_mm = _split(points)
+        if gap_mm > MIXED_MM:
             raise Refusal(
                 "seat-moved",
-                f"seat {seat.name}: its points 1 to {split} and {split + 1} to {len(tips)} lie "
+                f"seat {name}: its points 1 to {split} and {split + 1} to {len(points)} lie "
                 f"{gap_mm:.0f} mm apart",
                 "they are of two seats, or the seat was carried elsewhere in between",
                 "Give each seat a name of its own",
             )
+
+
+def _typical_distance(points: Floats) -> float:
+    """How far half of the points are from their middle, mm."""
+    return float(np.median(np.linalg.norm(points - np.median(points, axis=0), axis=1)))
 
 
 def check_places_stood_still(data: Stacked, fit: Fit) -> None:
@@ -92,8 +138,7 @@ def check_places_stood_still(data: Stacked, fit: Fit) -> None:
         out = int(np.sum(~fit.kept[own]))
         untrusted = out >= 3 and out > OUTLIER_SHARE * len(points)
         split, gap_mm = _split(points) if place.diameter_mm is None else (0, 0.0)
-        moved = gap_mm > max(MOVED_SIGMAS * sd, 1e-2)
-        if moved and (untrusted or _two_groups(points, split, gap_mm)):
+        if gap_mm > max(MOVED_SIGMAS * sd, 1e-2):
             raise Refusal(
                 "seat-moved",
                 f"{place.label}: its points 1 to {split} and {split + 1} to {len(points)} lie "
@@ -109,6 +154,52 @@ def check_places_stood_still(data: Stacked, fit: Fit) -> None:
                 "among them",
                 "Take this place again, or delete its rows",
             )
+
+
+def check_scatter(fit: Fit) -> None:
+    """Refuses a fit that explains next to nothing."""
+    if fit.scatter_mm > LARGEST_SCATTER_MM:
+        raise Refusal(
+            "identification-explains-nothing",
+            f"even by the best arm the points still scatter by {fit.scatter_mm:.1f} mm",
+            "they do not come from an arm of this kind, or the tip was not seated",
+            "Check the encoders, arm.json, and how the points were taken",
+        )
+
+
+def check_bars(arm: Arm, observations: Observations, fit: Fit) -> list[str]:
+    """Warns of bars that the given arm sees otherwise; refuses lengths that contradict the rest.
+
+    The rest is a fit in which every bar's length is free.
+    """
+    if not observations.bars:
+        return []
+    free = replace(
+        observations,
+        bars=tuple(replace(bar, standard_uncertainty_mm=FREE_MM) for bar in observations.bars),
+    )
+    try:
+        loose = solve(arm, free.stacked, candidates(arm, with_lengths=False))
+    except Refusal:  # too little is left without the lengths to contradict them
+        return []
+    lengths = {bar.name: bar.length_mm for bar in observations.bars}
+    seen = dict(zip(free.stacked.bar_names, loose.at.bar_errors_mm.tolist(), strict=True))
+    worst = max(seen, key=lambda name: abs(seen[name]) / lengths[name])
+    told = (
+        f"the arm sees bar {worst} as {lengths[worst] + seen[worst]:.3f} mm, "
+        f"{lengths[worst]:.3f} mm are given"
+    )
+    if fit.scatter_mm > CONTRADICTION * max(loose.scatter_mm, 2e-3):
+        raise Refusal(
+            "bar-length",
+            told,
+            f"with the bars' lengths the points scatter by {fit.scatter_mm * 1e3:.0f} µm, without "
+            f"them by {loose.scatter_mm * 1e3:.0f} µm",
+            f"Check length_mm of bar {worst}, and its ends",
+        )
+    if abs(seen[worst]) > UNLIKELY * lengths[worst]:
+        return [f"{told}: check its length, unless the arm's papers are as far off"]
+    return []
 
 
 def check_tip_diameter(arm: Arm, data: Stacked, fit: Fit) -> None:
@@ -132,17 +223,11 @@ def warnings_of(arm: Arm, observations: Observations, fit: Fit) -> tuple[str, ..
     """What whoever identifies an arm should know beside the result."""
     found: list[str] = []
     if not observations.bars:
+        size_um = 1e3 * size_uncertainty_mm(arm)
         found.append(
-            "no ball bar was measured: the arm's size is that of its papers, held by its "
-            "longest link"
+            "no ball bar was measured: the arm's size is that of its papers; a longest link wrong "
+            f"by {LENGTH_MM:g} mm adds {size_um:.0f} µm over the reach"
         )
-    for name, error in zip(fit_bar_names(observations), fit.at.bar_errors_mm, strict=True):
-        sd = next(b.standard_uncertainty_mm for b in observations.bars if b.name == name)
-        if abs(float(error)) > 4 * sd:
-            found.append(
-                f"bar {name} is seen {float(error) * 1e3:+.0f} µm against its calibrated "
-                f"length: other lengths contradict it"
-            )
     if observations.spheres:
         excess, sd = fit.at.radius_excess_mm, float(np.sqrt(fit.others_covariance[0, 0]))
         if abs(excess) > max(EXCESS_SIGMAS * sd, EXCESS_MM):
@@ -152,11 +237,6 @@ def warnings_of(arm: Arm, observations: Observations, fit: Fit) -> tuple[str, ..
             )
     found += _far_moves(arm, fit)
     return tuple(found)
-
-
-def fit_bar_names(observations: Observations) -> tuple[str, ...]:
-    """The bars' names, in the order of their errors in a fit."""
-    return tuple(dict.fromkeys(bar.name for bar in observations.bars))
 
 
 def _far_moves(arm: Arm, fit: Fit) -> list[str]:
@@ -181,20 +261,30 @@ def _typical_sd(data: Stacked, fit: Fit, vectors: Floats) -> float:
 
 
 def _split(points: Floats) -> tuple[int, float]:
-    """Where a set of points (m, 3) falls apart in time, and by how far (mm)."""
-    count = len(points)
-    best, gap = 0, 0.0
+    """Where a set of points (m, 3) falls apart in time into two heaps, and by how far (mm).
+
+    (0, 0) where it does not: most points of each part must lie by their own heap.
+    Medians, so that a few bad points make no heap.
+    """
+    heaps: tuple[Floats, Floats] | None = None
     strongest = 0.0
-    for k in range(3, count - 2):
-        apart = float(np.linalg.norm(points[:k].mean(axis=0) - points[k:].mean(axis=0)))
-        strength = apart * np.sqrt(k * (count - k) / count)
-        if strength > strongest:
-            strongest, best, gap = strength, k, apart
-    return best, gap
+    for k in range(LEAST_HEAP, len(points) - LEAST_HEAP + 1):
+        first, later = points[:k], points[k:]
+        a, b = np.median(first, axis=0), np.median(later, axis=0)
+        apart = float(np.linalg.norm(a - b))
+        strength = apart * np.sqrt(k * (len(points) - k))
+        if strength > strongest and _heap(first, a, apart) and _heap(later, b, apart):
+            strongest, heaps = strength, (a, b)
+    if heaps is None:
+        return 0, 0.0
+    a, b = heaps
+    nearer_first = np.linalg.norm(points - a, axis=1) < np.linalg.norm(points - b, axis=1)
+    # the split that puts most points to their own heap
+    right = np.cumsum(np.where(nearer_first, 1, -1))
+    return int(np.argmax(right)) + 1, float(np.linalg.norm(a - b))
 
 
-def _two_groups(points: Floats, split: int, gap_mm: float) -> bool:
-    """Whether the gap explains most of the points' scatter."""
-    first, later = points[:split], points[split:]
-    within = np.concatenate([first - first.mean(axis=0), later - later.mean(axis=0)])
-    return float(np.sqrt(np.mean(np.sum(within**2, axis=1)))) < 0.6 * gap_mm
+def _heap(points: Floats, middle: Floats, apart_mm: float) -> bool:
+    """Whether three quarters of the points lie nearer to their middle than to the other heap."""
+    off = np.linalg.norm(points - middle, axis=1)
+    return float(np.mean(off < 0.5 * apart_mm)) >= 0.75

@@ -8,9 +8,11 @@ import numpy as np
 from app.metrology.arm import Arm
 from app.metrology.arm_model.adjustment import residuals
 from app.metrology.arm_model.checks import (
+    check_arm_fits,
+    check_bars,
     check_enough,
-    check_not_mixed,
     check_places_stood_still,
+    check_scatter,
     check_tip_diameter,
     warnings_of,
 )
@@ -33,6 +35,9 @@ CORRELATED = 0.95
 """Parameters correlated beyond this are named."""
 BETTER = 1.05
 """Held-out deviations must fall at least by this factor."""
+
+STILL_OFF = 1.4
+"""Held-out deviations, in standard deviations, beyond which more places would help."""
 
 Tell = Callable[[float, str], None]
 
@@ -123,11 +128,13 @@ def identify(
             diameter that the spheres contradict; no improvement on what was held out.
     """
     check_enough(arm, observations)
-    check_not_mixed(arm, observations)
+    check_arm_fits(arm, observations)
     data = observations.stacked
     tell(0.1, "Fitting the arm")
     fit = solve(arm, data, candidates(arm, bool(observations.bars)))
     check_places_stood_still(data, fit)
+    bars = check_bars(arm, observations, fit)
+    check_scatter(fit)
     check_tip_diameter(arm, data, fit)
     tell(0.4, "Checking on places held out")
     good = without_points(observations, fit.kept)
@@ -153,7 +160,7 @@ def identify(
         validation=validation,
         volume_before_mm=volumetric_difference_mm(arm, fit.at.arm),
         volume_after_mm=volumetric_uncertainty_mm(fit.at.arm, fit.moved, fit.covariance),
-        warnings=warnings_of(arm, observations, fit),
+        warnings=(*bars, *warnings_of(arm, observations, fit), *_still_off(validation)),
     )
 
 
@@ -173,6 +180,14 @@ def _no_better(validation: Validation) -> Refusal:
         "the fit follows these points and not the arm",
         "Take more places, all over the reach, with the arm swung from side to side in each",
     )
+
+
+def _still_off(validation: Validation) -> tuple[str, ...]:
+    left = validation.after.normalised
+    if left < STILL_OFF:
+        return ()
+    text = f"places held out still deviate {left:.1f} times as far as their noise explains"
+    return (f"{text}: take more places, more evenly over the reach",)
 
 
 def _moved(arm: Arm, fit: Fit) -> tuple[Moved, ...]:

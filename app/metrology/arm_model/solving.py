@@ -30,7 +30,7 @@ SMALL_STEP = 1e-4
 """A step this small against its standard deviations changes nothing that anyone sees."""
 # Of good points, one in a million lies beyond: along one direction, and in space.
 SPHERE_SIGMAS, SEAT_SIGMAS = 4.9, 5.5
-OUTLIER_ROUNDS = 60
+OUTLIER_ROUNDS = 20
 BACK_AGAIN = 0.9
 """A point left out comes back within this share of the limit, so that none goes to and fro."""
 

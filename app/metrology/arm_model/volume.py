@@ -5,6 +5,7 @@ import numpy as np
 from app.metrology.arm import Arm
 from app.metrology.arm_model.adjustment import Indices
 from app.metrology.arm_model.parameters import tip_jacobian
+from app.metrology.arm_model.selection import LENGTH_MM
 from app.metrology.frames import Floats, apply, rigid_fit, skew
 
 POSES = 400
@@ -30,8 +31,21 @@ def volumetric_difference_mm(before: Arm, after: Arm) -> float:
     return float(np.sqrt(np.mean(np.sum(left**2, axis=1))))
 
 
+def size_uncertainty_mm(arm: Arm) -> float:
+    """Rms error of the tip over the reach if the arm's size is as wrong as its longest link.
+
+    That link is taken to be made to ``LENGTH_MM``; a rigid fit does not take a size away.
+    """
+    longest = max(max(abs(joint.a_mm), abs(joint.d_mm)) for joint in arm.joints)
+    tips, _ = tip_jacobian(arm, reach_poses(arm))
+    spread = tips - tips.mean(axis=0)
+    return float(np.sqrt(np.mean(np.sum(spread**2, axis=1)))) * LENGTH_MM / longest
+
+
 def volumetric_uncertainty_mm(arm: Arm, moved: Indices, covariance: Floats) -> float:
     """Rms standard uncertainty (k = 1) of the tip over the reach, by the parameters moved.
+
+    What is held has no part in it: without a bar, ``size_uncertainty_mm`` comes on top.
 
     Args:
         moved: (p,) parameters.
