@@ -72,6 +72,15 @@ class Arm:
         return np.array([joint.encoder_sd_rad for joint in self.joints])
 
 
+@dataclass(frozen=True)
+class RobotArm:
+    """A robot whose controller reports the flange's pose instead of joint angles."""
+
+    name: str
+    serial_number: str
+    tip: Tip
+
+
 def link_transforms(arm: Arm, q_rad: Floats) -> Floats:
     """``A_i E_i`` of every joint (Eq. 2-3).
 

@@ -18,7 +18,7 @@ from app.metrology.stripe import Stripe
 # The line is used on the pattern and this many squares around its outermost corners, where
 # there must be paper (one square) or is likely to be; and where it is no further off the
 # laser's plane than this, and than so many times the usual.
-AROUND_SQUARES = 2.0
+AROUND_SQUARES = 4.0
 OFF_PLANE_MM, OFF_PLANE_TIMES = 0.3, 5.0
 # Rounds of walking along a ray to the bent sheet: each gains two digits.
 BENT_ROUNDS = 4

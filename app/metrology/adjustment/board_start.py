@@ -1,0 +1,256 @@
+"""A start for the chessboard's adjustment: lens, places, mounting and laser plane by turns."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import cv2
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from app.metrology.adjustment.block_start import placed
+from app.metrology.adjustment.board_view import AROUND_SQUARES, around_pattern, on_sheet
+from app.metrology.adjustment.mounting import Mounting
+from app.metrology.adjustment.sheet import board_papers
+from app.metrology.camera import Camera
+from app.metrology.chessboard.board import Chessboard, corner_points
+from app.metrology.chessboard.corners import BoardDetection
+from app.metrology.detection.picture import PictureFinding
+from app.metrology.frames import Floats, apply, inverse
+from app.metrology.laser_plane import LaserPlane
+from app.metrology.refusal import Refusal
+from app.metrology.stripe import Stripe
+
+FEWEST_POSES = 3
+# Pictures of a flat board tell the focal length only where they are tilted so much.
+LEAST_TILT_DEG = 5.0
+# Angle between the laser's plane and the board below which their line is not to be trusted.
+LEAST_LASER_ANGLE_DEG = 8.0
+FEWEST_STRIPE_POINTS = 20
+# The arm's motion against the squares' size: relative, and in standard deviations.
+SIZE_SHARE, SIZE_SIGMAS = 0.05, 5.0
+# Turning angles of the board and of the flange agree so well where a numbering is right.
+TURN_DEG = 3.0
+PLANE_DRAWS = 400
+AGREEING_TIMES = 4.0
+
+
+@dataclass(frozen=True)
+class SeenBoard:
+    """What the picture of one pose showed, by itself."""
+
+    number: int
+    detection: BoardDetection
+    stripe: Stripe
+    picture: tuple[PictureFinding, ...] = ()
+
+
+def board_camera(
+    seen: Sequence[SeenBoard], board: Chessboard, size_px: tuple[int, int]
+) -> tuple[Camera, Floats]:
+    """The camera (its own frame as sensor frame), and ``T_cam_obj`` (P, 4, 4).
+
+    Raises:
+        Refusal: too few pictures, or all from straight above.
+    """
+    if len(seen) < FEWEST_POSES:
+        raise Refusal(
+            "too-few-images",
+            f"{len(seen)} pictures show {board.name}",
+            f"a flat board tells the camera's focal length from {FEWEST_POSES} pictures on,"
+            " tilted against each other",
+            "take more pictures, 8 or more of them, tilted by 20° and more",
+        )
+    points = corner_points(board)
+    K, distortion = _calibrated(seen, points, size_px)
+    camera = Camera(K, np.eye(3), np.zeros(3), *size_px, distortion)
+    T = np.array(
+        [placed(camera, points[pose.detection.number], pose.detection.uv_px) for pose in seen]
+    )
+    normals = T[:, :3, 2]
+    apart = np.degrees(np.arccos(np.clip(np.abs(normals @ normals.T), 0, 1)))
+    if apart.max() < LEAST_TILT_DEG:
+        raise Refusal(
+            "boards-parallel",
+            f"the board is tilted by {apart.max():.1f}° at most between the {len(seen)} pictures",
+            "pictures of a flat board from one direction do not tell the focal length",
+            "take pictures tilted by 20° and more, to two sides",
+        )
+    return camera, T
+
+
+def _calibrated(
+    seen: Sequence[SeenBoard], points: Floats, size_px: tuple[int, int]
+) -> tuple[Floats, Floats]:
+    """Camera matrix (3, 3), and distortion (5,) of which k1 alone is told."""
+    flags = (
+        cv2.CALIB_FIX_K2
+        | cv2.CALIB_FIX_K3
+        | cv2.CALIB_ZERO_TANGENT_DIST
+        | cv2.CALIB_FIX_ASPECT_RATIO
+        | cv2.CALIB_USE_INTRINSIC_GUESS
+    )
+    middle = (np.array(size_px) - 1) / 2
+    guess = np.array([[size_px[0], 0, middle[0]], [0, size_px[0], middle[1]], [0, 0, 1.0]])
+    object_points = [points[pose.detection.number].astype(np.float32) for pose in seen]
+    pixels = [pose.detection.uv_px.astype(np.float32).reshape(-1, 1, 2) for pose in seen]
+    guess[:2, :2] = cv2.initCameraMatrix2D(object_points, pixels, size_px, 1.0)[:2, :2]
+    found = cv2.calibrateCamera(object_points, pixels, size_px, guess, np.zeros(5), flags=flags)
+    return np.asarray(found[1], np.float64), np.asarray(found[2], np.float64).ravel()[:5]
+
+
+def numbered(
+    seen: Sequence[SeenBoard], board: Chessboard, camera: Camera, T_arm_flange: Floats
+) -> tuple[SeenBoard, ...]:
+    """Each picture numbered like the first, where the colours alone leave a choice.
+
+    The board must turn before the camera by as much as the flange turns.
+
+    Raises:
+        Refusal: the arm's poses do not tell either.
+    """
+    if not any(pose.detection.other_numbers for pose in seen):
+        return tuple(seen)
+    points = corner_points(board)
+    chosen = [seen[0]]
+    first = placed(camera, points[seen[0].detection.number], seen[0].detection.uv_px)
+    for pose, T in zip(seen[1:], T_arm_flange[1:], strict=True):
+        wanted = _angle_deg(inverse(T_arm_flange[0]) @ T)
+        ways = (pose.detection.number, *pose.detection.other_numbers)
+        off = []
+        for number in ways:
+            here = placed(camera, points[number], pose.detection.uv_px)
+            off.append(abs(_angle_deg(first @ inverse(here)) - wanted))
+        order = np.argsort(off)
+        if off[order[0]] > TURN_DEG or off[order[1]] < 2 * TURN_DEG:
+            raise Refusal(
+                "board-ambiguous",
+                f"pose {pose.number}: {board.name} looks the same turned round",
+                "neither its colours nor the arm's poses tell which corner is the first",
+                "use a board with an even and an odd count of inner corners",
+            )
+        detection = replace(pose.detection, number=ways[order[0]])
+        chosen.append(replace(pose, detection=detection))
+    return tuple(chosen)
+
+
+def _angle_deg(T: Floats) -> float:
+    return float(np.degrees(np.linalg.norm(Rotation.from_matrix(T[:3, :3]).as_rotvec())))
+
+
+def refuse_other_size(mounting: Mounting, board: Chessboard) -> float:
+    """How much larger the squares are by the arm's motion than by the certificate.
+
+    With the turns known, shifts and the one scale of all distances follow linearly.
+
+    Raises:
+        Refusal: clearly another size.
+    """
+    kept = np.flatnonzero(~mounting.contradicts)
+    # one wrong size makes all poses contradict one another: then all of them are asked
+    kept = kept if len(kept) >= FEWEST_POSES else np.arange(len(mounting.off_mm))
+    A, B = mounting.T_arm_flange[kept], mounting.T_cam_obj[kept]
+    turn = mounting.T_flange_cam[:3, :3]
+    rows = np.concatenate(
+        [
+            np.column_stack([a[:3, :3], -np.eye(3), a[:3, :3] @ turn @ b[:3, 3]])
+            for a, b in zip(A, B, strict=True)
+        ]
+    )
+    right = -A[:, :3, 3].ravel()
+    found = np.linalg.lstsq(rows, right, rcond=None)[0]
+    left = rows @ found - right
+    variance = float(left @ left) / max(len(right) - 7, 1)
+    sd = float(np.sqrt(variance * np.linalg.pinv(rows.T @ rows)[6, 6]))
+    scale = float(found[6])
+    if abs(scale - 1) > max(SIZE_SHARE, SIZE_SIGMAS * sd):
+        raise Refusal(
+            "square-size",
+            f"by the arm's motion the squares of {board.name} are"
+            f" {scale * board.square_mm:.2f} mm wide",
+            f"its certificate says {board.square_mm:g} mm",
+            "measure the squares, and correct square_mm; or check that every picture has its"
+            " own pose, in mm",
+        )
+    return scale
+
+
+def laser_start(
+    seen: Sequence[SeenBoard], board: Chessboard, camera: Camera, T_cam_obj: Floats
+) -> LaserPlane:
+    """The plane, in the camera's frame, that most stripe points of most pictures agree on.
+
+    Raises:
+        Refusal: no stripe on the board, on one line only, or the laser along the board.
+    """
+    flat = board_papers(board).coordinates
+    per_pose = []
+    for pose, T in zip(seen, T_cam_obj, strict=True):
+        here = replace(camera, rotation=T[:3, :3], translation_mm=T[:3, 3])
+        points = on_sheet(board, here, flat, pose.stripe.uv_px)
+        points = points[around_pattern(board, points, AROUND_SQUARES)]
+        if len(points) >= FEWEST_STRIPE_POINTS:
+            per_pose.append(apply(T, points))
+    if len(per_pose) < 2:
+        raise Refusal(
+            "stripe-not-found",
+            f"the laser's line lies on the board in {len(per_pose)} of {len(seen)} pictures",
+            "one line alone does not fix the laser's plane",
+            "let the line cross the board in every picture",
+        )
+    plane = plane_of_most(per_pose)
+    _refuse_one_line(per_pose, plane)
+    _refuse_parallel(T_cam_obj, plane, [pose.number for pose in seen])
+    return plane
+
+
+def plane_of_most(per_pose: Sequence[Floats]) -> LaserPlane:
+    """Drawn from three points of two or three pictures many times; each picture counts alike."""
+    rng = np.random.default_rng(0)
+    thinned = [points[:: max(1, len(points) // 60)] for points in per_pose]
+    every = np.concatenate(thinned)
+    best, least = LaserPlane(np.array([0.0, 0.0, 1.0]), 0.0), np.inf
+    for _ in range(PLANE_DRAWS):
+        one, other = rng.choice(len(thinned), 2, replace=False)
+        ends = rng.choice(len(thinned[one]), 2, replace=False)
+        a, b = thinned[one][ends]
+        c = thinned[other][rng.integers(len(thinned[other]))]
+        normal = np.cross(b - a, c - a)
+        length = float(np.linalg.norm(normal))
+        if length < 1e-6:
+            continue
+        normal = normal / length
+        score = float(np.median([np.median(np.abs((p - a) @ normal)) for p in thinned]))
+        if score < least:
+            best, least = LaserPlane(normal, float(normal @ a)), score
+    off = every @ best.normal - best.offset_mm
+    near = every[np.abs(off) <= max(AGREEING_TIMES * float(np.median(np.abs(off))), 1e-6)]
+    centre = near.mean(axis=0)
+    normal = np.linalg.svd(near - centre, full_matrices=False)[2][2]
+    normal = normal * np.sign(normal[2] or 1.0)
+    return LaserPlane(normal, float(normal @ centre))
+
+
+def _refuse_one_line(per_pose: Sequence[Floats], plane: LaserPlane) -> None:
+    """The lines of all pictures must spread over the plane, in depth too."""
+    every = np.concatenate(per_pose)
+    flat = every - every.mean(axis=0)
+    spread = np.linalg.svd(flat - np.outer(flat @ plane.normal, plane.normal))[1]
+    if spread[1] < 0.02 * spread[0]:
+        raise Refusal(
+            "stripe-one-line",
+            "the laser's line lies at one place of its plane in all pictures",
+            "one line alone does not fix the laser's plane",
+            "take pictures from different distances, or tilted to different sides",
+        )
+
+
+def _refuse_parallel(T_cam_obj: Floats, plane: LaserPlane, numbers: Sequence[int]) -> None:
+    angles = np.degrees(np.arccos(np.clip(np.abs(T_cam_obj[:, :3, 2] @ plane.normal), 0, 1)))
+    if np.median(angles) < LEAST_LASER_ANGLE_DEG:
+        raise Refusal(
+            "laser-along-board",
+            f"the laser's plane stands {np.median(angles):.1f}° to the board (limit"
+            f" {LEAST_LASER_ANGLE_DEG:.0f}°; poses {', '.join(map(str, numbers))})",
+            "a plane that is nearly the board's does not meet it in a sharp line",
+            "turn the sensor so that the laser falls onto the board from above",
+        )

@@ -1,0 +1,128 @@
+"""A chessboard's corner below a pixel: two blurred edges fitted to the picture around it."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.special import erf
+
+from app.metrology.frames import Floats
+from app.metrology.stripe import Image
+
+# Of the distance to the next corner, how much is looked at; in px, at least and at most.
+WINDOW_SHARE, LEAST_WINDOW_PX, MOST_WINDOW_PX = 0.35, 4.0, 20.0
+# Share of the window that must be free of the laser's light, and inside the picture.
+LEAST_FREE = 0.85
+MOST_SHIFT_PX = 3.0
+ROUNDS = 20
+SETTLED_PX = 1e-4
+BLUR_PX = (0.3, 6.0)
+# What a fit explains of the picture's variance in the window, at least.
+LEAST_EXPLAINED = 0.8
+# Grey levels are whole numbers.
+ROUNDING = 1 / 12
+
+
+@dataclass(frozen=True)
+class FittedCorner:
+    """Where two edges cross, px, and its covariance (2, 2) by the noise around it."""
+
+    uv_px: Floats
+    covariance_px2: Floats
+    blur_px: float
+
+
+def fit_corner(
+    image: Image, blocked: NDArray[np.bool_], uv_px: Floats, phase: float, spacing_px: float
+) -> FittedCorner | None:
+    """The corner next to a saddle, or None where none is to be measured.
+
+    The brightness is ``base + slope . x + step f(d1) f(d2)`` with the signed distances d
+    from two straight lines and f the integral of a Gaussian blur: nine unknowns, least
+    squares.
+
+    Args:
+        blocked: (H, W) pixels that do not count.
+        phase: of the bright sectors, as in ``Saddles``.
+        spacing_px: to the next corner.
+    """
+    radius = float(np.clip(WINDOW_SHARE * spacing_px, LEAST_WINDOW_PX, MOST_WINDOW_PX))
+    window = _window(image, blocked, uv_px, radius)
+    if window is None:
+        return None
+    places, values = window
+    bright = -phase / 2
+    p = np.array([0.0, 0.0, bright - np.pi / 4, bright + np.pi / 4, 1.2, 0.0, 0.0, 0.0, 0.0])
+    p[5:] = _brightness(places, values, p)
+    for _ in range(ROUNDS):
+        model, J = _model(places, p)
+        step = np.linalg.lstsq(J, values - model, rcond=None)[0]
+        step[:2] = np.clip(step[:2], -1.0, 1.0)
+        step[2:4] = np.clip(step[2:4], -0.3, 0.3)
+        p += step
+        p[4] = float(np.clip(p[4], *BLUR_PX))
+        if np.linalg.norm(p[:2]) > MOST_SHIFT_PX:
+            return None
+        if np.max(np.abs(step[:2])) < SETTLED_PX:
+            break
+    else:
+        return None
+    model, J = _model(places, p)
+    left = values - model
+    variance = float(left @ left) / (len(values) - len(p))
+    if variance > (1 - LEAST_EXPLAINED) * float(np.var(values)) or p[5] <= 0:
+        return None
+    covariance = np.asarray(np.linalg.inv(J.T @ J)[:2, :2], np.float64)
+    return FittedCorner(uv_px + p[:2], covariance * max(variance, ROUNDING), float(p[4]))
+
+
+def _window(
+    image: Image, blocked: NDArray[np.bool_], uv_px: Floats, radius: float
+) -> tuple[Floats, Floats] | None:
+    """Places (M, 2) about the saddle and their grey levels (M,), within a circle."""
+    height, width = image.shape
+    u0, v0 = (int(x) for x in np.floor(uv_px - radius))
+    u1, v1 = (int(x) for x in np.ceil(uv_px + radius) + 1)
+    if u0 < 0 or v0 < 0 or u1 > width or v1 > height:
+        return None
+    v, u = np.mgrid[v0:v1, u0:u1]
+    places = np.column_stack([u.ravel(), v.ravel()]) - uv_px
+    inside = np.sum(places**2, axis=1) <= radius**2
+    free = inside & ~blocked[v0:v1, u0:u1].ravel()
+    if free.sum() < LEAST_FREE * inside.sum():
+        return None
+    return places[free], image[v0:v1, u0:u1].ravel()[free].astype(np.float64)
+
+
+def _edges(places: Floats, p: Floats) -> tuple[Floats, Floats, Floats, Floats]:
+    """Both blurred steps (M,) from -1 to 1, and both signed distances over the blur."""
+    away = places - p[:2]
+    first, second = (-np.sin(a) * away[:, 0] + np.cos(a) * away[:, 1] for a in p[2:4])
+    d1, d2 = first / p[4], second / p[4]
+    return erf(d1 / np.sqrt(2)), erf(d2 / np.sqrt(2)), d1, d2
+
+
+def _brightness(places: Floats, values: Floats, p: Floats) -> Floats:
+    """Step, base and slope (4,) that suit the edges best."""
+    f1, f2, _, _ = _edges(places, p)
+    terms = np.column_stack([-f1 * f2, np.ones(len(values)), places])
+    return np.asarray(np.linalg.lstsq(terms, values, rcond=None)[0])
+
+
+def _model(places: Floats, p: Floats) -> tuple[Floats, Floats]:
+    """Grey levels (M,) and their derivatives (M, 9) by the unknowns."""
+    blur, step = p[4], p[5]
+    f1, f2, d1, d2 = _edges(places, p)
+    g1, g2 = (np.sqrt(2 / np.pi) * np.exp(-(d**2) / 2) for d in (d1, d2))
+    away = places - p[:2]
+    by_d1, by_d2 = -step * g1 * f2 / blur, -step * f1 * g2 / blur
+    J = np.empty((len(places), 9))
+    J[:, 0] = by_d1 * np.sin(p[2]) + by_d2 * np.sin(p[3])
+    J[:, 1] = -by_d1 * np.cos(p[2]) - by_d2 * np.cos(p[3])
+    for k, by_d in ((2, by_d1), (3, by_d2)):
+        J[:, k] = by_d * (-np.cos(p[k]) * away[:, 0] - np.sin(p[k]) * away[:, 1])
+    J[:, 4] = -(by_d1 * d1 + by_d2 * d2)
+    J[:, 5] = -f1 * f2
+    J[:, 6] = 1.0
+    J[:, 7:9] = places
+    return -step * f1 * f2 + p[6] + places @ p[7:9], J
