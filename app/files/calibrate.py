@@ -2,7 +2,7 @@
 
 import getpass
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Literal
@@ -24,6 +24,7 @@ from app.metrology.one_pose import OnePoseInputs, calibrate_one_pose
 from app.metrology.refusal import Refusal
 
 Method = Literal["one-pose", "joint"]
+NOTHING_KNOWN: Mapping[int, SeenPose | Refusal] = {}
 # Share of the time that looking at the pictures takes.
 LOOKING = 0.8
 
@@ -91,18 +92,24 @@ def one_pose_inputs(session: Session, pose: Pose) -> OnePoseInputs:
 
 
 def joint_inputs(
-    session: Session, limits: Limits = LIMITS, progress: Progress = no_progress
+    session: Session,
+    limits: Limits = LIMITS,
+    progress: Progress = no_progress,
+    known: Mapping[int, SeenPose | Refusal] = NOTHING_KNOWN,
 ) -> JointInputs:
     """The pictures of all poses read and looked at, on all cores.
 
     Poses that show nothing usable are kept with the reason; ``Refusal`` if a file is
-    damaged.
+    damaged. What is ``known`` of a pose, by number, is not looked at again.
     """
     seen: list[SeenPose] = []
     unseen: list[NotSeen] = []
     q_rad = []
     with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as looking:
-        found = looking.map(lambda pose: _seen(session, pose), session.poses)
+        found = looking.map(
+            lambda pose: known[pose.number] if pose.number in known else _seen(session, pose),
+            session.poses,
+        )
         for done, (pose, one) in enumerate(zip(session.poses, found, strict=True), start=1):
             progress(LOOKING * done / len(session.poses), f"Looked at pose {pose.number}")
             if isinstance(one, Refusal):

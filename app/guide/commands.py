@@ -107,6 +107,17 @@ def _retake(guide: Guide, args: Args, key: str | None) -> None:
     guide.append("retaken", {}, key)
 
 
+def _another_pose(guide: Guide, args: Args, key: str | None) -> None:
+    guide.append("another_pose", {}, key)
+
+
+def _void_pose(guide: Guide, args: Args, key: str | None) -> None:
+    number = args["number"]
+    assert isinstance(number, int)
+    guide.append("pose_voided", {"number": number}, key)
+    guide.folder.keep_images(guide.state.pictures)
+
+
 def _capture(guide: Guide, args: Args, key: str | None) -> None:
     guide.append("capture_started", {}, key)
     _job(guide, "Taking the picture", lambda progress: works.capture(guide, progress))
@@ -165,6 +176,8 @@ ACTS: dict[str, Callable[[Guide, Args, str | None], None]] = {
     "void_point": _void_point,
     "back": _back,
     "retake": _retake,
+    "another_pose": _another_pose,
+    "void_pose": _void_pose,
     "capture": _capture,
     "solve": _solve,
     "let_hand": _let_hand,

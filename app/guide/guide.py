@@ -7,17 +7,26 @@ from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
 
+import numpy as np
+
+from app.guide.advice import Advice, remaining
+from app.guide.advice import from_payload as advice_from
 from app.guide.calibration_flow import view_of
 from app.guide.hand import Hand
 from app.guide.journal import Calibrations, Journal, fold
 from app.guide.live import ConnectedArm, ConnectedSensor, Live
 from app.guide.outcome import Outcome, from_payload
 from app.guide.permissions import why_not
+from app.guide.seen_poses import SeenPoses
 from app.guide.session_folder import SessionFolder
 from app.guide.sheets import CHOOSING, Sheets, best_guess
 from app.guide.state import ENDS, FIELDS, KINDS, CalibrationState, after
 from app.guide.touching import sentence
 from app.guide.view import Busy, CalibrationResult, FlowView
+from app.metrology.adjustment.block_start import SeenPose
+from app.metrology.adjustment.pose_advice import Hold
+from app.metrology.arm import flange_pose
+from app.metrology.findings import LIMITS, Limits
 from app.metrology.refusal import Refusal
 from app.station.bus import Bus
 from app.station.findings import Finding
@@ -64,8 +73,12 @@ class Guide:
         calibrations: Calibrations,
         data_folder: Path,
         on_closed: Callable[[], None],
+        limits: Limits = LIMITS,
     ) -> None:
         self.station = station
+        self.limits = limits
+        """What a calibration's verdict goes by."""
+        self.seen_poses = SeenPoses()
         self.calibrations = calibrations
         self.lock = threading.RLock()
         self.changed = threading.Condition(self.lock)
@@ -83,6 +96,7 @@ class Guide:
             self.state = fold(journal.rows(session.id), self.state, after)
         self.sheets = Sheets(self._folder_of(session.id if session else "none"))
         self._outcome: tuple[Mapping[str, object] | None, Outcome | None] = (None, None)
+        self._advised: tuple[Mapping[str, object] | None, Advice | None] = (None, None)
         self._bring_station_in_line()
 
     @property
@@ -94,6 +108,10 @@ class Guide:
     def folder(self) -> SessionFolder:
         """The present session's folder."""
         return self.sheets.folder
+
+    def known_poses(self) -> Mapping[int, SeenPose | Refusal]:
+        """What the pictures of this session's poses show, by number, as far as remembered."""
+        return self.seen_poses.of(self.state.session_id)
 
     # -- what is shown -------------------------------------------------------
 
@@ -130,6 +148,8 @@ class Guide:
             corners_seen=len(preview.header.corners) if preview else 0,
             picture_findings=tuple(preview.header.findings) if preview else (),
             seen=self._seen(),
+            advice=self._advice(),
+            to_move=self._to_move(),
             scanning=self._scanning(),
             has_hand=self.station.hand is not None,
             busy=Busy(job.text or job.title, job.fraction) if job is not None else None,
@@ -144,6 +164,25 @@ class Guide:
         if self._outcome[0] is not payload:
             self._outcome = (payload, from_payload(payload) if payload else None)
         return self._outcome[1]
+
+    def _advice(self) -> Advice | None:
+        """The advice on the next pose, parsed once."""
+        payload = self.state.advice
+        if self._advised[0] is not payload:
+            self._advised = (payload, advice_from(payload) if payload else None)
+        return self._advised[1]
+
+    def _to_move(self) -> Hold | None:
+        """What is still to be moved to the advised hold, while the sensor is aimed."""
+        advice, chosen = self._advice(), self.sheets.chosen(self.state)
+        newest = self.station.rig.arm.latest()
+        aiming = self.state.step in ("place", "capture")
+        if not aiming or advice is None or chosen.arm is None or chosen.block is None:
+            return None
+        if newest is None or len(newest.joints_rad) != chosen.arm.joint_count:
+            return None
+        T_arm_flange = flange_pose(chosen.arm, np.array(newest.joints_rad))
+        return remaining(advice, T_arm_flange, chosen.block)
 
     def _scanning(self) -> bool:
         scan = self.station.bus.latest("scan")
@@ -244,7 +283,7 @@ class Guide:
         station.rig.arm.set_model(chosen.arm)
         if chosen.sensor is not None:
             station.preview.set_stripe_axis(chosen.sensor.stripe_axis)
-        aiming = state.step == "place" or (state.step == "capture" and not state.picture)
+        aiming = state.step in ("place", "capture")
         station.preview.detect(chosen.block if aiming else None)
         touch = self.sheets.touch(state)
         if chosen.arm is not None:

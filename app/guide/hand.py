@@ -21,6 +21,9 @@ class Hand(Protocol):
     def hold_over_object(self) -> bool:
         """Brings the sensor over the object and holds it still."""
 
+    def hold_at(self, q_rad: Sequence[float]) -> bool:
+        """Brings the arm to joint angles, the sensor over the object, and holds it still."""
+
     def scan_part(self, name: str) -> bool:
         """Sweeps the sensor over the part."""
 

@@ -16,6 +16,7 @@ from app.station.jobs import Progress
 TIMEOUT_S = 4.0
 VIEW_TIMEOUT_S = 10.0
 ATTEMPTS = 3
+POSES = 5
 
 
 def hand_work(guide: Guide, hand: Hand, whole: bool) -> Callable[[Progress], None]:
@@ -100,17 +101,20 @@ def _await_point(guide: Guide, before: int, declined: int) -> bool:
 
 
 def _place(guide: Guide, hand: Hand, progress: Progress) -> None:
-    progress("The hand holds the sensor over the object", 0.2)
-    if hand.hold_over_object():
+    advice = guide.live().advice
+    if advice is None:
+        progress("The hand holds the sensor over the object", 0.2)
+        there = hand.hold_over_object()
+    else:
+        progress(f"The hand goes to the next pose: {advice.words}", 0.2)
+        there = hand.hold_at(advice.q_rad)
+    if there:
         progress("The hand holds still", 0.8)
         _await(guide, lambda: _object_in_view(guide), VIEW_TIMEOUT_S)
         _confirm(guide, "confirm_place")
 
 
 def _capture(guide: Guide, hand: Hand, progress: Progress) -> None:
-    if guide.state.picture is not None:
-        _confirm(guide, "keep_picture")
-        return
     _await(guide, lambda: _ready_to_capture(guide), TIMEOUT_S)
     works.capture(guide, progress)
 
@@ -125,7 +129,12 @@ def _ready_to_capture(guide: Guide) -> bool:
 
 
 def _solve(guide: Guide, hand: Hand, progress: Progress) -> None:
-    works.calibrate(guide, progress)
+    """Takes the poses that are asked for, as the operator is told to, then calibrates."""
+    advice = guide.live().advice
+    if advice is not None and advice.worth_it and len(guide.state.pictures) < POSES:
+        guide.append("another_pose", {})
+    else:
+        works.calibrate(guide, progress)
 
 
 def _await(guide: Guide, ready: Callable[[], bool], timeout_s: float) -> None:

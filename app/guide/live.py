@@ -3,10 +3,12 @@
 from dataclasses import dataclass
 
 from app.files.sensor import SensorSheet
+from app.guide.advice import Advice
 from app.guide.library import Library
 from app.guide.outcome import Outcome
 from app.guide.touching import TouchReport
 from app.guide.view import Busy
+from app.metrology.adjustment.pose_advice import Hold
 from app.metrology.arm import Arm
 from app.metrology.crenellated import Crenellated
 from app.station.device_state import DeviceState
@@ -62,6 +64,10 @@ class Live:
     """Exposure, saturation and sharpness of the live picture."""
     seen: Outcome | None
     """What the solve, or before it the capture, found in the pictures."""
+    advice: Advice | None
+    """Which pose to take next, for the points and pictures as they are."""
+    to_move: Hold | None
+    """What is still to be moved to the advised hold."""
     scanning: bool
     has_hand: bool
     busy: Busy | None

@@ -21,8 +21,10 @@ ONLY_IN = {
     "confirm_touch": ("touch",),
     "confirm_place": ("place",),
     "capture": ("capture",),
-    "keep_picture": ("capture",),
-    "retake": ("capture", "solve", "review"),
+    "keep_picture": ("place", "capture"),
+    "another_pose": ("solve", "review"),
+    "void_pose": ("solve", "review"),
+    "retake": ("solve", "review"),
     "solve": ("solve",),
     "accept": ("review",),
     "back": ("setup", "touch", "place", "capture", "solve", "review"),
@@ -134,6 +136,11 @@ def _keep(state: CalibrationState, live: Live, args: Args) -> str:
     return "" if state.picture else "There is no picture yet. Take one."
 
 
+def _void_pose(state: CalibrationState, live: Live, args: Args) -> str:
+    known = any(picture.number == args.get("number") for picture in state.pictures)
+    return "" if known else "That pose is not there any more."
+
+
 def _solve(state: CalibrationState, live: Live, args: Args) -> str:
     if not state.picture:
         return "There is no picture of this object and sensor. Take one."
@@ -169,6 +176,7 @@ RULES: dict[str, Rule] = {
     "confirm_place": _place,
     "capture": _capture,
     "keep_picture": _keep,
+    "void_pose": _void_pose,
     "solve": _solve,
     "accept": _accept,
     "back": _back,

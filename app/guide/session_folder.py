@@ -83,17 +83,23 @@ class SessionFolder:
                 names[lighting] = name
         return names
 
-    def keep_images(self, picture: Captured) -> None:
-        """Brings ``images.csv`` up to date with the capture that counts."""
-        q_rad = np.array(picture.q_rad)
-        if picture.laser is None:
-            rows = [ImageRow(0, picture.ambient, "both", q_rad)]
-        else:
-            rows = [
-                ImageRow(0, picture.ambient, "ambient", q_rad),
-                ImageRow(0, picture.laser, "laser", q_rad),
+    def keep_images(self, pictures: Sequence[Captured]) -> None:
+        """Brings ``images.csv`` up to date with the captures that count, one pose each."""
+        rows = []
+        for picture in pictures:
+            lightings = [(picture.ambient, "ambient"), (picture.laser, "laser")]
+            if picture.laser is None:
+                lightings = [(picture.ambient, "both")]
+            q_rad = np.array(picture.q_rad)
+            rows += [
+                ImageRow(picture.number, name, lighting, q_rad)
+                for name, lighting in lightings
+                if name is not None
             ]
-        write_images(self.path / IMAGES, rows)
+        if rows:
+            write_images(self.path / IMAGES, rows)
+        else:
+            (self.path / IMAGES).unlink(missing_ok=True)
 
     def image(self, name: str) -> Path | None:
         """The path of one of the session's pictures by its bare name."""

@@ -1,10 +1,12 @@
 """From the session's folder to its calibration file, and what the browser shows of it."""
 
+from collections.abc import Mapping, Sequence
+
 import numpy as np
 
-from app.files.calibrate import one_pose_inputs, origin_of
+from app.files.calibrate import joint_inputs, origin_of
 from app.files.calibration import CalibrationFile, Verdict, calibration_in
-from app.files.calibration_sheet import one_pose_sheet, worst_of
+from app.files.calibration_sheet import joint_sheet, worst_of
 from app.files.session import read_session
 from app.guide.journal import Calibration
 from app.guide.live import Chosen
@@ -16,13 +18,22 @@ from app.guide.view import (
     Comparison,
     FaceResult,
     ImageCorner,
+    MapPoint,
+    PlaneKnown,
+    PoseRow,
     WorstPoint,
 )
-from app.metrology.budget import volume_pixels
-from app.metrology.crenellated import Crenellated
-from app.metrology.detection.corners import detect_object
+from app.metrology.adjustment.block_start import SeenPose
+from app.metrology.adjustment.joint import (
+    JointCalibration,
+    Progress,
+    calibrate_joint,
+    see_pose,
+)
+from app.metrology.adjustment.pose_results import PoseResult
+from app.metrology.adjustment.uncertainty import UncertaintyMap
+from app.metrology.findings import Limits
 from app.metrology.frames import apply
-from app.metrology.one_pose import OnePoseCalibration, Progress, calibrate_one_pose
 from app.metrology.reconstruct import sensor_points
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import Stripe, extract_stripe
@@ -34,14 +45,14 @@ from app.station.picture_words import picture_words, refused
 SHOWN_STRIPE_POINTS = 400
 
 
-def look_at(taken: Capture, chosen: Chosen) -> Outcome:
+def look_at(taken: Capture, chosen: Chosen, number: int) -> tuple[Outcome, SeenPose | Refusal]:
     """What a fresh capture shows, so that a useless picture is told of at once."""
     assert chosen.block is not None
     assert chosen.sensor is not None
     ambient = taken.ambient.image
-    lit = ambient if taken.laser is None else taken.laser.image
+    laser = None if taken.laser is None else taken.laser.image
     findings = picture_words(ambient)
-    stripe = extract_stripe(lit, chosen.sensor.stripe_axis)
+    stripe = extract_stripe(ambient if laser is None else laser, chosen.sensor.stripe_axis)
     if len(stripe.u) == 0:
         findings.append(
             Finding(
@@ -51,44 +62,61 @@ def look_at(taken: Capture, chosen: Chosen) -> Outcome:
             )
         )
     try:
-        found = detect_object(ambient, chosen.block, stripe if taken.laser is None else None)
+        seen = see_pose(number, chosen.block, ambient, laser, chosen.sensor.stripe_axis)
     except Refusal as refusal:
         told = refused(refusal)
         findings.insert(0, Finding("bad", told.text, told.remedy))
-        return Outcome((), (), _shown(stripe), findings, None)
+        return Outcome((), (), _shown(stripe), findings, None), refusal
     corners = [
         ImageCorner(corner.name, corner.u, corner.v, corner.residual_px)
-        for corner in seen_corners(found, chosen.block)
+        for corner in seen_corners(seen.detection, chosen.block)
     ]
-    return Outcome(corners, outline(found, chosen.block), _shown(stripe), findings, None)
+    outcome = Outcome(
+        corners, outline(seen.detection, chosen.block), _shown(stripe), findings, None
+    )
+    return outcome, seen
 
 
-def solve(folder: SessionFolder, in_use: Calibration | None, progress: Progress) -> Outcome:
+def solve(
+    folder: SessionFolder,
+    in_use: Calibration | None,
+    progress: Progress,
+    known: Mapping[int, SeenPose | Refusal],
+    limits: Limits,
+) -> Outcome:
     """Calibrates the session as the command line does, and writes ``calibration.json``.
+
+    Args:
+        known: what the pictures of poses show, by number, where they were looked at.
 
     Raises:
         Refusal: by its reason; a calibration file of an earlier solve is then gone.
     """
     folder.calibration.unlink(missing_ok=True)
     session = read_session(folder.path)
-    pose = session.poses[0]
-    inputs = one_pose_inputs(session, pose)
-    result = calibrate_one_pose(inputs, progress)
-    sheet = one_pose_sheet(result, origin_of(session, (pose,), operator=""))
+    inputs = joint_inputs(session, limits, lambda share, text: progress(text, share), known)
+    result = calibrate_joint(inputs, progress)
+    sheet = joint_sheet(result, origin_of(session, session.poses, operator=""))
     sheet.write(folder.calibration)
+    shown = _worst_fitting(result)
+    seen = next(pose for pose in inputs.seen if pose.number == shown.number)
     corners = [
-        ImageCorner(corner.name, corner.u, corner.v, float(np.hypot(*residual)))
-        for corner, residual in zip(
-            result.detection.corners, result.corner_residuals_px, strict=True
-        )
+        ImageCorner(corner.name, corner.u, corner.v, float(np.hypot(du, dv)))
+        for corner, (_, du, dv) in zip(seen.detection.corners, shown.corners_px, strict=True)
     ]
     return Outcome(
         corners=corners,
-        outline=outline(result.detection, session.block),
-        stripe=_shown(result.stripe),
+        outline=outline(seen.detection, session.block),
+        stripe=_shown(seen.stripe),
         findings=[Finding(f.quality, f.text, f.remedy) for f in result.findings],
-        result=_result(result, sheet, compare(result, session.block, sheet, in_use)),
+        result=_result(result, sheet, compare(result, sheet, in_use), shown.number),
     )
+
+
+def _worst_fitting(result: JointCalibration) -> PoseResult:
+    """The pose whose picture is worth looking at: its edges fit worst."""
+    used = [pose for pose in result.poses if pose.used]
+    return max(used, key=lambda pose: pose.edges_rms_px)
 
 
 def _shown(stripe: Stripe) -> list[tuple[float, float]]:
@@ -101,15 +129,19 @@ def _shown(stripe: Stripe) -> list[tuple[float, float]]:
 
 
 def _result(
-    result: OnePoseCalibration, sheet: CalibrationFile, comparison: Comparison | None
+    result: JointCalibration,
+    sheet: CalibrationFile,
+    comparison: Comparison | None,
+    shown_pose: int,
 ) -> CalibrationResult:
     verdict = sheet.verdict or Verdict(quality=worst_of([]), text="")
-    text = verdict.text
+    residuals, known, text = sheet.residuals, result.known, verdict.text
+    assert residuals is not None
     return CalibrationResult(
         verdict=verdict.quality,
         verdict_text=f"{text[:1].upper()}{text[1:]}.",
-        reprojection_rms_px=result.reprojection_rms_px,
-        laser_plane_rms_um=1e3 * result.laser.rms_mm,
+        reprojection_rms_px=residuals.reprojection_rms_px,
+        laser_plane_rms_um=result.stripe_rms_um,
         alignment_rms_um=1e3 * result.alignment.rms_mm,
         depth_range_mm=result.depth_range_mm,
         probe_matrix=result.T_flange_sensor.tolist(),
@@ -117,18 +149,38 @@ def _result(
             FaceResult(face.face, face.points, 1e3 * face.rms_mm, 1e3 * face.form_mm)
             for face in result.alignment.faces
         ],
-        budget=[BudgetRow(row.source, row.value_um) for row in result.budget],
-        total_um=result.total_um,
+        budget=[BudgetRow(row.source, row.value_um) for row in known.rows],
+        total_um=known.total_um,
+        plane=PlaneKnown(known.plane.angle_arcsec, known.plane.offset_um),
+        map=_map(known.map),
+        poses=[
+            PoseRow(
+                pose.number,
+                pose.used,
+                pose.reason,
+                pose.edges_rms_px,
+                pose.stripe_rms_px,
+                pose.off_um,
+            )
+            for pose in result.poses
+        ],
+        shown_pose=shown_pose,
         worst=[WorstPoint(p.kind, p.name, p.value, p.unit) for p in result.worst],
         comparison=comparison,
-        condition_number=result.faugeras.condition_number,
         distortion=result.camera.distortion.tolist(),
     )
 
 
+def _map(over: UncertaintyMap) -> Sequence[MapPoint]:
+    """The map as drawn on the laser plane: along the stripe, and in depth."""
+    return [
+        MapPoint(round(float(u), 1), round(float(v), 1), round(float(value), 2), bool(inside))
+        for (u, v), value, inside in zip(over.uv_px, over.u_um, over.calibrated, strict=True)
+    ]
+
+
 def compare(
-    result: OnePoseCalibration,
-    block: Crenellated,
+    result: JointCalibration,
     sheet: CalibrationFile,
     in_use: Calibration | None,
 ) -> Comparison | None:
@@ -146,7 +198,7 @@ def compare(
     was, now = before.serial_numbers, sheet.serial_numbers
     if (was.arm, was.sensor) != (now.arm, now.sensor):
         return None
-    uv = volume_pixels(result.camera, result.plane, block)
+    uv = result.known.volume.uv_px
     old = calibration_in(before)
     points = apply(result.T_flange_sensor, sensor_points(result.camera, result.plane, uv))
     others = apply(old.T_flange_sensor, sensor_points(old.camera, old.plane, uv))

@@ -43,6 +43,7 @@ class Capture:
     sensor: str
     outcome: Payload
     """What was found in the picture as it was taken."""
+    voided: bool = False
 
 
 @dataclass(frozen=True)
@@ -51,6 +52,14 @@ class Solved:
 
     inputs: str
     outcome: Payload
+
+
+@dataclass(frozen=True)
+class Advised:
+    """Which pose was advised next, for which inputs."""
+
+    inputs: str
+    advice: Payload
 
 
 @dataclass(frozen=True)
@@ -76,8 +85,8 @@ class CalibrationState:
     choices: Mapping[str, str] = field(default_factory=dict)
     face: str = "crest"
     contacts: tuple[Contact, ...] = ()
-    capture: Capture | None = None
-    captures: int = 0
+    captures: tuple[Capture, ...] = ()
+    advised: Advised | None = None
     solved: Solved | None = None
     refused: Refused | None = None
     ended: str = ""
@@ -95,26 +104,36 @@ class CalibrationState:
         )
 
     @property
+    def pictures(self) -> tuple[Capture, ...]:
+        """The pictures that count, one pose each: not set aside, and of the chosen arm,
+        object and sensor."""
+        chosen = tuple(self.choices.get(name) for name in FIELDS)
+        return tuple(
+            c for c in self.captures if not c.voided and (c.arm, c.object, c.sensor) == chosen
+        )
+
+    @property
     def picture(self) -> Capture | None:
-        """The captured pictures, if they are of the chosen arm, object and sensor."""
-        c = self.capture
-        chosen = self.choices
-        if c and (c.arm, c.object, c.sensor) == tuple(chosen.get(name) for name in FIELDS):
-            return c
-        return None
+        """The newest of the pictures that count."""
+        return self.pictures[-1] if self.pictures else None
 
     @property
     def inputs(self) -> str:
         """Names all that a solve now would use; equal names, equal inputs."""
-        picture = self.picture
+        pictures = ",".join(str(picture.number) for picture in self.pictures)
         points = ",".join(str(contact.index) for contact in self.counted)
         chosen = "/".join(self.choices.get(name, "") for name in FIELDS)
-        return f"{chosen} points {points} picture {picture.number if picture else '-'}"
+        return f"{chosen} points {points} pictures {pictures or '-'}"
 
     @property
     def outcome(self) -> Payload | None:
         """What the solve left, unless an input changed since."""
         return self.solved.outcome if self.solved and self.solved.inputs == self.inputs else None
+
+    @property
+    def advice(self) -> Payload | None:
+        """What was advised, unless an input changed since."""
+        return self.advised.advice if self.advised and self.advised.inputs == self.inputs else None
 
 
 def after(state: CalibrationState, row: Row) -> CalibrationState:
@@ -171,8 +190,22 @@ def _point_voided(state: CalibrationState, payload: Payload) -> CalibrationState
 
 
 def _image_captured(state: CalibrationState, payload: Payload) -> CalibrationState:
-    capture = _capture(state, payload)
-    return replace(state, capture=capture, captures=capture.number, step="solve")
+    return replace(state, captures=(*state.captures, _capture(state, payload)), step="solve")
+
+
+def _retaken(state: CalibrationState, payload: Payload) -> CalibrationState:
+    newest = state.picture.number if state.picture else None
+    return replace(_without_pose(state, newest), step="capture")
+
+
+def _pose_voided(state: CalibrationState, payload: Payload) -> CalibrationState:
+    left = _without_pose(state, payload["number"])
+    return left if left.pictures else replace(left, step="place")
+
+
+def _without_pose(state: CalibrationState, number: int | None) -> CalibrationState:
+    captures = (replace(c, voided=c.voided or c.number == number) for c in state.captures)
+    return replace(state, captures=tuple(captures))
 
 
 def _solved(state: CalibrationState, payload: Payload) -> CalibrationState:
@@ -188,7 +221,10 @@ CHANGES: dict[str, Callable[[CalibrationState, Payload], CalibrationState]] = {
     "point_taken": _point_taken,
     "point_voided": _point_voided,
     "image_captured": _image_captured,
-    "retaken": lambda state, payload: replace(state, capture=None, step="capture"),
+    "retaken": _retaken,
+    "pose_voided": _pose_voided,
+    "another_pose": lambda state, payload: replace(state, step="place"),
+    "advised": lambda state, payload: replace(state, advised=Advised(**payload)),
     "solved": _solved,
     "solve_refused": lambda state, payload: replace(state, refused=Refused(**payload)),
     "went_back": lambda state, payload: replace(state, step=payload["to"]),
@@ -209,12 +245,14 @@ def _contact(state: CalibrationState, payload: Payload) -> Contact:
 
 def _capture(state: CalibrationState, payload: Payload) -> Capture:
     return Capture(
-        number=state.captures + 1,
+        number=len(state.captures) + 1,
         ambient=payload["ambient"],
         laser=payload["laser"],
         q_rad=tuple(payload["q_rad"]),
         width_px=payload["width_px"],
         height_px=payload["height_px"],
         outcome=payload["outcome"],
-        **{name: state.choices[name] for name in FIELDS},
+        arm=state.choices["arm"],
+        object=state.choices["object"],
+        sensor=state.choices["sensor"],
     )

@@ -2,56 +2,94 @@
 
 from collections.abc import Sequence
 
+from app.guide.advice import Advice
 from app.guide.body import Body, lost_devices, offer
 from app.guide.live import Live
 from app.guide.state import CalibrationState, Capture
 from app.guide.touching import sentence
-from app.guide.view import CameraPicture, LiveNumber, StillPicture
+from app.guide.view import Action, CameraPicture, LiveNumber, StillPicture
+from app.metrology.adjustment.pose_advice import Hold
 from app.station.findings import Finding
 
 FEWEST_CORNERS = 8
+# A hold is the advised one within these.
+NEAR_DEG, NEAR_MM = 5.0, 5.0
 
 
 def place_step(state: CalibrationState, live: Live) -> Body:
     """Bring the sensor over the object and clamp the arm."""
     found = live.corners_seen >= FEWEST_CORNERS
+    there = live.to_move is None or reached(live.to_move)
+    goal = "Hold the sensor over the object so that the whole of it is in the picture."
+    if live.advice is not None and not there:
+        goal = f"For the next pose {live.advice.words}. Follow the dashed outline."
     return Body(
         instruction=(
             "The object is in the picture. Hold the arm there, or clamp it."
-            if found
-            else "Hold the sensor over the object so that the whole of it is in the picture."
+            if found and there
+            else goal
         ),
-        picture=CameraPicture(),
-        number=_stillness(live),
+        picture=_camera(live),
+        number=_to_go(live) or _stillness(live),
         findings=[*lost_devices(live), *_picture_findings(live)],
-        actions=[offer(state, live, "confirm_place", "The object is in the picture", primary=True)],
+        actions=[
+            offer(state, live, "confirm_place", "The object is in the picture", primary=True),
+            *_enough(state, live),
+        ],
     )
 
 
 def capture_step(state: CalibrationState, live: Live) -> Body:
     """Take the picture while the arm is still."""
-    picture = state.picture
-    if picture is not None:
-        return Body(
-            instruction="A picture was taken already. Keep it, or take a new one.",
-            picture=still_picture(state.session_id, picture, live),
-            actions=[
-                offer(state, live, "keep_picture", "Keep this picture", primary=True),
-                offer(state, live, "retake", "Take a new picture"),
-            ],
-        )
     return Body(
         instruction="Hold still and take the picture. The laser switches itself.",
-        picture=CameraPicture(),
+        picture=_camera(live),
         number=_stillness(live),
         findings=[*lost_devices(live), *_picture_findings(live)],
-        actions=[offer(state, live, "capture", "Take the picture", primary=True)],
+        actions=[
+            offer(state, live, "capture", "Take the picture", primary=True),
+            *_enough(state, live),
+        ],
     )
 
 
+def _enough(state: CalibrationState, live: Live) -> list[Action]:
+    """The way on without another pose, where there are some."""
+    count = len(state.pictures)
+    if not count:
+        return []
+    label = f"Go on with {count} pose{'s' if count > 1 else ''}"
+    return [offer(state, live, "keep_picture", label)]
+
+
+def _camera(live: Live) -> CameraPicture:
+    return CameraPicture(live.advice.outline if live.advice is not None else ())
+
+
+def _to_go(live: Live) -> LiveNumber | None:
+    """How far the present hold is from the advised one."""
+    if live.to_move is None:
+        return None
+    left = live.to_move
+    there = reached(left)
+    return LiveNumber(
+        "Still to turn",
+        left.largest_deg,
+        "°",
+        0,
+        "good" if there else "attention",
+        "Hold it there" if there else f"{left.words[:1].upper()}{left.words[1:]}",
+    )
+
+
+def reached(left: Hold) -> bool:
+    """Whether a hold is as good as the advised one."""
+    return left.largest_deg < NEAR_DEG and abs(left.higher_mm) < NEAR_MM
+
+
 def solve_step(state: CalibrationState, live: Live) -> Body:
-    """Compute the calibration from the points and the picture."""
-    picture = state.picture
+    """Take another pose, or compute the calibration from the points and the pictures."""
+    picture, advice = state.picture, live.advice
     findings = list(live.seen.findings) if live.seen else []
     refused = state.refused if state.refused and state.refused.inputs == state.inputs else None
     if refused is not None:
@@ -59,19 +97,50 @@ def solve_step(state: CalibrationState, live: Live) -> Body:
         remedy = refused.remedy or "Go back, and take the picture or the points again."
         findings.insert(0, Finding("bad", f"{refused.what.rstrip('.')}{why}.", remedy))
     unusable = refused is not None or any(finding.quality == "bad" for finding in findings)
+    if advice is not None:
+        findings.append(_advised(advice))
+    more = advice is not None and advice.worth_it and not unusable
     return Body(
-        instruction=(
-            "This could not be solved. What was taken is kept."
-            if refused
-            else "Compute the calibration from the points and the picture."
-        ),
+        instruction=_solve_instruction(state, live, refused is not None, more),
         picture=still_picture(state.session_id, picture, live) if picture else CameraPicture(),
+        number=_known(advice) if advice else None,
         findings=findings,
         actions=[
-            offer(state, live, "solve", "Calibrate", primary=not unusable),
-            offer(state, live, "retake", "Take a new picture", primary=unusable),
+            offer(state, live, "another_pose", "Take another pose", primary=more),
+            offer(state, live, "solve", "Calibrate", primary=not (unusable or more)),
+            offer(state, live, "retake", "Take this picture anew", primary=unusable),
             offer(state, live, "back", "Back to the points", {"to": "touch"}),
         ],
+    )
+
+
+def _solve_instruction(state: CalibrationState, live: Live, refused: bool, more: bool) -> str:
+    if refused:
+        return "This could not be solved. What was taken is kept."
+    count = len(state.pictures)
+    taken = f"{count} pose{'s are' if count != 1 else ' is'} taken."
+    if more and live.advice is not None:
+        return f"{taken} Take another: {live.advice.words}."
+    return f"{taken} Compute the calibration, or take another pose."
+
+
+def _advised(advice: Advice) -> Finding:
+    gain = f"{advice.now_um:.0f} → {advice.then_um:.0f} µm (k = 1)"
+    return Finding(
+        "neutral",
+        f"The pose that would help most: {advice.words}. A scanned point: {gain}.",
+        "" if advice.worth_it else "More poses would bring little.",
+    )
+
+
+def _known(advice: Advice) -> LiveNumber:
+    return LiveNumber(
+        "Uncertainty of a scanned point so far (k = 1)",
+        advice.now_um,
+        "µm",
+        0,
+        "neutral",
+        f"{advice.then_um:.0f} µm after the advised pose",
     )
 
 

@@ -135,6 +135,37 @@ class Comparison:
 
 
 @dataclass(frozen=True)
+class PlaneKnown:
+    """Standard uncertainty of a plane swept straight across, k = 1."""
+
+    angle_arcsec: float
+    offset_um: float
+
+
+@dataclass(frozen=True)
+class MapPoint:
+    """Standard uncertainty of the point that a pixel shows, k = 1; ``inside`` the depths
+    that the stripe covered."""
+
+    u: float
+    v: float
+    u_um: float
+    inside: bool
+
+
+@dataclass(frozen=True)
+class PoseRow:
+    """What became of one pose; ``reason`` where it was left out."""
+
+    number: int
+    used: bool
+    reason: str
+    edges_rms_px: float
+    stripe_rms_px: float
+    off_um: float
+
+
+@dataclass(frozen=True)
 class CalibrationResult:
     verdict: Quality
     verdict_text: str
@@ -148,8 +179,12 @@ class CalibrationResult:
     total_um: float
     worst: Sequence[WorstPoint]
     comparison: Comparison | None
-    condition_number: float
     distortion: Sequence[float]
+    plane: PlaneKnown | None = None
+    map: Sequence[MapPoint] = ()
+    poses: Sequence[PoseRow] = ()
+    shown_pose: int = 0
+    """The pose whose picture is shown: its edges fit worst."""
 
 
 @dataclass(frozen=True)
@@ -175,6 +210,9 @@ class ObjectPicture:
 
 @dataclass(frozen=True)
 class CameraPicture:
+    """The live picture; ``target`` is the object as it would look from the advised hold."""
+
+    target: Sequence[Segment] = ()
     kind: Literal["camera"] = "camera"
 
 

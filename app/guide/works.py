@@ -1,5 +1,7 @@
 """The flow's longer works, each run as one job: taking the picture, and solving."""
 
+from app.guide.advice import to_payload as to_advice
+from app.guide.advising import advise
 from app.guide.guide import Guide
 from app.guide.outcome import to_payload
 from app.guide.solving import look_at, solve
@@ -17,10 +19,11 @@ def capture(guide: Guide, progress: Progress) -> None:
     chosen = guide.sheets.chosen(guide.state)
     taken = guide.station.rig.capture_pair()
     progress("Looking for the object in the picture", 0.4)
-    outcome = look_at(taken, chosen)
+    number = len(guide.state.captures) + 1
+    outcome, seen = look_at(taken, chosen, number)
     height, width = taken.ambient.image.shape
     with guide.lock:
-        names = guide.folder.keep_capture(guide.state.captures + 1, taken)
+        names = guide.folder.keep_capture(number, taken)
         guide.append(
             "image_captured",
             {
@@ -34,22 +37,34 @@ def capture(guide: Guide, progress: Progress) -> None:
                 "outcome": to_payload(outcome),
             },
         )
-        picture = guide.state.picture
-        if picture is not None:
-            guide.folder.keep_images(picture)
-        guide.station.bus.event("step_done", "The picture is taken.", "good")
+        guide.seen_poses.keep(guide.state.session_id, number, seen)
+        guide.folder.keep_contacts(guide.state.counted)
+        guide.folder.keep_images(guide.state.pictures)
+        guide.station.bus.event("step_done", f"Pose {number} is taken.", "good")
+    progress("Working out which pose would help most", 0.7)
+    _advise(guide)
+
+
+def _advise(guide: Guide) -> None:
+    """Keeps which pose to take next; nothing where the poses do not tell."""
+    inputs = guide.state.inputs
+    try:
+        advice = advise(guide.folder, guide.known_poses(), guide.limits)
+    except Refusal:
+        return
+    if advice is not None:
+        guide.append("advised", {"inputs": inputs, "advice": to_advice(advice)})
 
 
 def calibrate(guide: Guide, progress: Progress) -> None:
     """Solves from the session's folder, exactly as the command line does."""
     with guide.lock:
-        state, picture = guide.state, guide.state.picture
-        assert picture is not None
+        state = guide.state
         guide.folder.keep_contacts(state.counted)
-        guide.folder.keep_images(picture)
+        guide.folder.keep_images(state.pictures)
         in_use = guide.calibrations.active()
     try:
-        outcome = solve(guide.folder, in_use, progress)
+        outcome = solve(guide.folder, in_use, progress, guide.known_poses(), guide.limits)
     except Refusal as refusal:
         guide.append(
             "solve_refused",

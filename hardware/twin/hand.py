@@ -4,7 +4,7 @@ Moves block until they are done. Any other thread may read ``state`` and ``cance
 """
 
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 
@@ -152,6 +152,14 @@ class Hand:
                 self._run(path, 0.0, 1.0, trembles=True)
                 return True
             raise UnreachableError("the arm cannot hold the sensor over the block")
+        return False
+
+    def hold_at(self, q_rad: Sequence[float]) -> bool:
+        """Holds the arm at joint angles, as well as a hand can; False when cancelled."""
+        with self._move("going to the next pose"):
+            self._run(self._turned_to(np.asarray(q_rad, dtype=np.float64)), 0.0, 0.9)
+            self._run(self._turned_to(self._now()), 0.9, 1.0, trembles=True)
+            return True
         return False
 
     def scan_part(self, name: str) -> bool:

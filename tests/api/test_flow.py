@@ -118,14 +118,6 @@ def test_a_whole_calibration_by_the_hand(server: Server, tmp_path: Path) -> None
     http.post("/api/flow/start").raise_for_status()
     server.do("let_hand", all=True)
     server.wait(lambda view: view["busy"] is None)
-    while server.flow()["step"] == "capture":
-        # loops compiled for the first time held the pictures up: the hand is told again
-        server.wait(lambda view: not any("No data" in f["text"] for f in view["findings"]))
-        server.do("let_hand")
-        server.wait(lambda view: view["busy"] is None)
-    if server.flow()["step"] == "solve":
-        server.do("let_hand")
-        server.wait(lambda view: view["busy"] is None)
     view = http.get("/api/flow").json()
     assert view["step"] == "review", view["findings"]
 

@@ -105,6 +105,8 @@ def live_of(
         corners_seen=20,
         picture_findings=(),
         seen=None,
+        advice=None,
+        to_move=None,
         scanning=False,
         has_hand=False,
         busy=None,

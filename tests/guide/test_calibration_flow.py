@@ -18,7 +18,10 @@ from app.guide.view import (
     Busy,
     CalibrationResult,
     FlowView,
+    MapPoint,
     ObjectPicture,
+    PlaneKnown,
+    PoseRow,
     ResultPicture,
     StillPicture,
 )
@@ -66,8 +69,11 @@ def outcome(verdict: Quality = "good") -> Outcome:
         total_um=12.0,
         worst=[],
         comparison=None,
-        condition_number=5.0,
         distortion=[0.0] * 5,
+        plane=PlaneKnown(20.0, 8.0),
+        map=[MapPoint(10.0, 20.0, 12.5, True)],
+        poses=[PoseRow(1, True, "", 0.1, 0.1, 3.0)],
+        shown_pose=1,
     )
     return Outcome([], [], [], [Finding("good", "It fits.")], result)
 

@@ -7,15 +7,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.files.calibrate import one_pose_inputs, origin_of
-from app.files.calibration_sheet import one_pose_sheet
+from app.files.calibrate import joint_inputs, origin_of
+from app.files.calibration_sheet import joint_sheet
 from app.files.images import read_grey, write_png
 from app.files.session import read_session
 from app.guide.live import Chosen
 from app.guide.session_folder import SessionFolder
 from app.guide.solving import compare, look_at, solve
 from app.guide.view import Comparison
-from app.metrology.one_pose import calibrate_one_pose
+from app.metrology.adjustment.block_start import SeenPose
+from app.metrology.adjustment.joint import calibrate_joint
+from app.metrology.findings import LIMITS
 from app.metrology.refusal import Refusal
 from app.station.capture import Capture
 from app.station.joints import JointMean
@@ -44,7 +46,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> SessionFolder:
 
 
 def test_a_session_is_solved_as_it_is_shown(folder: SessionFolder) -> None:
-    first = solve(folder, None, quiet)
+    first = solve(folder, None, quiet, {}, LIMITS)
     assert first.result is not None
     assert first.result.verdict == "good"
     assert first.result.comparison is None
@@ -62,15 +64,14 @@ def test_a_calibration_is_compared_with_the_one_in_use(
     folder: SessionFolder, tmp_path: Path
 ) -> None:
     session = read_session(folder.path)
-    pose = session.poses[0]
-    result = calibrate_one_pose(one_pose_inputs(session, pose))
-    sheet = one_pose_sheet(result, origin_of(session, (pose,), ""))
+    result = calibrate_joint(joint_inputs(session))
+    sheet = joint_sheet(result, origin_of(session, session.poses, ""))
     in_use = InUse("the first", tmp_path / "calibration.json")
 
     def compared(**changes: object) -> Comparison | None:
         changed = {**json.loads(sheet.model_dump_json()), **changes}
         in_use.file.write_text(json.dumps({"format": "crenel/calibration", "version": 1} | changed))
-        return compare(result, session.block, sheet, in_use)
+        return compare(result, sheet, in_use)
 
     same = compared()
     assert same is not None
@@ -85,8 +86,8 @@ def test_a_calibration_is_compared_with_the_one_in_use(
     other = {"arm": "A", "object": "B", "sensor": "another"}
     assert compared(serial_numbers=other) is None
     in_use.file.write_text("damaged")
-    assert compare(result, session.block, sheet, in_use) is None
-    assert compare(result, session.block, sheet, None) is None
+    assert compare(result, sheet, in_use) is None
+    assert compare(result, sheet, None) is None
 
 
 def test_a_refused_solve_leaves_no_calibration_of_before(tmp_path: Path) -> None:
@@ -97,7 +98,7 @@ def test_a_refused_solve_leaves_no_calibration_of_before(tmp_path: Path) -> None
     black = np.zeros((512, 640), np.uint8)
     write_png(session.poses[0].ambient, black)
     with pytest.raises(Refusal) as caught:
-        solve(folder, None, quiet)
+        solve(folder, None, quiet, {}, LIMITS)
     assert caught.value.code == "image-dark"
     assert caught.value.remedy
     assert not folder.calibration.exists()
@@ -118,11 +119,14 @@ def capture_of(folder: SessionFolder, ambient: np.ndarray) -> tuple[Capture, Cho
 
 def test_a_fresh_picture_is_looked_at_at_once(folder: SessionFolder) -> None:
     ambient = read_grey(read_session(folder.path).poses[0].ambient)
-    seen = look_at(*capture_of(folder, ambient))
+    seen, pose = look_at(*capture_of(folder, ambient), 3)
+    assert isinstance(pose, SeenPose)
+    assert pose.number == 3
     assert len(seen.corners) >= 8
     assert seen.stripe
     assert not [finding for finding in seen.findings if finding.quality == "bad"]
-    seen = look_at(*capture_of(folder, np.zeros_like(ambient)))
+    seen, unseen = look_at(*capture_of(folder, np.zeros_like(ambient)), 4)
+    assert isinstance(unseen, Refusal)
     assert seen.corners == ()
     assert seen.findings[0].quality == "bad"
     assert seen.findings[0].remedy

@@ -95,7 +95,20 @@ def test_every_capture_has_a_number_of_its_own() -> None:
     state = state_after(*rows)
     assert state.picture is not None
     assert state.picture.number == 2
-    assert state_after(*rows, ("retaken", {})).captures == 2
+    assert len(state_after(*rows, ("retaken", {})).captures) == 2
+
+
+def test_poses_add_up_and_one_can_be_set_aside() -> None:
+    rows = [started("capture"), captured(), ("another_pose", {}), captured()]
+    state = state_after(*rows)
+    assert state.step == "solve"
+    assert [picture.number for picture in state.pictures] == [1, 2]
+    fewer = state_after(*rows, ("pose_voided", {"number": 1}))
+    assert [picture.number for picture in fewer.pictures] == [2]
+    assert fewer.inputs != state.inputs
+    none = state_after(*rows, ("pose_voided", {"number": 1}), ("pose_voided", {"number": 2}))
+    assert none.picture is None
+    assert none.step == "place"
 
 
 def test_a_row_of_an_unknown_kind_is_not_passed_over() -> None:
@@ -120,6 +133,8 @@ SOME_ROWS = st.sampled_from(
         ("face_selected", {"face": "left"}),
         captured(),
         ("retaken", {}),
+        ("another_pose", {}),
+        ("pose_voided", {"number": 1}),
         ("solve_started", {}),
         ("capture_kept", {}),
         ("went_back", {"to": "touch"}),

@@ -14,6 +14,7 @@ from app.metrology.frames import Floats
 from app.metrology.laser_plane import EDGE_MARGIN_PX, LaserPlane
 from app.metrology.stripe import Stripe
 
+# Points are measured at these distances.
 EDGE_STEP_PX = 5.0
 STRIPE_STEP_PX = 1.0
 # Points this near to an end of an edge mix in its neighbour.
@@ -22,11 +23,21 @@ END_PX = 4.0
 
 @dataclass(frozen=True)
 class Seeing:
-    """How well pictures are measured: standard deviations of one edge and one stripe point."""
+    """How well pictures are measured: standard deviations of one edge and one stripe point.
+
+    ``merged`` points are put into one that tells as much, which is all that a foretold
+    uncertainty needs.
+    """
 
     edge_px: float = 0.09
     stripe_px: float = 0.11
     axis: str = "u"
+    merged: int = 1
+
+    @property
+    def share(self) -> float:
+        """Of one point's standard deviation, what several together have."""
+        return float(self.merged**-0.5)
 
 
 def expected_view(
@@ -65,12 +76,13 @@ def _along(
 ) -> EdgePoints:
     ends = project(camera, np.array([start_mm, end_mm]))
     length = float(np.linalg.norm(ends[1] - ends[0]))
-    count = int(max(length - 2 * END_PX, 0.0) / EDGE_STEP_PX)
-    share = (END_PX + EDGE_STEP_PX * (np.arange(count) + 0.5)) / max(length, 1.0)
+    step = EDGE_STEP_PX * seeing.merged
+    count = int(max(length - 2 * END_PX, 0.0) / step)
+    share = (END_PX + step * (np.arange(count) + 0.5)) / max(length, 1.0)
     uv = project(camera, start_mm + share[:, None] * (end_mm - start_mm))
     uv = uv[_inside(camera, uv, END_PX)]
     across = np.array([-(ends[1] - ends[0])[1], (ends[1] - ends[0])[0]]) / max(length, 1e-9)
-    sigma = np.full(len(uv), seeing.edge_px)
+    sigma = np.full(len(uv), seeing.edge_px * seeing.share)
     return EdgePoints(name, uv, np.broadcast_to(across, uv.shape), sigma)
 
 
@@ -109,13 +121,15 @@ def _stripe(
         pixels = project(camera, points)
         step = float(np.linalg.norm(pixels[-1] - pixels[0])) / max(len(pixels) - 1, 1)
         margin = max(int(EDGE_MARGIN_PX / max(step, 1e-6)), 1)
-        chosen = pixels[margin : -margin : max(1, round(STRIPE_STEP_PX / max(step, 1e-6)))]
+        chosen = pixels[
+            margin : -margin : max(1, round(STRIPE_STEP_PX * seeing.merged / max(step, 1e-6)))
+        ]
         chosen = chosen[_inside(camera, chosen, EDGE_MARGIN_PX)]
         uv.append(chosen)
         level += [name] * len(chosen)
     all_uv = np.concatenate(uv)
     bright = np.full(len(all_uv), 150.0)
-    sigma = np.full(len(all_uv), seeing.stripe_px)
+    sigma = np.full(len(all_uv), seeing.stripe_px * seeing.share)
     stripe = Stripe(all_uv[:, 0], all_uv[:, 1], bright, sigma, seeing.axis)
     return stripe, np.array(level, dtype="<U5")
 

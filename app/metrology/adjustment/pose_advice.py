@@ -35,6 +35,8 @@ TURNS_DEG = (-30.0, 0.0, 30.0)
 HEIGHTS_MM = (-8.0, 0.0, 8.0)
 # Share of the block in the picture, and points of the stripe on each level, at least.
 FRAMED, STRIPE_POINTS = 0.85, 40
+# Points put into one where a picture is foretold.
+MERGED = 4
 # Changes smaller than these are not worth a word.
 WORD_DEG, WORD_MM = 4.0, 3.0
 
@@ -55,6 +57,11 @@ class Hold:
     tilt_back_deg: float
     turn_deg: float
     higher_mm: float
+
+    @property
+    def largest_deg(self) -> float:
+        """The largest of the three turns."""
+        return max(abs(self.tilt_right_deg), abs(self.tilt_back_deg), abs(self.turn_deg))
 
     @property
     def words(self) -> str:
@@ -94,7 +101,7 @@ def next_poses(
         found: the adjustment of the P poses so far.
         q_rad: (P, n) their encoder angles.
     """
-    seeing = seeing or Seeing()
+    seeing = seeing or Seeing(merged=MERGED)
     reference = pose_scene(found.state, found.problem, found.layout, 0)
     T_cam_obj = rigid(reference.camera.rotation, reference.camera.translation_mm)
     volume = by_sensor(found.state, measuring_volume(found).uv_px)
@@ -105,7 +112,10 @@ def next_poses(
         if q is None or in_view(camera, block) < FRAMED:
             continue
         view = expected_view(camera, plane, block, seeing)
-        if min(int(np.sum(view.level == name)) for name in ("crest", "floor")) < STRIPE_POINTS:
+        if (
+            min(int(np.sum(view.level == name)) for name in ("crest", "floor")) * seeing.merged
+            < STRIPE_POINTS
+        ):
             continue
         covariance = _after(found, arm_motion(arm, q[None]), view.rows)
         total = float(np.sqrt(np.mean(np.einsum("gik,kl,gil->g", volume, covariance, volume))))

@@ -143,8 +143,39 @@ export interface CalibrationResult {
   total_um: number;
   worst: WorstPoint[];
   comparison: Comparison | null;
-  condition_number: number;
   distortion: number[];
+  plane: PlaneKnown | null;
+  /** Over the picture; empty in calibrations of older versions. */
+  map: MapPoint[];
+  poses: PoseRow[];
+  /** The pose whose picture is shown: its edges fit worst. */
+  shown_pose: number;
+}
+
+/** Standard uncertainty of a plane swept straight across, k = 1. */
+export interface PlaneKnown {
+  angle_arcsec: number;
+  offset_um: number;
+}
+
+/** Standard uncertainty of the point that a pixel shows, k = 1. */
+export interface MapPoint {
+  u: number;
+  v: number;
+  u_um: number;
+  /** Within the depths that the stripe covered; elsewhere it is extrapolated. */
+  inside: boolean;
+}
+
+/** What became of one pose. */
+export interface PoseRow {
+  number: number;
+  used: boolean;
+  /** Why it was left out. */
+  reason: string;
+  edges_rms_px: number;
+  stripe_rms_px: number;
+  off_um: number;
 }
 
 /** What the large picture shows. */
@@ -152,7 +183,11 @@ export type Picture =
   | { kind: "devices"; devices: DeviceLine[] }
   | { kind: "choices"; choices: Choice[]; block: BlockGeometry | null }
   | { kind: "object"; block: BlockGeometry; faces: FaceProgress[]; points: TouchedPoint[] }
-  | { kind: "camera" }
+  | {
+      kind: "camera";
+      /** The object as it would look from the advised hold; empty without advice. */
+      target: [number, number, number, number][];
+    }
   | {
       kind: "still";
       /** GET address of the captured picture. */

@@ -8,11 +8,16 @@ export function KeyFigures({ result }: { result: CalibrationResult }) {
   return (
     <Readouts
       readouts={[
-        { label: "Corners, rms", value: figures(result.reprojection_rms_px, 3), unit: "px" },
+        { label: "Edges, rms", value: figures(result.reprojection_rms_px, 3), unit: "px" },
         { label: "Laser plane, rms", value: figures(result.laser_plane_rms_um), unit: "µm" },
         { label: "Touches, rms", value: figures(result.alignment_rms_um), unit: "µm" },
         { label: "Depth range", value: `${figures(near, 1)} to ${figures(far, 1)}`, unit: "mm" },
-        { label: "Condition", value: figures(result.condition_number, 1), unit: "limit 50" },
+        ...(result.plane
+          ? [
+              { label: "A plane's angle (k = 1)", value: figures(result.plane.angle_arcsec), unit: "″" },
+              { label: "A plane's offset (k = 1)", value: figures(result.plane.offset_um, 1), unit: "µm" },
+            ]
+          : []),
       ]}
     />
   );

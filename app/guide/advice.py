@@ -1,0 +1,61 @@
+"""Which pose to take next, as the journal keeps it, and how far a hold is from it. Pure."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+
+import numpy as np
+from pydantic import TypeAdapter
+
+from app.guide.view import Segment
+from app.metrology.adjustment.pose_advice import Hold, held
+from app.metrology.crenellated import Crenellated
+from app.metrology.frames import Floats, inverse
+
+Matrix = Sequence[Sequence[float]]
+# More poses are asked for while they bring so much, up to so many.
+WORTH_IT = 0.93
+ENOUGH_POSES = 6
+
+
+@dataclass(frozen=True)
+class Advice:
+    """Hold the sensor there next: a point would then be known to ``then_um`` (k = 1).
+
+    ``words`` tells it against the newest pose's hold; ``outline`` is the block as the
+    picture would show it from there; ``q_rad`` are joint angles that reach it. The
+    matrices place any hold against it.
+    """
+
+    poses: int
+    now_um: float
+    then_um: float
+    words: str
+    outline: Sequence[Segment]
+    q_rad: Sequence[float]
+    T_obj_cam: Matrix
+    T_arm_obj: Matrix
+    T_flange_cam: Matrix
+
+    @property
+    def worth_it(self) -> bool:
+        """Whether another pose is asked for, not only welcome."""
+        few = self.poses < ENOUGH_POSES
+        return self.poses == 1 or (few and self.then_um < WORTH_IT * self.now_um)
+
+
+_ADAPTER = TypeAdapter(Advice)
+
+
+def to_payload(advice: Advice) -> dict[str, object]:
+    return asdict(advice)
+
+
+def from_payload(payload: Mapping[str, object]) -> Advice:
+    return _ADAPTER.validate_python(payload)
+
+
+def remaining(advice: Advice, T_arm_flange: Floats, block: Crenellated) -> Hold:
+    """What is still to be moved from the present hold to the advised one."""
+    T_arm_cam = T_arm_flange @ np.array(advice.T_flange_cam)
+    present = inverse(np.array(advice.T_arm_obj)) @ T_arm_cam
+    return held(np.array(advice.T_obj_cam), present, block)
