@@ -58,6 +58,8 @@ class IdentificationPart(Part):
     """Rms of the tip over the reach: by how much the arm differed from what it is now."""
     volume_after_um: NotNegative
     """Rms standard uncertainty of the tip over the reach, by the parameters moved."""
+    size_known: bool
+    """False where no ball bar told the arm's size: it comes on top of ``volume_after_um``."""
     scatter_um: NotNegative
     """Per coordinate, of single points beyond the encoders' noise."""
     validation: ValidationPart

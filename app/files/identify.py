@@ -71,6 +71,7 @@ def identification_part(
         held=tuple(HeldPart(name=_in_degrees(h.name), reason=h.why) for h in result.held),
         volume_before_um=result.volume_before_mm * 1e3,
         volume_after_um=result.volume_after_mm * 1e3,
+        size_known=result.size_known,
         scatter_um=result.scatter_mm * 1e3,
         validation=_validation_part(result.validation),
         outliers=tuple(outlier_text(outlier) for outlier in result.outliers),
@@ -101,7 +102,8 @@ def figures_of(result: Identification) -> list[tuple[str, str]]:
         (
             "tip over the reach",
             f"was off by {result.volume_before_mm * 1e3:.0f} µm rms, now known to "
-            f"{result.volume_after_mm * 1e3:.1f} µm (k = 1)",
+            f"{result.volume_after_mm * 1e3:.1f} µm (k = 1)"
+            + ("" if result.size_known else ", apart from the arm's size"),
         ),
         (f"on {result.validation.places} places {kind}", "before       after"),
     ]

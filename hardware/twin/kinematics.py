@@ -177,7 +177,7 @@ def _descend(
         norm2 = np.sqrt(np.sum(e2 * e2))
         if norm2 < norm:
             q, T, axes, e, norm = trial, T2, axes2, e2, norm2
-            damping = max(damping * 0.2, 1e-12)
+            damping = max(damping * 0.2, 1e-9)  # solvable in a singular posture, too
         else:
             damping *= 6.0
     return q, norm

@@ -129,8 +129,11 @@ def test_several_seats_identify_the_arm_and_the_old_one_is_kept(
     assert command(server, "fit").status_code == 422
     do(server, "let_hand")
     view = wait(
-        server, lambda view: view["busy"] is None and len(view["picture"]["seats"]) == 6, 150.0
+        server, lambda view: view["step"] == "swing" and len(view["picture"]["seats"]) == 5, 150.0
     )
+    do(server, "stop_hand")
+    wait(server, lambda view: view["busy"] is None)
+    do(server, "drop_swing")
     do(server, "fit")
     view = wait(server, lambda view: view["step"] == "result", 60.0)
     result = view["picture"]["result"]

@@ -1,5 +1,6 @@
 """The arm identified: truth found, uncertainty honest, errors fall, bad points refused."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -208,7 +209,8 @@ def test_a_wrong_tip_diameter_is_seen_in_the_spheres(session: ArmSession) -> Non
     wrong = replace(arm, tip=Tip(tip.x_mm, tip.y_mm, tip.z_mm, tip.diameter_mm + 1.0))
     refusal = refused(session, observed(session), wrong)
     assert refusal.code == "tip-diameter"
-    assert f"{tip.diameter_mm - 0.001:.3f}" in refusal.why
+    (told,) = re.findall(r"has ([\d.]+) mm", refusal.why)
+    assert float(told) == pytest.approx(tip.diameter_mm, abs=0.02)
 
 
 def test_an_arm_that_hardly_moved_is_refused(session: ArmSession) -> None:
@@ -246,9 +248,12 @@ def test_a_wrong_length_of_a_bar_is_told_by_the_others(session: ArmSession) -> N
     only = tuple(bar for bar in bars if bar.name == "B2")
     result = identify(
         papers_of(session.nominal_arm),
-        replace(good, bars=tuple(replace(b, length_mm=b.length_mm + 1.0) for b in only)),
+        replace(good, spheres=(), bars=tuple(replace(b, length_mm=851.5) for b in only)),
     )
     assert any("bar B2" in text for text in result.warnings)
+    # spheres tell it, too: they are seen larger with the whole arm
+    of_all = replace(good, bars=tuple(replace(b, length_mm=852.5) for b in only))
+    assert "bar's length" in refused(session, of_all).why
 
 
 def test_a_joint_that_reads_the_same_everywhere_is_refused(session: ArmSession) -> None:

@@ -96,7 +96,8 @@ def quality_of(half_range_um: Vec3 | Floats, limit_um: float | None) -> Quality:
 def _number(state: ArmState, picture: ArmPicture) -> LiveNumber | None:
     result = picture.result
     if result is not None:
-        note = f"was {result.volume_before_um:.0f} µm; k = 1, rms over the reach"
+        size = "" if result.size_known else "; apart from the arm's size"
+        note = f"was {result.volume_before_um:.0f} µm; k = 1, rms over the reach{size}"
         return LiveNumber("Tip known to", result.volume_after_um, "µm", 1, "good", note)
     if state.step == "seat":
         return None

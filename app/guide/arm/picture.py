@@ -80,6 +80,7 @@ def _result(state: ArmState) -> ArmResult | None:
     return ArmResult(
         solved["volume_before_um"],
         solved["volume_after_um"],
+        solved["size_known"],
         solved["places"],
         [Before(**line) for line in solved["lines"]],
         [ParameterLine(**line) for line in solved["parameters"]],

@@ -56,6 +56,8 @@ class ArmResult:
 
     volume_before_um: float
     volume_after_um: float
+    size_known: bool
+    """Whether a calibrated length told the arm's size."""
     places: int
     lines: Sequence[Before]
     parameters: Sequence[ParameterLine]

@@ -65,6 +65,7 @@ def _payload(result: Identification) -> dict[str, object]:
     return {
         "volume_before_um": result.volume_before_mm * 1e3,
         "volume_after_um": result.volume_after_mm * 1e3,
+        "size_known": result.size_known,
         "places": result.validation.places,
         "lines": lines,
         "parameters": parameter_lines(result),

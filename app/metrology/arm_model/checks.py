@@ -203,7 +203,10 @@ def check_bars(arm: Arm, observations: Observations, fit: Fit) -> list[str]:
 
 
 def check_tip_diameter(arm: Arm, data: Stacked, fit: Fit) -> None:
-    """Refuses a tip or spheres of evidently another diameter than stated."""
+    """Refuses a tip or spheres of evidently another diameter than stated.
+
+    An arm made larger by a wrong bar sees them larger, too.
+    """
     if not data.on_sphere.any():
         return
     excess, sd = fit.at.radius_excess_mm, float(np.sqrt(fit.others_covariance[0, 0]))
@@ -214,8 +217,8 @@ def check_tip_diameter(arm: Arm, data: Stacked, fit: Fit) -> None:
             f"the spheres are seen {2e3 * excess:+.0f} µm (± {2e3 * sd:.0f}) against their "
             f"diameters with the tip's {diameter:g} mm",
             f"the tip rather has {diameter + 2 * excess:.3f} mm, or the spheres' diameters are "
-            "not theirs",
-            "Correct the tip's diameter in arm.json, or diameter_mm in the table",
+            "not theirs" + (", or a bar's length is wrong" if data.bars else ""),
+            "Correct the tip's diameter in arm.json, or what the tables give",
         )
 
 

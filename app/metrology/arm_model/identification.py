@@ -105,8 +105,16 @@ class Identification:
     volume_before_mm: float
     """Rms difference of the tip over the arm's reach between the arm given and identified."""
     volume_after_mm: float
-    """Rms standard uncertainty of the tip over the reach that the parameters moved leave."""
+    """Rms standard uncertainty of the tip over the reach that the parameters moved leave.
+
+    Apart from the arm's size, where no ball bar told it.
+    """
     warnings: tuple[str, ...]
+
+    @property
+    def size_known(self) -> bool:
+        """Whether a calibrated length told the arm's size."""
+        return all(held.reason != "scale" for held in self.held)
 
 
 def identify(

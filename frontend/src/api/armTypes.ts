@@ -40,6 +40,8 @@ export interface ParameterLine {
 export interface ArmResult {
   volume_before_um: number;
   volume_after_um: number;
+  /** Whether a calibrated length told the arm's size. */
+  size_known: boolean;
   places: number;
   lines: Before[];
   parameters: ParameterLine[];

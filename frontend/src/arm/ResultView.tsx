@@ -26,7 +26,8 @@ export function ResultView({ result }: { result: ArmResult }) {
 }
 
 function BeforeAndAfter({ result }: { result: ArmResult }) {
-  const reach = { title: "Tip over the whole reach", before_um: result.volume_before_um, after_um: result.volume_after_um };
+  const title = result.size_known ? "Tip over the whole reach" : "Tip over the whole reach, apart from the arm's size";
+  const reach = { title, before_um: result.volume_before_um, after_um: result.volume_after_um };
   const held = `On ${plural(result.places, "place")} held out of the fit in turn: `;
   return (
     <div className={styles.pairs}>
