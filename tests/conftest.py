@@ -16,3 +16,12 @@ def samples() -> Path:
     if not folder.is_dir():
         pytest.skip("the sample sessions are not beside this checkout")
     return folder
+
+
+@pytest.fixture(scope="session")
+def real() -> Path:
+    """The folder of real recordings by others, kept beside the checkout."""
+    folder = SHARED / "real"
+    if not folder.is_dir():
+        pytest.skip("the real recordings are not beside this checkout")
+    return folder

@@ -1,4 +1,4 @@
-"""``arm.json``: the arm's Denavit-Hartenberg model, limits and tip."""
+"""``arm.json``: an arm's Denavit-Hartenberg model, limits and tip; or a robot's tip alone."""
 
 from pathlib import Path
 from typing import ClassVar, Literal, Self
@@ -8,7 +8,7 @@ from pydantic import Field, model_validator
 
 from app.files.arm_covariance import IdentificationPart
 from app.files.documents import Document, NotNegative, Number, Part, Positive
-from app.metrology.arm import Arm, Joint, LinkError, Tip
+from app.metrology.arm import Arm, Joint, LinkError, RobotArm, Tip
 from app.metrology.refusal import Refusal
 
 
@@ -69,28 +69,37 @@ class ArmFile(Document):
         return self
 
 
-def read_arm(path: Path) -> Arm:
-    """Reads ``arm.json``; raises ``Refusal`` naming the file and the field."""
+def read_any_arm(path: Path) -> Arm | RobotArm:
+    """Reads ``arm.json`` of either convention; ``Refusal`` names the file and the field."""
     sheet = ArmFile.read(path)
+    tip = Tip(sheet.tip.x_mm, sheet.tip.y_mm, sheet.tip.z_mm, sheet.tip.diameter_mm)
     if sheet.convention == "pose":
-        raise Refusal(
-            "arm-without-joints",
-            f"{path}: convention is 'pose'",
-            "arms that report their flange's pose instead of joint angles are not supported",
-            "Give the arm's Denavit-Hartenberg model (convention 'dh-standard')",
-        )
-    tip = sheet.tip
-    return Arm(
-        name=sheet.name,
-        serial_number=sheet.serial_number,
-        joints=tuple(_joint(part) for part in sheet.joints),
-        tip=Tip(tip.x_mm, tip.y_mm, tip.z_mm, tip.diameter_mm),
+        return RobotArm(sheet.name, sheet.serial_number, tip)
+    joints = tuple(_joint(part) for part in sheet.joints)
+    return Arm(name=sheet.name, serial_number=sheet.serial_number, joints=joints, tip=tip)
+
+
+def read_arm(path: Path) -> Arm:
+    """Reads the ``arm.json`` of an arm with joints; raises ``Refusal`` for a robot's."""
+    arm = read_any_arm(path)
+    if isinstance(arm, Arm):
+        return arm
+    raise Refusal(
+        "arm-without-joints",
+        f"{path}: convention is 'pose'",
+        "here an arm is needed that reports its joint angles",
+        "Give the arm's Denavit-Hartenberg model (convention 'dh-standard')",
     )
 
 
-def write_arm(path: Path, arm: Arm) -> None:
+def write_arm(path: Path, arm: Arm | RobotArm) -> None:
     """Writes ``arm.json`` atomically."""
-    arm_sheet(arm).write(path)
+    if isinstance(arm, Arm):
+        arm_sheet(arm).write(path)
+        return
+    tip = TipPart.model_validate(arm.tip, from_attributes=True)
+    name, number = arm.name, arm.serial_number
+    ArmFile(name=name, serial_number=number, convention="pose", tip=tip).write(path)
 
 
 def arm_sheet(arm: Arm, identification: IdentificationPart | None = None) -> ArmFile:

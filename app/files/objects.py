@@ -1,19 +1,26 @@
-"""``object.json``: the crenellated object's certificate."""
+"""``object.json``: the certificate of the crenellated object, or of a flat chessboard."""
 
+from dataclasses import asdict
 from itertools import pairwise
 from pathlib import Path
-from typing import Annotated, ClassVar, Self
+from typing import Annotated, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
-from app.files.documents import Document, NotNegative, Number
+from app.files.documents import Document, NotNegative, Number, Positive
+from app.metrology.chessboard.board import Chessboard
 from app.metrology.crenellated import Crenellated
 from app.metrology.refusal import Refusal
 
 COARSEST_MM = 0.1
 """A certificate that is no better than this is rather one in other units."""
+SMALLEST_SQUARE_MM = 0.2
+"""Squares smaller than this are rather given in metres."""
 MIRROR_TOLERANCE_MM = 0.1
 """A block whose edges come closer than this to their mirror image reads both ways."""
+
+
+InnerCorners = Annotated[int, Field(ge=3, le=200, strict=True)]
 
 
 class ObjectFile(Document):
@@ -58,27 +65,69 @@ class ObjectFile(Document):
         return self
 
 
+class ChessboardFile(Document):
+    """The file for ``kind`` chessboard."""
+
+    FORMAT: ClassVar[str] = "crenel/object"
+
+    kind: Literal["chessboard"]
+    name: str
+    serial_number: str
+    inner_corners: tuple[InnerCorners, InnerCorners]
+    """Columns, rows."""
+    square_mm: Positive
+    standard_uncertainty_mm: NotNegative
+    flatness_mm: NotNegative | None = None
+    """By how much the sheet typically bends over the pattern; paper's where missing."""
+
+    @model_validator(mode="after")
+    def _is_a_board(self) -> Self:
+        if self.square_mm < SMALLEST_SQUARE_MM:
+            raise ValueError(f"square_mm must be at least {SMALLEST_SQUARE_MM:g}; is it in metres?")
+        for name in ("standard_uncertainty_mm", "flatness_mm"):
+            if (getattr(self, name) or 0.0) > self.square_mm / 2:
+                raise ValueError(f"{name} must be less than half a square; is it in micrometres?")
+        return self
+
+
 class _AnyObject(Document):
     FORMAT: ClassVar[str] = "crenel/object"
 
     kind: str = "crenellated"
 
 
-def read_object(path: Path) -> Crenellated:
+def read_object(path: Path) -> Crenellated | Chessboard:
     """Reads ``object.json``; raises ``Refusal`` naming the file and the field."""
     kind = _AnyObject.read(path).kind
-    if kind != "crenellated":
-        known = "is not supported" if kind == "chessboard" else "is unknown"
-        raise Refusal(
-            "object-kind-unsupported",
-            f"{path}: kind {kind!r} {known}",
-            "the calibration in one step needs a crenellated object",
-            "Give the certificate of a crenellated object",
-        )
-    sheet = ObjectFile.read(path)
-    return Crenellated(**sheet.model_dump())
+    if kind == "crenellated":
+        return Crenellated(**ObjectFile.read(path).model_dump())
+    if kind == "chessboard":
+        fields = ChessboardFile.read(path).model_dump(exclude={"kind"}, exclude_none=True)
+        return Chessboard(**fields)
+    raise Refusal(
+        "object-kind-unsupported",
+        f"{path}: kind {kind!r} is unknown",
+        "it is 'crenellated' or 'chessboard'",
+        "Correct it",
+    )
 
 
-def write_object(path: Path, block: Crenellated) -> None:
+def read_block(path: Path) -> Crenellated:
+    """Reads the ``object.json`` of a crenellated object; refuses that of a chessboard."""
+    found = read_object(path)
+    if isinstance(found, Crenellated):
+        return found
+    raise Refusal(
+        "object-kind-unsupported",
+        f"{path}: kind 'chessboard' is not supported here",
+        "contacts and stripe on several levels need a crenellated object",
+        "Give the certificate of a crenellated object, or calibrate on the command line",
+    )
+
+
+def write_object(path: Path, item: Crenellated | Chessboard) -> None:
     """Writes ``object.json`` atomically."""
-    ObjectFile.model_validate(block, from_attributes=True).write(path)
+    if isinstance(item, Crenellated):
+        ObjectFile.model_validate(item, from_attributes=True).write(path)
+    else:
+        ChessboardFile.model_validate({"kind": "chessboard", **asdict(item)}).write(path)

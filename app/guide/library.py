@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Generic, TypeVar
 
 from app.files.arm import read_arm
-from app.files.objects import read_object
+from app.files.objects import read_block
 from app.files.sensor import SensorSheet, read_sensor
 from app.metrology.arm import Arm
 from app.metrology.crenellated import Crenellated
@@ -49,7 +49,7 @@ def read_library(data_folder: Path) -> Library:
     findings: list[Finding] = []
     return Library(
         arms=_entries(data_folder / "arms", read_arm, findings),
-        objects=_entries(data_folder / "objects", read_object, findings),
+        objects=_entries(data_folder / "objects", read_block, findings),
         sensors=_entries(data_folder / "sensors", read_sensor, findings),
         findings=tuple(findings),
     )

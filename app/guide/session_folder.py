@@ -9,7 +9,7 @@ from app.files.arm import read_arm
 from app.files.atomic import write_atomically
 from app.files.failures import files_refused
 from app.files.images import write_png
-from app.files.objects import read_object
+from app.files.objects import read_block
 from app.files.sensor import read_sensor
 from app.files.session import (
     ARM,
@@ -57,7 +57,7 @@ class SessionFolder:
         try:
             return Chosen(
                 read_arm(self.path / ARM),
-                read_object(self.path / OBJECT),
+                read_block(self.path / OBJECT),
                 read_sensor(self.path / SENSOR),
             )
         except Refusal:

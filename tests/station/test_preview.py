@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from app.files.images import read_grey
-from app.files.objects import read_object
+from app.files.objects import read_block
 from app.metrology.stripe import Stripe, extract_stripe
 from app.station.bus import Bus
 from app.station.preview import STRIPE_POINTS, Preview, PreviewImage, decimated, jpeg
@@ -110,7 +110,7 @@ def test_the_object_is_found_in_the_live_picture_and_lost_with_its_reason(
     session = samples / "one-pose"
     ambient = read_grey(session / "images/pose00_ambient.png")
     bench.picture = ambient
-    preview.detect(read_object(session / "object.json"))
+    preview.detect(read_block(session / "object.json"))
     until(lambda: len(newest(preview).header.corners) > 8, 30)
     header = newest(preview).header
     assert header.width_px == ambient.shape[1]

@@ -109,7 +109,7 @@ def _refuse_other_board(lattice: Lattice, board: Chessboard) -> None:
             + ("" if more else "; without its outermost corners the others cannot be numbered"),
             "give the certificate of the board in the picture"
             if more
-            else "bring the whole board into the picture, its outermost corners off the laser's line",
+            else "bring the whole board into the picture, and its outermost corners off the laser",
         )
     low, high = places.min(axis=0), places.max(axis=0)
     on_sides = [int(np.sum(places[:, k] == end[k])) for k in (0, 1) for end in (low, high)]

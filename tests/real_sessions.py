@@ -1,0 +1,55 @@
+"""Real recordings of robot, camera, laser and chessboard, as session folders."""
+
+import ast
+from pathlib import Path
+
+import cv2
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from app.files.arm import write_arm
+from app.files.images import GreyImage, write_png
+from app.files.objects import write_object
+from app.files.sensor import SensorSheet, write_sensor
+from app.files.session import ImageRow, write_images
+from app.metrology.arm import RobotArm, Tip
+from app.metrology.chessboard.board import Chessboard
+from app.metrology.frames import Floats, rigid
+
+# Printed on a sheet; its squares were not measured more closely than a ruler does.
+BOARD = Chessboard("printed chessboard", "", (7, 6), 10.0, 0.05)
+# Nothing was touched: the tip is never used.
+ROBOT = RobotArm("industrial robot", "", Tip(0.0, 0.0, 0.0, 1.0))
+
+
+def session_of(recording: Path, folder: Path) -> Path:
+    """Writes a folder of ``frameNNNN.png`` and ``poseNNNN.txt`` as a session."""
+    frames = sorted(recording.glob("frame*.png"))
+    (folder / "images").mkdir(parents=True)
+    height, width = grey_in(frames[0]).shape
+    write_arm(folder / "arm.json", ROBOT)
+    write_object(folder / "object.json", BOARD)
+    sheet = {"name": "camera and laser", "serial_number": "", "stripe_axis": "v"}
+    sensor = SensorSheet.model_validate({**sheet, "width_px": width, "height_px": height})
+    write_sensor(folder / "sensor.json", sensor)
+    rows = []
+    for frame in frames:
+        number = frame.stem.removeprefix("frame")
+        write_png(folder / "images" / frame.name, grey_in(frame))
+        pose = pose_in(recording / f"pose{number}.txt")
+        rows.append(ImageRow(int(number), f"images/{frame.name}", "both", np.zeros(0), pose))
+    write_images(folder / "images.csv", rows)
+    return folder
+
+
+def grey_in(path: Path) -> GreyImage:
+    """A frame, whose three channels are alike, as one."""
+    image = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
+    assert image is not None
+    return np.ascontiguousarray(image if image.ndim == 2 else image[..., 0]).astype(np.uint8)
+
+
+def pose_in(path: Path) -> Floats:
+    """``T_arm_flange`` (4, 4) in mm of a file ``((x, y, z) in m, (qx, qy, qz, qw))``."""
+    place_m, quaternion = ast.literal_eval(path.read_text())
+    return rigid(Rotation.from_quat(quaternion).as_matrix(), 1e3 * np.array(place_m))
