@@ -29,6 +29,8 @@ _SHORTEST = 0.02
 # So many segments count; a step as high as this share of their length reaches counts in full.
 _MOST = 100
 _STRONG = 0.6
+# Segments this near to a line are its own, over the longer side; together they weigh at most.
+_SAME_LINE, _ONE_LINE = 0.004, 0.25
 
 
 @dataclass(frozen=True)
@@ -84,9 +86,31 @@ def segments(image: NDArray[np.uint8], ignore: NDArray[np.bool_] | None = None) 
     share = np.cumsum(length[order]) / length.sum()
     strong = max(float(step[order][np.searchsorted(share, _STRONG)]), 1.0)
     weight = length * np.minimum(1.0, step / strong)
+    weight *= _shares(lines / max(width, height), weight)
     lines = (lines - np.tile([(width - 1) / 2, (height - 1) / 2], 2)) / max(width, height)
     best = np.argsort(-weight)[:_MOST]
     return Segments(np.asarray(lines[best]), np.asarray(weight[best]))
+
+
+@kernel
+def _shares(lines: Floats, weight: Floats) -> Floats:
+    """What (S,) each segment's weight is to be multiplied by, so that no line has too much.
+
+    Segments of one line count together: a ruler's edge says no more than a block's.
+    """
+    share = np.ones(len(lines))
+    for s in range(len(lines)):
+        u, v = lines[s, 0], lines[s, 1]
+        du, dv = lines[s, 2] - u, lines[s, 3] - v
+        length = np.sqrt(du * du + dv * dv)
+        total = 0.0
+        for t in range(len(lines)):
+            one = (lines[t, 0] - u) * dv - (lines[t, 1] - v) * du
+            other = (lines[t, 2] - u) * dv - (lines[t, 3] - v) * du
+            if max(abs(one), abs(other)) < _SAME_LINE * length:
+                total += weight[t]
+        share[s] = min(1.0, _ONE_LINE / max(total, 1e-9))
+    return share
 
 
 @kernel

@@ -24,6 +24,9 @@ from app.metrology.frames import Floats
 _NEAR = 0.008
 # Segments longer than this, over the picture's longer side, count as this long.
 _LONG = 0.15
+# How far the block's middle may lie from the picture's, and the block's size, over the
+# picture's longer side; and how far along the camera's axis its X or Y may point wrongly.
+_ASIDE, _SMALLEST, _LARGEST, _ACROSS = 0.75, 0.15, 3.0, 0.35
 # So many bearings of each direction vote.
 _BEARINGS = 12
 
@@ -58,51 +61,52 @@ def placings(
         block: the block by its certificate.
         most: how many to return.
     """
-    lines = seen.lines
-    normals = plane_normals(lines, directions.focal)
+    focal = directions.focal
+    normals = plane_normals(seen.lines, focal)
     # A long edge of a table has no more to say than one of the block's.
     weight = np.minimum(seen.weight, _LONG)
-    middle = (lines[:, :2] + lines[:, 2:]) / 2
-    followed = directions.family >= 0
-    if not followed.any():
-        return []
-    view = np.append(np.average(middle[followed], axis=0, weights=weight[followed]), 1.0)
-    view[2] = directions.focal
     found: list[Placing] = []
-    for rotation, order in _labellings(directions.rotation, view / np.linalg.norm(view)):
+    for rotation, order in _labellings(directions.rotation):
         families = [directions.family == axis for axis in order]
         for reverse in (False, True):
             form = mirrored(block) if reverse else block
-            seen_mm = normals @ rotation
-            votes = _vote(seen_mm, weight, families, form, directions.focal)
-            forward = view / np.linalg.norm(view) @ rotation
-            for centre, score in votes:
-                middle_mm = _middle(form)
-                if (middle_mm - centre) @ forward > 0:
-                    found.append(Placing(rotation, centre, directions.focal, reverse, score))
+            for centre, score in _vote(
+                normals @ rotation, weight, families, form, rotation[2], focal
+            ):
+                if _shown(centre, rotation, form, focal):
+                    found.append(Placing(rotation, centre, focal, reverse, score))
     found.sort(key=lambda one: -one.votes)
     return found[:most]
 
 
-def _middle(block: Crenellated) -> Floats:
+def _shown(centre_mm: Floats, rotation: Floats, block: Crenellated, focal: float) -> bool:
+    """Whether a camera there has the block before it, in the picture, and large enough."""
+    if centre_mm[1] >= block.front_y_mm or centre_mm[2] <= block.crest_z_mm:
+        return False
+    middle, size = _extent(block)
+    at = rotation @ (middle - centre_mm)
+    if at[2] <= 0:
+        return False
+    off_axis = np.hypot(at[0], at[1]) / at[2]
+    return bool(off_axis * focal < _ASIDE and _SMALLEST < size / at[2] * focal < _LARGEST)
+
+
+def _extent(block: Crenellated) -> tuple[Floats, float]:
+    """Middle (3,) of the block and its diagonal."""
     x = block.edges_x_mm
-    return np.array(
-        [
-            (x[0] + x[-1]) / 2,
-            (block.front_y_mm + block.back_y_mm) / 2,
-            (block.base_z_mm + block.crest_z_mm) / 2,
-        ]
-    )
+    low = np.array([x[0], block.front_y_mm, block.base_z_mm])
+    high = np.array([x[-1], block.back_y_mm, block.crest_z_mm])
+    return (low + high) / 2, float(np.linalg.norm(high - low))
 
 
-def _labellings(axes: Floats, view: Floats) -> Iterator[tuple[Floats, tuple[int, int, int]]]:
+def _labellings(axes: Floats) -> Iterator[tuple[Floats, tuple[int, int, int]]]:
     """Rotations (3, 3) from object to camera that show the block from its front and above."""
     for order in permutations((0, 1, 2)):
         _, y, z = (axes[:, k] for k in order)
         for y_sense in (1.0, -1.0):
             for z_sense in (1.0, -1.0):
-                # Y runs away from the camera, Z towards it, or nearly across the view.
-                if y_sense * (y @ view) < -0.05 or z_sense * (z @ view) > 0.05:
+                # Y runs away from the camera, Z towards it, or nearly across its axis.
+                if y_sense * y[2] < -_ACROSS or z_sense * z[2] > _ACROSS:
                     continue
                 columns = [np.cross(y_sense * y, z_sense * z), y_sense * y, z_sense * z]
                 yield np.column_stack(columns), (order[0], order[1], order[2])
@@ -113,6 +117,7 @@ def _vote(
     weight: Floats,
     families: list[NDArray[np.bool_]],
     block: Crenellated,
+    axis: Floats,
     focal: float,
 ) -> list[tuple[Floats, float]]:
     """Camera centres (3,) in the object frame and the length of the segments that agree."""
@@ -130,7 +135,10 @@ def _vote(
     upright = np.array([(at, y) for at in x for y in depths])
     near_rad = _NEAR / focal
     bearings, bearing_weight = _merged(seen_mm[along_x_axis][:, 1:], weight[along_x_axis], near_rad)
-    places, votes = across_x(bearings, bearing_weight, ends, near_rad)
+    middle, size = _extent(block)
+    view = np.array([*middle[1:], *axis[1:], _ASIDE / focal, size * focal / _LARGEST])
+    near = np.array([block.front_y_mm, block.crest_z_mm])
+    places, votes = across_x(bearings, bearing_weight, ends, near_rad, near, view)
     sides = _merged(seen_mm[along_y_axis][:, [0, 2]], weight[along_y_axis], near_rad)
     walls = _merged(seen_mm[along_z_axis][:, :2], weight[along_z_axis], near_rad)
     centres, scores = along_x(places, votes, *sides, across, *walls, upright, near_rad)

@@ -6,8 +6,8 @@ from app.metrology.compiled import kernel
 from app.metrology.frames import Floats
 
 # Places in the plane across X that are followed up, and along X for each of them.
-_KEPT = 32
-_ALONG = 3
+_KEPT = 48
+_ALONG = 4
 
 
 @kernel
@@ -47,12 +47,30 @@ def _keep(places: Floats, scores: Floats, c0: float, c1: float, score: float) ->
 
 
 @kernel
+def _in_view(c0: float, c1: float, near: Floats, view: Floats) -> bool:
+    """Whether a camera at (c0, c1) in y and z stands before ``near`` (2,) and sees the block.
+
+    ``view``: the block's middle and the camera's axis in y and z, the tangent of half its
+    field of view, and the least distance along the axis.
+    """
+    if c0 >= near[0] or c1 <= near[1]:
+        return False
+    d0, d1 = view[0] - c0, view[1] - c1
+    along = d0 * view[2] + d1 * view[3]
+    aside = abs(d0 * view[3] - d1 * view[2])
+    return along > view[5] * (view[2] ** 2 + view[3] ** 2) and aside < view[4] * along / np.sqrt(
+        view[2] ** 2 + view[3] ** 2
+    )
+
+
+@kernel
 def across_x(
-    bearings: Floats, weight: Floats, ends: Floats, near_rad: float
+    bearings: Floats, weight: Floats, ends: Floats, near_rad: float, near: Floats, view: Floats
 ) -> tuple[Floats, Floats]:
     """Places (K, 2) in y and z from which bearings (B, 2) pass the block's edges, and their votes.
 
     Every two bearings to every two ``ends`` (P, 2) cross in a place; all others vote.
+    Places that do not see the block (``_in_view``) are passed over.
     """
     places, scores = np.zeros((_KEPT, 2)), np.zeros(_KEPT)
     for a in range(len(bearings)):
@@ -68,6 +86,8 @@ def across_x(
                         continue
                     hb = nb[0] * ends[q, 0] + nb[1] * ends[q, 1]
                     cy, cz = (ha * nb[1] - hb * na[1]) / det, (na[0] * hb - nb[0] * ha) / det
+                    if not _in_view(cy, cz, near, view):
+                        continue
                     score = agreeing(bearings, weight, ends, cy, cz, near_rad)
                     _keep(places, scores, cy, cz, score)
     return places, scores
