@@ -9,8 +9,15 @@ from numpy.typing import NDArray
 from app.metrology import stripe_kernels as kernels
 from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
-
-Image = NDArray[np.uint8] | NDArray[np.uint16]
+from app.metrology.stripe_flanks import (
+    FEWEST_COLUMNS,
+    Cores,
+    FlankFits,
+    Image,
+    averaged,
+    clipped_cores,
+    fit_flanks,
+)
 
 # A peak stands out of the noise by this many standard deviations of its score; what
 # noise passes makes no run.
@@ -24,6 +31,13 @@ STEEPEST = 4.0
 WIDTHS = (0.45, 2.2)
 # Columns between which laser speckle has become independent.
 SPECKLE_LAG = 6
+# Where most of the line is clipped, points dimmer than this share of it are none of it.
+DIM = 0.25
+# Share of its columns in which a piece of the line must be clipped, and its least length
+# in widths of its core.
+DENSE, LONG = 0.7, 4
+# Columns within which a clipped piece goes on where the rest of the line ends.
+JOINING = 8
 
 
 @dataclass(frozen=True)
@@ -74,7 +88,8 @@ def extract_stripe(image: Image, axis: str = "u", where: NDArray[np.bool_] | Non
 
     A Gaussian on a constant background is fitted to each peak, weighted by the
     pixels' noise, which is estimated from the image itself; clipped pixels are left
-    out, so that an overexposed stripe is placed by its two flanks.
+    out. Where a broad core is clipped, the line is placed by its two flanks and smoothed
+    along itself over the core's width (``stripe_flanks``).
 
     Args:
         image: (H, W) of uint8 or uint16 (9 to 16 significant bits).
@@ -91,19 +106,22 @@ def extract_stripe(image: Image, axis: str = "u", where: NDArray[np.bool_] | Non
     if min(grey.shape) <= 2 * kernels.SURROUND:
         return _empty(axis)
     saturated = saturation_level(grey)
-    read = _read_noise(grey)
-    level, peak = np.empty(grey.shape[1]), np.empty(grey.shape[1], dtype=np.int64)
     allowed = np.zeros((0, 0), dtype=np.bool_) if where is None else _as_seen(where, grey, axis)
+    cores = clipped_cores(grey, saturated)
+    if where is not None:
+        cores = cores.chosen(allowed[(cores.first + cores.last) // 2, cores.columns])
+    level, peak = np.empty(grey.shape[1]), np.empty(grey.shape[1], dtype=np.int64)
     kernels.peak_rows(grey, allowed, level, peak)
-    # the score's variance: 4 of 5 core pixels' mean and a mean of 3
-    threshold = STANDS_OUT * np.sqrt(read * (1 / 4 + 1 / 3))
-    columns = np.flatnonzero((level > threshold) & (peak >= 0))
-    fits = np.empty((len(columns), 7))
-    guess = Noise(read, 0.01 * saturated / 255, 0.0)
-    kernels.fit_columns(grey, columns, peak[columns], guess.terms, saturated, fits)
-    noise = _noise_of(grey, columns, fits, saturated, read)
-    kernels.fit_columns(grey, columns, peak[columns], noise.terms, saturated, fits)
-    return _gated(columns.astype(np.float64), fits, axis, saturated)
+    beside = np.ones(grey.shape[1], dtype=np.bool_)
+    beside[cores.columns] = False
+    peaks = _peaks(grey, level, peak, beside, saturated)
+    ours = _of_the_line(cores, peaks)
+    if not ours.all():
+        cores = cores.chosen(ours)
+        beside[:] = True
+        beside[cores.columns] = False
+        peaks = _peaks(grey, level, peak, beside, saturated)
+    return _joined(peaks, fit_flanks(grey, cores, saturated), cores, axis, saturated)
 
 
 def together(parts: Sequence[Stripe]) -> Stripe:
@@ -200,24 +218,103 @@ def _non_negative(terms: Floats, values: Floats) -> tuple[float, float]:
     return (float(alone[0]), 0.0) if left[0] < left[1] else (0.0, float(alone[1]))
 
 
-def _gated(along: Floats, fits: Floats, axis: str, saturated: float) -> Stripe:
-    """The fits that look like a stripe: of its width, in runs, with their deviations."""
+@dataclass(frozen=True)
+class _Peaks:
+    """The fitted peaks by their column."""
+
+    along: Floats
+    across: Floats
+    amplitude: Floats
+    variance: Floats
+
+    def chosen(self, kept: NDArray[np.bool_]) -> "_Peaks":
+        return _Peaks(
+            self.along[kept], self.across[kept], self.amplitude[kept], self.variance[kept]
+        )
+
+
+def _peaks(
+    grey: Image,
+    level: Floats,
+    peak: NDArray[np.int64],
+    sought: NDArray[np.bool_],
+    saturated: float,
+) -> _Peaks:
+    """The peaks of the columns sought (W,) that look like a stripe: of its width, in runs."""
+    read = _read_noise(grey)
+    # the score's variance: 4 of 5 core pixels' mean and a mean of 3
+    threshold = STANDS_OUT * np.sqrt(read * (1 / 4 + 1 / 3))
+    columns = np.flatnonzero(sought & (level > threshold) & (peak >= 0))
+    fits = np.empty((len(columns), 7))
+    guess = Noise(read, 0.01 * saturated / 255, 0.0)
+    kernels.fit_columns(grey, columns, peak[columns], guess.terms, saturated, fits)
+    noise = _noise_of(grey, columns, fits, saturated, read)
+    kernels.fit_columns(grey, columns, peak[columns], noise.terms, saturated, fits)
     fitted = np.isfinite(fits[:, kernels.CENTRE])
-    if not fitted.any():
-        return _empty(axis)
-    along, fits = along[fitted], fits[fitted]
+    along, fits = columns[fitted].astype(np.float64), fits[fitted]
     widths = fits[:, kernels.SIGMA]
-    typical = float(np.median(widths))
+    typical = float(np.median(widths)) if len(widths) else 0.0
     good = (widths > WIDTHS[0] * typical) & (widths < WIDTHS[1] * typical) & (widths > 0.5)
     along, fits = along[good], fits[good]
-    good = in_runs(along, fits[:, kernels.CENTRE])
-    along, fits = along[good], fits[good]
-    across = fits[:, kernels.CENTRE]
     misfit = fits[:, kernels.CHI2] / np.maximum(fits[:, kernels.PIXELS] - 4, 1)
     variance = fits[:, kernels.VARIANCE] * np.where(misfit > 3, misfit, 1.0)
-    sigma = np.sqrt(variance + _speckle_variance(along, across, variance))
+    return _Peaks(along, fits[:, kernels.CENTRE], fits[:, kernels.AMPLITUDE], variance)
+
+
+def _of_the_line(cores: Cores, peaks: _Peaks) -> NDArray[np.bool_]:
+    """Which clipped cores (n,) belong to the line, and not to a highlight beside it.
+
+    A track does that is longer than all that is not clipped, or begins or ends where the
+    unclipped line ends or begins; and that is several times as long as wide.
+    """
+    ours = np.zeros(len(cores.columns), dtype=np.bool_)
+    if len(cores.columns) == 0:
+        return ours
+    widths = cores.last - cores.first + 1
+    wide = (widths > WIDTHS[0] * cores.width) & (widths < WIDTHS[1] * cores.width)
+    runs = in_runs(peaks.along, peaks.across)
+    along, across = peaks.along[runs], peaks.across[runs]
+    middle = (cores.first + cores.last) / 2
+    for track in np.unique(cores.track):
+        own = np.flatnonzero(cores.track == track)
+        span = cores.columns[own[-1]] - cores.columns[own[0]] + 1
+        if len(own) < max(DENSE * span, LONG * cores.width):
+            continue  # hardly overexposed: the peak is told by what is beside the clipped pixels
+        joins = len(own) >= len(along)
+        for end in (own[0], own[-1]):
+            gap = np.abs(along - cores.columns[end])
+            near = (gap <= JOINING) & (np.abs(across - middle[end]) <= STEEPEST * gap)
+            joins = joins or bool(near.any())
+        ours[own] = joins
+    ours &= wide
+    return ours if ours.sum() >= FEWEST_COLUMNS else np.zeros_like(ours)
+
+
+def _joined(peaks: _Peaks, flanks: FlankFits, cores: Cores, axis: str, saturated: float) -> Stripe:
+    """Fitted peaks and flanks as one stripe, points in runs only, with their deviations."""
+    if len(flanks.columns) > len(peaks.along):
+        peaks = peaks.chosen(peaks.amplitude > DIM * saturated)
+    columns = flanks.columns.astype(np.float64)
+    along = np.concatenate([peaks.along, columns])
+    across = np.concatenate([peaks.across, flanks.centre])
+    order = np.argsort(along, kind="stable")
+    kept = order[in_runs(along[order], across[order])]
+    clipped = kept >= len(peaks.along)
+    along, across = along[kept], across[kept]
+    height, variance = np.full(len(kept), saturated), np.empty(len(kept))
+    rest = kept[~clipped]
+    height[~clipped] = np.minimum(peaks.amplitude[rest], saturated)
+    variance[~clipped] = peaks.variance[rest] + _speckle_variance(
+        peaks.along[rest], peaks.across[rest], peaks.variance[rest], SPECKLE_LAG
+    )
+    if clipped.any():
+        line = averaged(flanks.chosen(kept[clipped] - len(peaks.along)), cores.width)
+        known = line.variance + line.uneven
+        # points that share no column are as far apart as the core is wide
+        scatter = _speckle_variance(along[clipped], line.centre, known, int(cores.width))
+        across[clipped], variance[clipped] = line.centre, known + scatter
     u, v = (along, across) if axis == "u" else (across, along)
-    return Stripe(u, v, np.minimum(fits[:, kernels.AMPLITUDE], saturated), sigma, axis)
+    return Stripe(u, v, height, np.sqrt(variance), axis)
 
 
 def in_runs(along: Floats, across: Floats) -> NDArray[np.bool_]:
@@ -230,15 +327,14 @@ def in_runs(along: Floats, across: Floats) -> NDArray[np.bool_]:
     return np.asarray(np.bincount(run)[run] >= SHORTEST_RUN)
 
 
-def _speckle_variance(along: Floats, across: Floats, variance: Floats) -> float:
+def _speckle_variance(along: Floats, across: Floats, variance: Floats, lag: int) -> float:
     """What the points scatter by beyond the pixels' noise, in px squared.
 
     Speckle shifts the light itself and is alike in neighbouring columns, so it shows
-    only between points some columns apart: the third difference over ``SPECKLE_LAG``
-    columns of a smooth surface is noise alone. The median is robust to steps and
+    only between points ``lag`` columns apart: the third difference over such lags
+    of a smooth surface is noise alone. The median is robust to steps and
     texture.
     """
-    lag = SPECKLE_LAG
     unbroken = along[3 * lag :] - along[: -3 * lag] == 3 * lag
     if unbroken.sum() < 30:
         return 0.0
