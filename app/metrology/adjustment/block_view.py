@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from app.metrology.adjustment.arm_motion import arm_motion, tip_shift
 from app.metrology.adjustment.evidence import Papers, Touches
+from app.metrology.adjustment.weighing import Judgement, as_they_are, merged_points
 from app.metrology.arm import Arm, tip_centres, tip_covariances
 from app.metrology.camera import Camera
 from app.metrology.crenellated import Crenellated, probing_face
@@ -55,6 +56,32 @@ class BlockView:
     def sorted_anew(self, camera: Camera, plane: LaserPlane, coordinates: Floats) -> "BlockView":
         block = with_coordinates(self.block, coordinates)
         return replace(self, level=agreeing_levels(camera, block, self.stripe, plane))
+
+    def merged(
+        self, rows: tuple[Rows, Rows], judged: tuple[Judgement, Judgement]
+    ) -> tuple["BlockView", tuple[Judgement, Judgement]]:
+        shape, stripe = self.edges, self.stripe
+        as_shape = judged[0]
+        if self.edges:
+            shape = self._merged_edges(rows[0], judged[0])
+            as_shape = as_they_are(sum(len(edge.uv_px) for edge in shape))
+        used = np.flatnonzero(self.level != "")
+        few = merged_points(rows[1].places, stripe.sigma_px[used], rows[1].line, judged[1])
+        level = self.level[used][few.first]
+        u, v = few.uv_px.T
+        fewer = Stripe(u, v, stripe.intensity[used][few.first], few.sigma_px, stripe.axis)
+        view = replace(self, edges=shape, stripe=fewer, level=level)
+        return view, (as_shape, as_they_are(len(level)))
+
+    def _merged_edges(self, rows: Rows, judged: Judgement) -> tuple[EdgePoints, ...]:
+        few = merged_points(rows.places, rows.sigma, rows.line, judged)
+        normal = np.concatenate([edge.normal for edge in self.edges])[few.first]
+        line = rows.line[few.first]
+        return tuple(
+            EdgePoints(edge.edge, few.uv_px[own], normal[own], few.sigma_px[own])
+            for number, edge in enumerate(self.edges)
+            if (own := line == number).any()
+        )
 
     def stripe_px(self) -> Floats:
         return np.asarray(self.stripe.uv_px[self.level != ""])

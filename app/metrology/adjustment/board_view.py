@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.adjustment.sheet import BEND, corners_at, surface
+from app.metrology.adjustment.weighing import Judgement
 from app.metrology.camera import Camera, rays
 from app.metrology.chessboard.board import Chessboard, grid
 from app.metrology.chessboard.corners import BoardDetection
@@ -46,6 +47,11 @@ class BoardView:
         off[near] = points[near] @ plane.normal - plane.offset_mm
         usual = float(np.median(np.abs(off[near]))) if near.any() else 0.0
         return replace(self, used=np.abs(off) < max(OFF_PLANE_MM, OFF_PLANE_TIMES * usual))
+
+    def merged(
+        self, rows: tuple[Rows, Rows], judged: tuple[Judgement, Judgement]
+    ) -> tuple["BoardView", tuple[Judgement, Judgement]]:
+        return self, judged
 
     def stripe_px(self) -> Floats:
         return np.asarray(self.stripe.uv_px[self.used])

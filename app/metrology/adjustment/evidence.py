@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.adjustment.arm_motion import FlangeMotion
+from app.metrology.adjustment.weighing import Judgement
 from app.metrology.camera import Camera
 from app.metrology.frames import Floats, inverse
 from app.metrology.laser_plane import LaserPlane
@@ -32,6 +33,13 @@ class PoseView(Protocol):
 
     def sorted_anew(self, camera: Camera, plane: LaserPlane, coordinates: Floats) -> "PoseView":
         """The same, with the stripe's points judged against this camera and plane."""
+        ...
+
+    def merged(
+        self, rows: tuple[Rows, Rows], judged: tuple[Judgement, Judgement]
+    ) -> tuple["PoseView", tuple[Judgement, Judgement]]:
+        """Fewer points that tell as much, by what was judged of the ``rows`` of these, and
+        how those count; a view of few points may give itself."""
         ...
 
     def stripe_px(self) -> Floats:

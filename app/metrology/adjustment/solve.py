@@ -1,6 +1,5 @@
 """The most likely values of all unknowns: Gauss-Newton, weights and scales judged on the way."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -26,9 +25,12 @@ from app.metrology.refusal import Refusal
 # Terms of the lens, each dropped unless it exceeds its deviation so many times: more for
 # those that lenses seldom need, which are tried first.
 LENS_TERMS = (((2, 3), 5.0), ((1,), 3.0), ((0,), 2.0))
-# Outliers, scatter and scales are judged anew in the first rounds only, so that the rest
-# converge.
-ROUNDS_OF_JUDGING = 4
+# Points are judged anew after the adjustment, so often at most.
+MOST_JUDGEMENTS = 4
+# Judgements are alike where so few points changed sides, and weights by so little.
+KEPT_ALIKE, WEIGHED_ALIKE = 0.003, 0.05
+# Scales are told in the first rounds only, so that the rest converge.
+ROUNDS_OF_SCALES = 4
 MOST_ROUNDS = 30
 SETTLED = 1e-3  # a step this small against every standard deviation
 
@@ -73,43 +75,105 @@ def adjust(problem: Problem, start: State) -> Adjusted:
     """
     at = layout_of(problem)
     free = np.ones(at.count, dtype=np.bool_)
-    best = _adjust(problem, start, usual_scales(problem.motion.usual_factor), free)
+    scales = usual_scales(problem.motion.usual_factor)
+    state, judgements = start, _judged(problem, at, start)
+    for _ in range(MOST_JUDGEMENTS):
+        found = _settled(problem, at, state, scales, free, judgements)
+        found = _lens_chosen(found)
+        again = _judged(problem, at, found.state)
+        state, scales, free = found.state, found.scales, found.free
+        if _alike(again, judgements):
+            return _reported(problem, found, judgements)
+        judgements = again
+    return _reported(problem, found, judgements)
+
+
+def _judged(problem: Problem, at: Layout, state: State) -> Judgements:
+    linear = linearise(problem, at, state)
+    judgements = tuple((judged(shape), judged(stripe)) for shape, stripe in linear.rows)
+    _require_enough(judgements, problem)
+    return judgements
+
+
+def _alike(a: Judgements, b: Judgements) -> bool:
+    """Whether nearly the same points count, for nearly as much."""
+    for ours, theirs in zip(a, b, strict=True):
+        for one, other in zip(ours, theirs, strict=True):
+            if np.mean(one.kept != other.kept) > KEPT_ALIKE:
+                return False
+            if np.mean(np.abs(np.log(one.inflation / other.inflation))) > WEIGHED_ALIKE:
+                return False
+    return True
+
+
+def _lens_chosen(found: Adjusted) -> Adjusted:
+    """Adjusted again without the lens terms that are not significant.
+
+    Each is judged with those before it held at zero, which is linear in so small values.
+    """
+    free, state, C = found.free.copy(), found.state, found.covariance
     for term, significant in LENS_TERMS:
         where = [LENS.start + k for k in term]
-        value = best.state.camera.distortion[list(term)]
-        square = float(value @ np.linalg.solve(best.covariance[np.ix_(where, where)], value))
-        if square > significant**2:
+        if not free[where].any():
+            continue
+        value = state.camera.distortion[list(term)]
+        answer = np.linalg.solve(C[np.ix_(where, where)], np.column_stack([value, C[where]]))
+        if float(value @ answer[:, 0]) > significant**2:
             if term == (2, 3):
                 continue
             break  # lower terms stay with the higher ones
-        free = free.copy()
+        state = state.moved(-C[:, where] @ answer[:, 0], found.layout)
+        C = C - C[:, where] @ answer[:, 1:]
         free[where] = False
-        best = _adjust(problem, _without(best.state, term), best.scales, free)
-    return best
+    if np.array_equal(free, found.free):
+        return found
+    problem, at = found.problem, found.layout
+    state = _without_lens(state, free)
+    return _settled(problem, at, state, found.scales, free, found.judgements, merged=True)
 
 
-def _without(state: State, term: Sequence[int]) -> State:
+def _without_lens(state: State, free: NDArray[np.bool_]) -> State:
+    """With exactly zero for the lens terms that are held."""
     distortion = state.camera.distortion.copy()
-    distortion[list(term)] = 0.0
+    distortion[:4][~free[LENS]] = 0.0
     return replace(state, camera=replace(state.camera, distortion=distortion))
 
 
-def _adjust(problem: Problem, state: State, scales: Scales, free: NDArray[np.bool_]) -> Adjusted:
-    at = layout_of(problem)
-    judgements: Judgements = ()
+def _merged(
+    problem: Problem, at: Layout, state: State, judgements: Judgements
+) -> tuple[Problem, Judgements]:
+    """The same with neighbouring points put together, for the rounds of the adjustment."""
+    linear = linearise(problem, at, state)
+    few = [
+        view.merged(rows, judgement)
+        for view, rows, judgement in zip(problem.views, linear.rows, judgements, strict=True)
+    ]
+    views = tuple(view for view, _ in few)
+    return replace(problem, views=views), tuple(judgement for _, judgement in few)
+
+
+def _settled(
+    problem: Problem,
+    at: Layout,
+    state: State,
+    scales: Scales,
+    free: NDArray[np.bool_],
+    judgements: Judgements,
+    merged: bool = False,
+) -> Adjusted:
+    """Gauss-Newton with points and weights as they were judged, the scales told on the way."""
+    if not merged:
+        problem, judgements = _merged(problem, at, state, judgements)
     for turn in range(MOST_ROUNDS):
         linear = linearise(problem, at, state)
-        if turn < ROUNDS_OF_JUDGING:
-            judgements = tuple((judged(shape), judged(stripe)) for shape, stripe in linear.rows)
-            _require_enough(judgements, problem)
         equations = normal(linear, judgements)
-        if turn < ROUNDS_OF_JUDGING:
+        if turn < ROUNDS_OF_SCALES:
             scales = settled(scales, partial(_told, equations, free))
         parts, g = equations.with_scales(scales)
         covariance = embedded(np.sum(list(parts.values()), axis=0), free)
         step = -covariance @ g
         largest = float(np.max(np.abs(step[free]) / np.sqrt(np.diag(covariance)[free])))
-        if largest < SETTLED and turn >= ROUNDS_OF_JUDGING - 1:
+        if largest < SETTLED and turn > 0:
             return Adjusted(linear, scales, free, covariance, parts, judgements, turn + 1)
         state = state.moved(step, at)
     raise Refusal(
@@ -119,6 +183,12 @@ def _adjust(problem: Problem, state: State, scales: Scales, free: NDArray[np.boo
         "check that this is the object in the pictures, and that every picture belongs to"
         " its arm pose",
     )
+
+
+def _reported(problem: Problem, found: Adjusted, judgements: Judgements) -> Adjusted:
+    """The same result, with the residuals of every point."""
+    linear = linearise(problem, found.layout, found.state)
+    return replace(found, linear=linear, judgements=judgements)
 
 
 def _told(equations: Normal, free: NDArray[np.bool_], scales: Scales) -> Scales:

@@ -11,6 +11,8 @@ from app.metrology.scene import Rows
 
 OUTLIER_SIGMAS = 4.5
 FEWEST_TO_JUDGE = 12
+# Neighbours put into one point, unless they lie further apart than this.
+MERGED, APART_PX = 8, 12.0
 
 
 @dataclass(frozen=True)
@@ -38,6 +40,47 @@ def judged(rows: Rows) -> Judgement:
         variance *= neighbours_alike(rows.places[own], off[own])
         inflation[rows.line == number] = np.sqrt(variance)
     return Judgement(kept, inflation)
+
+
+@dataclass(frozen=True)
+class Merged:
+    """Neighbouring points put into few: pixels (M, 2), deviations (M,), and how many each.
+
+    ``first`` (M,) is where each group begins among the points, ``kept`` in front.
+    """
+
+    uv_px: Floats
+    sigma_px: Floats
+    first: NDArray[np.int64]
+
+
+def merged_points(
+    uv_px: Floats, sigma_px: Floats, line: NDArray[np.int64], judgement: Judgement
+) -> Merged:
+    """Points (N, 2) that count, up to ``MERGED`` neighbours of one line put into one.
+
+    A line's image bends by far less than a point's deviation over so few points, so
+    that their weighted mean tells as much as they do.
+    """
+    kept = np.flatnonzero(judgement.kept)
+    uv, own = uv_px[kept], line[kept]
+    weight = (sigma_px * judgement.inflation)[kept] ** -2.0
+    new_line = np.diff(own, prepend=own[:1] - 1) != 0
+    apart = np.linalg.norm(np.diff(uv, axis=0, prepend=uv[:1]), axis=1) > APART_PX
+    run = np.cumsum(new_line | apart)
+    begins = np.flatnonzero(np.diff(run, prepend=0))
+    within = np.arange(len(uv)) - begins[run - 1] if len(uv) else np.zeros(0, np.int64)
+    first = np.flatnonzero(within % MERGED == 0)
+    if not len(first):
+        return Merged(np.zeros((0, 2)), np.zeros(0), kept)
+    total = np.add.reduceat(weight, first)
+    mean = np.add.reduceat(uv * weight[:, None], first, axis=0) / total[:, None]
+    return Merged(mean, total**-0.5, kept[first])
+
+
+def as_they_are(count: int) -> Judgement:
+    """Of points that were judged and weighed before."""
+    return Judgement(np.ones(count, np.bool_), np.ones(count))
 
 
 def normal_equations(rows: Rows, judgement: Judgement) -> tuple[Floats, Floats]:
