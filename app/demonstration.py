@@ -19,13 +19,13 @@ PAPERS_NAME = "simulated"
 
 @contextmanager
 def simulated_parts(data: Path, hosts: tuple[str, ...] = ()) -> Iterator[Parts]:
-    """A running twin as the parts of a station.
+    """A running twin, its sensor ready to take pictures, as the parts of a station.
 
     Raises:
         Refusal: the data folder cannot be written.
     """
     with Twin() as twin:
-        yield parts_of(twin, data, hosts)
+        yield parts_of(twin.prepare(), data, hosts)
 
 
 def parts_of(twin: Twin, data: Path, hosts: tuple[str, ...] = ()) -> Parts:

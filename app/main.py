@@ -20,6 +20,7 @@ from app.api.wiring import Parts, close_context, open_context
 from app.files.software import SOFTWARE
 from app.metrology.refusal import Refusal
 from app.settings import read_settings, user_data_folder
+from app.station.warm_up import warm_up
 from hardware.errors import DeviceError
 from hardware.registry import arm_driver, sensor_driver
 
@@ -93,7 +94,8 @@ def serve(config: Path | None, data: Path | None, host: str, port: int, open_bro
         sensor=lambda: sensor_driver(sensor.driver, sensor.options),
         hosts=(*settings.hosts, host),
     )
-    _run(build_app(parts), listening, host, open_browser)
+    print("Starting the station; the first start takes half a minute.", flush=True)
+    _run(parts, listening, host, open_browser)
 
 
 def demo(data: Path | None, host: str, port: int, open_browser: bool) -> None:
@@ -105,9 +107,9 @@ def demo(data: Path | None, host: str, port: int, open_browser: bool) -> None:
     from app.demonstration import simulated_parts
 
     listening = _listen(host, port, PORTS_TRIED)
-    print("Starting the simulated station; the first start takes some ten seconds.", flush=True)
+    print("Starting the simulated station; the first start takes a minute.", flush=True)
     with simulated_parts(data or user_data_folder() / "demo", (host,)) as parts:
-        _run(build_app(parts), listening, host, open_browser)
+        _run(parts, listening, host, open_browser)
 
 
 def _listen(host: str, port: int, tries: int) -> socket.socket:
@@ -164,8 +166,14 @@ class StationServer(uvicorn.Server):
                 await asyncio.to_thread(webbrowser.open, self.address)
 
 
-def _run(app: FastAPI, listening: socket.socket, host: str, open_browser: bool) -> None:
-    """Serves until SIGINT or SIGTERM."""
+def _run(parts: Parts, listening: socket.socket, host: str, open_browser: bool) -> None:
+    """Serves until SIGINT or SIGTERM.
+
+    Raises:
+        Refusal: the data folder cannot be used, or is in use by another server.
+    """
+    app = build_app(parts)
+    warm_up()
     shown = "127.0.0.1" if host in ("0.0.0.0", "::") else host
     bracketed = f"[{shown}]" if ":" in shown else shown
     logging.basicConfig(level=logging.WARNING, format="%(asctime)s %(name)s: %(message)s")

@@ -4,12 +4,13 @@ Its arm speaks real bytes at ``arm_url``, its sensor is a driver like any other,
 ``papers`` is what an operator would be given with the devices.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from hardware.interfaces import Button, SensorInfo
 from hardware.twin.arm_device import ArmDevice, Encoders
+from hardware.twin.camera import reduced
 from hardware.twin.faults import Faults
 from hardware.twin.hand import Hand
 from hardware.twin.kinematics import (
@@ -34,7 +35,7 @@ from hardware.twin.papers import (
     sensor_paper,
     sphere_paper,
 )
-from hardware.twin.render import Renderer
+from hardware.twin.render import QUICK, SMEARED, Renderer
 from hardware.twin.sensor import EXPOSURE_RANGE_US, Lamps, Studio, TwinSensor
 from hardware.twin.session import Rig, truth_of
 from hardware.twin.variety import demo_arm, made_from, random_mounting, sensor_for
@@ -81,6 +82,9 @@ PARTS_MM = {
     "shell": (640.0, -10.0, 0.10),
 }
 """x, y and turn (rad) of everything on the table."""
+
+KINDS = ((1.0, 0.0, QUICK), (0.0, 1.0, QUICK), (1.0, 1.0, SMEARED))
+"""The room's light, the laser's, and the rays of pictures that together need every loop."""
 
 
 class Twin:
@@ -138,6 +142,17 @@ class Twin:
                 self._motion, self._line, encoders, self.faults, self.config.seed
             )
             self._device.start()
+        return self
+
+    def prepare(self) -> "Twin":
+        """Compiles what pictures of every kind need, so that none is held up when it is wanted.
+
+        It takes small ones of the block; slow only the first time on a machine.
+        """
+        rig, detector = self._rig, replace(self.config.detector, speckle_contrast=0.0)
+        renderer = Renderer(self._scene, reduced(rig.optics, 16), rig.sheet, detector)
+        for room, laser, rays in KINDS:
+            renderer.picture(rig.T_arm_obj, room, laser, rays)
         return self
 
     def stop(self) -> None:

@@ -14,7 +14,9 @@ import pytest
 from app.api.context import Context
 from app.demonstration import parts_of
 from app.main import build_app, make_server
+from app.station.warm_up import warm_up
 from hardware.twin.station import Twin, TwinConfig
+from tests.loops import loops
 
 
 @dataclass
@@ -26,6 +28,8 @@ class Server:
     context: Context
     twin: Twin
     http: httpx.Client
+    loops: dict[str, set[str]]
+    """What was compiled when it began to serve."""
 
     @property
     def address(self) -> str:
@@ -69,16 +73,18 @@ class Server:
 @pytest.fixture(scope="session")
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     data = tmp_path_factory.mktemp("station")
+    warm_up()
     with Twin(TwinConfig(pace=3.0)) as twin, socket.socket() as listening:
         listening.bind(("127.0.0.1", 0))
         listening.listen()
-        app = build_app(parts_of(twin, data))
+        app = build_app(parts_of(twin.prepare(), data))
+        compiled = loops()
         running = make_server(app)
         thread = threading.Thread(target=running.run, kwargs={"sockets": [listening]})
         thread.start()
         port = listening.getsockname()[1]
         with httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=20.0) as http:
-            yield Server(port, data, app.state.context, twin, http)
+            yield Server(port, data, app.state.context, twin, http, compiled)
         running.should_exit = True
         thread.join(20.0)
         assert not thread.is_alive()

@@ -12,6 +12,7 @@ from app.files.calibrate import calibrate_session
 from hardware.clock import now_ns
 from hardware.interfaces import Button
 from tests.api.conftest import Server, enabled
+from tests.loops import loops
 
 
 def points(view: dict[str, object]) -> list[int]:
@@ -155,6 +156,9 @@ def test_a_whole_calibration_by_the_hand(server: Server, tmp_path: Path) -> None
     file = http.get(f"/api/calibrations/{summary['id']}/calibration.json")
     assert file.json() == kept
     scan_with_it(http, server)
+
+    # what is compiled now has held somebody up
+    assert loops() == server.loops
 
 
 def step_by_step_to_the_review(server: Server) -> dict[str, Any]:

@@ -1,0 +1,103 @@
+"""Compiling the station's inner loops before anyone waits for them.
+
+A loop is compiled where it is first called, one at a time in the whole process, and
+kept on disk for later starts. In the middle of a calibration that would hold the
+pictures up for longer than a device may be silent.
+"""
+
+from contextlib import suppress
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.camera import Camera, project
+from app.metrology.crenellated import Crenellated, corners
+from app.metrology.detection.corners import detect_object
+from app.metrology.refusal import Refusal
+from app.metrology.stripe import extract_stripe
+from app.station.voxels import VoxelFilter
+
+WIDTH_PX, HEIGHT_PX, FOCAL_PX = 320, 256, 625.0
+FINER = 4
+"""The drawing is made so many times larger, and its edges are soft once it is reduced."""
+EYE_MM = np.array([1.0, -70.0, 95.0])
+"""The drawing shows the block from here: from its front and above."""
+# Grey levels of what is drawn.
+TABLE, FLOOR, WALL, CREST, FRONT = 30, 80, 55, 150, 110
+LINES = ((90.0, 2.5), (2000.0, 6.0))
+"""Height and standard deviation (px) of the laser's line: within the grey levels, and clipped."""
+LINE_ROW = 125.0
+MANY_POINTS = 1 << 16
+"""So many that the filter of the display must grow."""
+
+BLOCK = Crenellated(
+    name="Drawn",
+    serial_number="",
+    edges_x_mm=(-22.0, -10.0, 2.0, 22.0),
+    front_y_mm=-12.0,
+    back_y_mm=12.0,
+    crest_z_mm=15.0,
+    floor_z_mm=0.0,
+    base_z_mm=-12.0,
+    standard_uncertainty_mm=0.002,
+)
+
+
+def warm_up() -> None:
+    """Runs every compiled loop of the live station once, on drawings with and without a block.
+
+    The first time on a machine this takes half a minute, later about a second.
+    """
+    drawn = drawn_block()
+    off_line = np.arange(HEIGHT_PX)[:, None] - LINE_ROW
+    for height, sigma_px in LINES:
+        light = height * np.exp(-0.5 * (off_line / sigma_px) ** 2)
+        lit = np.minimum(drawn + light, 255.0)
+        for picture in (np.rint(lit).astype(np.uint8), np.rint(257.0 * lit).astype(np.uint16)):
+            extract_stripe(picture, "u")
+            extract_stripe(picture.T, "v")
+    bare = np.full_like(drawn, TABLE)
+    bare[: HEIGHT_PX // 2] = FLOOR
+    for picture in (drawn, bare):
+        with suppress(Refusal):  # that there is no object in a picture is an answer, too
+            detect_object(picture, BLOCK)
+    VoxelFilter(1.0).take_new(np.zeros((MANY_POINTS, 3)))
+
+
+def drawn_block() -> NDArray[np.uint8]:
+    """(256, 320) the faces of ``BLOCK``, each of an even grey, what is hidden drawn over."""
+    camera, at = _camera(), corners(BLOCK)
+    large = np.full((FINER * HEIGHT_PX, FINER * WIDTH_PX), TABLE, np.uint8)
+    for grey, names in _faces():
+        outline = FINER * project(camera, np.array([at[name] for name in names]))
+        cv2.fillPoly(large, [np.rint(outline).astype(np.int32)], (grey,))
+    reduced = cv2.resize(large, (WIDTH_PX, HEIGHT_PX), interpolation=cv2.INTER_AREA)
+    return np.asarray(cv2.GaussianBlur(reduced, (0, 0), 0.7), dtype=np.uint8)
+
+
+def _faces() -> list[tuple[int, list[str]]]:
+    """Grey level and corners of each face, those behind first."""
+    merlons, grooves = range(BLOCK.merlon_count), range(BLOCK.merlon_count - 1)
+    ends = ("L:front", "L:back", "R:back", "R:front")
+    faces = [(FLOOR, [f"floor:{j}:{end}" for end in ends]) for j in grooves]
+    for j in grooves:
+        for foot, top in ((f"floor:{j}:L", f"crest:{j}:R"), (f"floor:{j}:R", f"crest:{j + 1}:L")):
+            wall = [f"{foot}:front", f"{foot}:back", f"{top}:back", f"{top}:front"]
+            faces.append((WALL, wall))
+    faces += [(CREST, [f"crest:{i}:{end}" for end in ends]) for i in merlons]
+    comb = ["base:L:front"]
+    for i in merlons:
+        comb += [f"crest:{i}:L:front", f"crest:{i}:R:front"]
+        comb += [f"floor:{i}:L:front", f"floor:{i}:R:front"] if i in grooves else []
+    return [*faces, (FRONT, [*comb, "base:R:front"])]
+
+
+def _camera() -> Camera:
+    """Looks from ``EYE_MM`` at the object frame's origin, its X to the right."""
+    ahead = -EYE_MM / np.linalg.norm(EYE_MM)
+    right = np.cross(ahead, [0.0, 0.0, 1.0])
+    right /= np.linalg.norm(right)
+    rotation = np.stack([right, np.cross(ahead, right), ahead])
+    matrix = np.array([[FOCAL_PX, 0, WIDTH_PX / 2], [0, FOCAL_PX, HEIGHT_PX / 2], [0, 0, 1]])
+    return Camera(matrix, rotation, -rotation @ EYE_MM, WIDTH_PX, HEIGHT_PX)
