@@ -11,6 +11,7 @@ from typing import Annotated, NoReturn
 import typer
 
 from app.cli_arm import articulation, identify
+from app.cli_bench import bench
 from app.console import (
     print_figures,
     print_json,
@@ -288,3 +289,4 @@ def verify(
 
 cli.command()(identify)
 cli.command()(articulation)
+cli.add_typer(bench, name="bench")

@@ -11,9 +11,9 @@ import numpy as np
 
 from app.metrology.frames import Floats
 
-# What is usual where nothing tells; counted like so many observations, so that it settles.
-USUAL_LINKS_RAD, USUAL_LINKS_MM, USUAL_TOUCH_MM = 2e-6, 0.003, 0.003
-USUAL_COUNT = 0.02
+# What is usual where nothing tells; counted like one observation, so that it settles.
+USUAL_LINKS_RAD, USUAL_LINKS_MM, USUAL_TOUCH_MM = 3e-6, 0.004, 0.003
+USUAL_COUNT = 1.0
 SETTLED = 0.01
 MOST_ROUNDS = 15
 

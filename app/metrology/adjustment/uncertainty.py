@@ -179,21 +179,37 @@ def uncertainty_map(found: Adjusted, T_cam_sensor: Floats) -> UncertaintyMap:
 
 def plane_uncertainty(found: Adjusted, volume: Volume) -> PlaneUncertainty:
     """Angle and offset of a plane across the sensor's view, from one straight sweep."""
-    state = found.state
-    points = volume.points_flange_mm
-    middle = points.mean(axis=0)
-    along = np.linalg.svd(points - middle)[2][0]  # the volume is wider than deep
-    normal_cam = np.cross(state.plane.normal, state.T_flange_cam[:3, :3].T @ along)
-    normal = state.T_flange_cam[:3, :3] @ normal_cam
-    J = np.einsum("i,gik->gk", normal, by_sensor(state, volume.uv_px))
-    x = (points - middle) @ along
-    level = np.abs((points - middle) @ normal) < 0.25 * np.ptp((points - middle) @ normal) + 1e-6
-    design = np.column_stack([np.ones(int(level.sum())), x[level]])
-    line = np.linalg.pinv(design) @ J[level]  # (2, 17): offset and slope
+    across = plane_of(found.state, volume)
+    J = np.einsum("i,gik->gk", across.normal, by_sensor(found.state, volume.uv_px))
+    line = across.line @ J  # (2, 17)
     C = line @ found.covariance[SENSOR, SENSOR] @ line.T
     return PlaneUncertainty(
         float(np.degrees(np.sqrt(C[1, 1])) * 3600), float(1e3 * np.sqrt(C[0, 0]))
     )
+
+
+@dataclass(frozen=True)
+class AcrossView:
+    """A plane in the middle of a volume: its normal (3,), flange frame, and how heights of
+    the volume's points (G,) over it make its offset (mm) and slope (rad): ``line`` (2, G)."""
+
+    normal: Floats
+    line: Floats
+
+
+def plane_of(state: State, volume: Volume) -> AcrossView:
+    """The plane that faces the sensor: along the stripe, in the middle of the depths."""
+    points = volume.points_flange_mm
+    middle = points.mean(axis=0)
+    along = np.linalg.svd(points - middle)[2][0]  # the volume is wider than deep
+    R = state.T_flange_cam[:3, :3]
+    normal = R @ np.cross(state.plane.normal, R.T @ along)
+    height = (points - middle) @ normal
+    level = np.abs(height) < 0.25 * np.ptp(height) + 1e-6
+    x = ((points - middle) @ along)[level]
+    line = np.zeros((2, len(points)))
+    line[:, level] = np.linalg.pinv(np.column_stack([np.ones(len(x)), x]))
+    return AcrossView(normal, line)
 
 
 def sensor_of(state: State, T_cam_sensor: Floats) -> tuple[Camera, LaserPlane, Floats]:

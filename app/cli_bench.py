@@ -1,0 +1,60 @@
+"""``crenel bench``: what the README's tables say, measured on the machine it runs on."""
+
+from dataclasses import asdict
+from typing import Annotated
+
+import typer
+
+from app.console import print_json, print_table, progress_bar, refusing
+
+bench = typer.Typer(help="Measure what the README claims, on this machine.", no_args_is_help=True)
+
+AsJson = Annotated[bool, typer.Option("--json", help="Print the result for programs on stdout.")]
+
+
+@bench.command()
+@refusing
+def calibration(
+    solves: Annotated[int, typer.Option(min=20, help="Noisy solves of each set-up.")] = 200,
+    as_json: AsJson = False,
+) -> None:
+    """Error against the Cramér-Rao bound, and against what each solve claims (Monte Carlo)."""
+    from app.bench.calibration import COLUMNS, run, table
+
+    with progress_bar("Solving", not as_json) as tell:
+        results = run(solves, progress=tell)
+    if as_json:
+        print_json({"set_ups": [asdict(kept) for kept in results]})
+        return
+    print_table("Calibration against its bound (k = 1, flange frame)", COLUMNS, table(results))
+
+
+@bench.command()
+@refusing
+def paper(
+    arms: Annotated[int, typer.Option(min=1, help="Simulated arms, 250 µm off their models.")] = 5,
+    as_json: AsJson = False,
+) -> None:
+    """The paper's test: one plane's clouds rebuilt with ten calibrations by each method."""
+    from app.bench.paper import COLUMNS, run, table
+
+    with progress_bar("Calibrating", not as_json) as tell:
+        results = run(arms, progress=tell)
+    if as_json:
+        print_json({"methods": [asdict(one) for one in results]})
+        return
+    print_table("A gauge plane over ten calibrations of one arm", COLUMNS, table(results))
+
+
+@bench.command()
+@refusing
+def detection(
+    images: Annotated[int, typer.Option(min=1, help="Pictures to render and search.")] = 300,
+    seed: Annotated[int, typer.Option(help="Of the first picture.")] = 0,
+) -> None:
+    """Is the object found: right, refused or wrong, over everything that spoils pictures."""
+    from app.bench.detection import run
+
+    with progress_bar("Searching", True) as tell:
+        found = run(images, seed, lambda done, of: tell(done / of, f"{done} of {of} pictures"))
+    print("\n".join(found.lines()))
