@@ -8,7 +8,7 @@ import numpy as np
 from app.metrology.adjustment.board_start import SeenBoard
 from app.metrology.adjustment.joint_findings import ALIKE_DEG, about_tip, largest_turn_deg
 from app.metrology.adjustment.pose_results import PoseResult
-from app.metrology.adjustment.sheet import BEND, EXTENT, surface
+from app.metrology.adjustment.sheet import EXTENT, surface
 from app.metrology.adjustment.solve import Adjusted
 from app.metrology.adjustment.uncertainty import Known
 from app.metrology.chessboard.board import Chessboard, corner_points
@@ -17,7 +17,7 @@ from app.metrology.findings import Finding, Limits, about_pixels, verdict
 # The pattern is another size beyond this many deviations of what is known of it.
 SIZE_SIGMAS = 3.0
 # A sheet that bends by more than this times its flatness does not lie as it should.
-BENT_TIMES = 3.0
+BENT_TIMES, FLATTEST_MM = 2.0, 0.01
 FEW_POSES = 6
 
 
@@ -39,7 +39,7 @@ def board_findings(evidence: BoardEvidence) -> tuple[Finding, ...]:
     return (
         verdict(evidence.known.total_um, evidence.known.rows, evidence.limits),
         *_about_size(evidence),
-        *_about_bend(evidence),
+        _about_bend(evidence),
         *about_tip(found),
         *_about_poses(evidence),
         *_about_pictures(evidence.seen),
@@ -67,22 +67,20 @@ def _about_size(evidence: BoardEvidence) -> list[Finding]:
     ]
 
 
-def _about_bend(evidence: BoardEvidence) -> list[Finding]:
+def _about_bend(evidence: BoardEvidence) -> Finding:
     found, board = evidence.found, evidence.board
     bend = surface(board, found.state.coordinates, corner_points(board)[:, :2]).height_mm
-    range_mm = float(np.ptp(bend))
-    if np.max(np.abs(found.state.coordinates[BEND])) > BENT_TIMES * board.flatness_mm:
-        return [
-            Finding(
-                "attention",
-                "board-bent",
-                f"The sheet bends by {range_mm:.2f} mm over the pattern (flat to "
-                f"{board.flatness_mm:.2f} mm was expected).",
-                "Fix the board to a flat plate.",
-            )
-        ]
-    text = f"The sheet bends by {1e3 * range_mm:.0f} µm over the pattern, which was allowed for."
-    return [Finding("neutral", "board-bend", text)]
+    rms_mm = float(np.sqrt(np.mean(bend**2)))
+    if rms_mm > BENT_TIMES * max(board.flatness_mm, FLATTEST_MM):
+        return Finding(
+            "attention",
+            "board-bent",
+            f"The sheet bends by {np.ptp(bend):.2f} mm over the pattern; flat to "
+            f"{board.flatness_mm:.2f} mm was expected.",
+            "Fix the board to a flat plate.",
+        )
+    text = f"The sheet bends by {1e3 * np.ptp(bend):.0f} µm over the pattern: allowed for."
+    return Finding("neutral", "board-bend", text)
 
 
 def _about_poses(evidence: BoardEvidence) -> list[Finding]:
@@ -91,11 +89,12 @@ def _about_poses(evidence: BoardEvidence) -> list[Finding]:
         Finding(
             "attention",
             "pose-left-out",
-            f"Pose {pose.number} was left out: {pose.reason}",
-            "Check that picture and pose are of one moment, or take the pose again.",
+            f"Pose {pose.number}: {pose.reason}.",
+            "Check that laser, board and camera kept still, and that picture and pose are of one"
+            " moment.",
         )
         for pose in evidence.poses
-        if not pose.used
+        if pose.reason
     ]
     off = [pose.off_um for pose in used]
     furthest = used[int(np.argmax(off))]

@@ -3,35 +3,29 @@
 Without contacts the board's place in the arm's frame is found with everything else.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
+from app.metrology.adjustment.board_bundle import Bundle, bundle, unplaced
 from app.metrology.adjustment.board_findings import BoardEvidence, board_findings
+from app.metrology.adjustment.board_lines import contradicting_lines, lines_of
 from app.metrology.adjustment.board_start import (
-    FEWEST_STRIPE_POINTS,
     SeenBoard,
     board_camera,
-    laser_start,
     numbered,
-    plane_of_most,
     refuse_other_size,
 )
-from app.metrology.adjustment.board_view import (
-    AROUND_SQUARES,
-    BoardView,
-    around_pattern,
-    on_sheet,
-)
+from app.metrology.adjustment.board_view import BoardView, without_line
 from app.metrology.adjustment.evidence import Problem, Touches
 from app.metrology.adjustment.joint import NotSeen, sorted_anew
 from app.metrology.adjustment.mounting import Mounting, mounting_by_motion, refuse_alike
 from app.metrology.adjustment.pose_results import PoseResult
 from app.metrology.adjustment.readings import motion_of, plane_touches
-from app.metrology.adjustment.sheet import board_papers
+from app.metrology.adjustment.sheet import bend_of, board_papers, shapes
 from app.metrology.adjustment.solve import Adjusted, adjust
-from app.metrology.adjustment.state import State, pose_scene
+from app.metrology.adjustment.state import State
 from app.metrology.adjustment.uncertainty import Known, known, sensor_of
 from app.metrology.arm import Arm, RobotArm
 from app.metrology.camera import Camera
@@ -39,21 +33,22 @@ from app.metrology.chessboard.board import Chessboard
 from app.metrology.chessboard.corners import detect_board
 from app.metrology.detection.picture import picture_findings
 from app.metrology.findings import LIMITS, Finding, Limits
-from app.metrology.frames import Floats, inverse
+from app.metrology.frames import Floats, apply, inverse, rigid
 from app.metrology.laser_plane import LaserPlane
 from app.metrology.reconstruct import sensor_points
 from app.metrology.refusal import Refusal
-from app.metrology.stripe import Image, extract_stripe
+from app.metrology.stripe import extract_stripe
+from app.metrology.stripe_flanks import Image
 
 Progress = Callable[[str, float], None]
 
 # The one feature that is touched: the plane of the sheet.
 FEATURE = "board"
-# The laser's line lies beside the pattern, where a wrong bend carries it far off: at first,
-# the corners alone tell the bend, and the line counts for no more than this, px.
-FAINT_PX = 30.0
-# Adjusted, the stripes sorted anew, until these are the same, and no more often than this.
-MOST_SORTINGS = 3
+# Contacts may lie so far off the board of the pictures before these have been adjusted, and
+# single ones so far off the others.
+CONTACTS_OFF_MM, CONTACT_STRAY_MM = 3.0, 1.0
+# The lines are sorted anew after adjusting, which is repeated where that changes more of them.
+SAME_SHARE = 0.02
 
 
 @dataclass(frozen=True)
@@ -72,6 +67,16 @@ class BoardInputs:
     contact_readings: Floats | None = None
     unseen: tuple[NotSeen, ...] = ()
     limits: Limits = LIMITS
+
+
+@dataclass(frozen=True)
+class _Start:
+    """``lines_out`` tells by pose number how far off (mm) the lines are that were left out."""
+
+    problem: Problem
+    state: State
+    mounting: Mounting
+    lines_out: dict[int, float]
 
 
 @dataclass(frozen=True)
@@ -123,75 +128,100 @@ def calibrate_board(inputs: BoardInputs, progress: Progress | None = None) -> Bo
             else Refusal("no-images", "no pose was given", "", "take a picture of the board")
         )
     say("Finding a start", 0.0)
-    problem, start, mounting = _start(inputs)
+    start = _start(inputs)
     say("Adjusting all poses together", 0.3)
-    found = _adjusted(problem, start)
+    found = _adjusted(start.problem, start.state)
     say("Working out the uncertainty", 0.8)
-    result = _assembled(inputs, found, mounting)
+    result = _assembled(inputs, found, start)
     say("Done", 1.0)
     return result
 
 
-def _start(inputs: BoardInputs) -> tuple[Problem, State, Mounting]:
-    board = inputs.board
-    moves = motion_of(inputs.arm, inputs.readings)
+def _start(inputs: BoardInputs) -> _Start:
+    board, arm = inputs.board, inputs.arm
+    moves = motion_of(arm, inputs.readings)
     refuse_alike(moves.T_arm_flange)
     camera, _ = board_camera(inputs.seen, board, inputs.size_px)
     seen = numbered(inputs.seen, board, camera, moves.T_arm_flange)
     camera, T_cam_obj = board_camera(seen, board, inputs.size_px)
+    views = [_view(pose, board) for pose in seen]
+    numbers = tuple(pose.number for pose in seen)
+    found = bundle(
+        views,
+        [replace(camera, rotation=T[:3, :3], translation_mm=T[:3, 3]) for T in T_cam_obj],
+    )
+    views = [replace(view, scatter_px=found.scatter_px) for view in views]
+    T_cam_obj = np.array([rigid(one.rotation, one.translation_mm) for one in found.cameras])
     mounting = mounting_by_motion(moves.T_arm_flange, T_cam_obj, board.size_mm)
     refuse_other_size(mounting, board)
-    _refuse_contradictions(mounting, [pose.number for pose in seen])
-    kept = np.flatnonzero(~mounting.contradicts)
-    plane = laser_start([seen[k] for k in kept], board, camera, T_cam_obj[kept])
+    _refuse_contradictions(mounting, numbers)
+    lines = lines_of(views, found, numbers)
+    out = contradicting_lines(lines, board.flatness_mm)
+    views = [replace(view, uneven_mm=lines.uneven_mm) for view in views]
     papers = board_papers(board)
-    views = tuple(
-        _view(pose, board, camera, plane, T, papers.coordinates)
-        for pose, T in zip(seen, T_cam_obj, strict=True)
-    )
     problem = Problem(
-        tuple(pose.number for pose in seen),
-        views,
+        numbers,
+        tuple(
+            without_line(view) if p in out else _sorted(view, found, p, lines.plane)
+            for p, view in enumerate(views)
+        ),
         moves,
-        _touches(inputs, len(papers.names)),
+        _touches(inputs, mounting.T_arm_obj, len(papers.names)),
         papers,
         *inputs.size_px,
     ).without_poses(mounting.contradicts)
     start = State(
-        camera,
-        plane,
+        unplaced(found.cameras[0]),
+        lines.plane,
         mounting.T_flange_cam,
         mounting.T_arm_obj,
-        papers.coordinates,
+        found.coordinates,
         np.zeros(moves.by_links.shape[2]),
         np.zeros((len(problem.views), moves.by_noise.shape[2])),
     )
-    return problem, start, mounting
+    lines_out = {numbers[p]: float(abs(lines.off_mm[p])) for p in out}
+    return _Start(problem, start, mounting, lines_out)
 
 
-def _touches(inputs: BoardInputs, coordinates: int) -> Touches | None:
+def _touches(inputs: BoardInputs, T_arm_obj: Floats, coordinates: int) -> Touches | None:
+    """Contacts on the bent sheet, where the pictures put it.
+
+    Raises:
+        Refusal: they do not lie on it.
+    """
     if inputs.contact_readings is None or not len(inputs.contact_readings):
         return None
-    return plane_touches(inputs.arm, FEATURE, inputs.contact_readings, coordinates)
+    touches = plane_touches(inputs.arm, FEATURE, inputs.contact_readings, coordinates)
+    in_obj = apply(inverse(T_arm_obj), touches.tips_mm)
+    off_mm = in_obj[:, 2] - touches.radius_mm
+    usual = float(np.median(off_mm))
+    if abs(usual) > CONTACTS_OFF_MM:
+        raise Refusal(
+            "contacts-off-board",
+            f"the {len(touches)} contacts lie {usual:+.1f} mm off the board that the pictures show",
+            f"the limit is {CONTACTS_OFF_MM:g} mm",
+            "check square_mm, the tip in arm.json, and that the board was not moved",
+        )
+    by_bend = np.zeros((len(touches), coordinates))
+    by_bend[:, bend_of(inputs.board)] = shapes(inputs.board).by_strength(in_obj[:, :2])
+    kept = np.abs(off_mm - usual) < CONTACT_STRAY_MM
+    return replace(touches, offset_by_coordinates=by_bend, kept=kept)
 
 
-def _view(
-    pose: SeenBoard,
-    board: Chessboard,
-    camera: Camera,
-    plane: LaserPlane,
-    T_cam_obj: Floats,
-    coordinates: Floats,
-) -> BoardView:
-    """The pose's picture, the stripe sorted as the pose itself saw the board."""
-    R, t = T_cam_obj[:3, :3], T_cam_obj[:3, 3]
-    in_obj = LaserPlane(R.T @ plane.normal, float(plane.offset_mm - plane.normal @ t))
+def _view(pose: SeenBoard, board: Chessboard) -> BoardView:
     none = np.zeros(len(pose.stripe.u), dtype=np.bool_)
-    view = BoardView(board, pose.detection, pose.stripe, none)
-    return view.sorted_anew(replace(camera, rotation=R, translation_mm=t), in_obj, coordinates)
+    return BoardView(board, pose.detection, pose.stripe, none)
 
 
-def _refuse_contradictions(mounting: Mounting, numbers: list[int]) -> None:
+def _sorted(view: BoardView, found: Bundle, pose: int, in_cam: LaserPlane) -> BoardView:
+    """With the line's points judged by a plane in the camera's frame."""
+    camera = found.cameras[pose]
+    n, t = in_cam.normal, camera.translation_mm
+    plane = LaserPlane(camera.rotation.T @ n, float(in_cam.offset_mm - n @ t))
+    return view.sorted_anew(camera, plane, found.coordinates)
+
+
+def _refuse_contradictions(mounting: Mounting, numbers: Sequence[int]) -> None:
     out = mounting.contradicts
     if out.sum() * 2 < len(out):
         return
@@ -205,63 +235,22 @@ def _refuse_contradictions(mounting: Mounting, numbers: list[int]) -> None:
 
 
 def _adjusted(problem: Problem, start: State) -> Adjusted:
-    """Adjusted by the corners first, then with the stripes, sorted anew until nothing changes."""
-    by_corners = adjust(_faint(problem), start)
-    state = replace(by_corners.state, plane=laser_plane(by_corners))
-    found = adjust(_sorted_by(problem, by_corners, state), state)
-    for _ in range(MOST_SORTINGS):
-        again = sorted_anew(found)
-        if all(
-            np.array_equal(a.stripe_px(), b.stripe_px())
-            for a, b in zip(found.problem.views, again.views, strict=True)
-        ):
-            break
+    """Adjusted, the lines sorted by the result, and adjusted again where that differs."""
+    found = adjust(problem, start)
+    again = sorted_anew(found)
+    before, after = (sum(len(v.stripe_px()) for v in p.views) for p in (found.problem, again))
+    if abs(after - before) > SAME_SHARE * before:
         found = adjust(again, found.state)
     return found
 
 
-def _faint(problem: Problem) -> Problem:
-    """With stripes that hardly count."""
-    views = tuple(
-        replace(view, stripe=replace(view.stripe, sigma_px=np.full(len(view.used), FAINT_PX)))
-        for view in _board_views(problem)
-    )
-    return replace(problem, views=views)
-
-
-def _sorted_by(problem: Problem, found: Adjusted, state: State) -> Problem:
-    """With the stripes sorted by another adjustment's places and a plane."""
-    views = []
-    for p, view in enumerate(problem.views):
-        scene = pose_scene(state, problem, found.layout, p)
-        views.append(view.sorted_anew(scene.camera, scene.plane, state.coordinates))
-    return replace(problem, views=tuple(views))
-
-
-def laser_plane(found: Adjusted) -> LaserPlane:
-    """The plane, in the camera's frame, of the stripes where an adjustment puts the sheet."""
-    state, problem = found.state, found.problem
-    per_pose = []
-    for p, view in enumerate(_board_views(problem)):
-        camera = pose_scene(state, problem, found.layout, p).camera
-        points = on_sheet(view.board, camera, state.coordinates, view.stripe.uv_px)
-        points = points[around_pattern(view.board, points, AROUND_SQUARES)]
-        if len(points) >= FEWEST_STRIPE_POINTS:
-            per_pose.append(points @ camera.rotation.T + camera.translation_mm)
-    return plane_of_most(per_pose)
-
-
-def _board_views(problem: Problem) -> list[BoardView]:
-    return [view for view in problem.views if isinstance(view, BoardView)]
-
-
-def _assembled(inputs: BoardInputs, found: Adjusted, mounting: Mounting) -> BoardCalibration:
+def _assembled(inputs: BoardInputs, found: Adjusted, start: _Start) -> BoardCalibration:
     state = found.state
     T_cam_sensor = inverse(found.problem.motion.T_arm_flange[0] @ state.T_flange_cam)
     T_cam_sensor = T_cam_sensor @ state.T_arm_obj
     worth = known(found, T_cam_sensor)
     camera, plane, T_flange_sensor = sensor_of(state, T_cam_sensor)
-    poses = _pose_results(inputs, found, mounting)
+    poses = _pose_results(inputs, found, start)
     stripe = np.concatenate([view.stripe_px() for view in found.problem.views])
     points = sensor_points(state.camera, state.plane, stripe)
     distance = np.linalg.norm(points[np.isfinite(points).all(axis=1)], axis=1)
@@ -279,16 +268,20 @@ def _assembled(inputs: BoardInputs, found: Adjusted, mounting: Mounting) -> Boar
     )
 
 
-def _pose_results(
-    inputs: BoardInputs, found: Adjusted, mounting: Mounting
-) -> tuple[PoseResult, ...]:
+def _pose_results(inputs: BoardInputs, found: Adjusted, start: _Start) -> tuple[PoseResult, ...]:
     """Of the poses used, of those that contradict, and of those that show no board."""
-    results = [PoseResult(one.number, False, str(one.refusal)) for one in inputs.unseen]
-    for out in map(int, np.flatnonzero(mounting.contradicts)):
-        off = f"it puts the board {mounting.off_mm[out]:.1f} mm from where the others put it"
+    results = [PoseResult(one.number, False, str(one.refusal).rstrip(".")) for one in inputs.unseen]
+    for out in map(int, np.flatnonzero(start.mounting.contradicts)):
+        off = f"it puts the board {start.mounting.off_mm[out]:.1f} mm from where the others do"
         results.append(PoseResult(inputs.seen[out].number, False, off))
     state, motion = found.state, found.problem.motion
     for p, number in enumerate(found.problem.numbers):
+        line_out = (
+            f"its laser line was left out, {start.lines_out[number]:.1f} mm off the plane on which"
+            " the others agree"
+            if number in start.lines_out
+            else ""
+        )
         corners, stripe = found.linear.rows[p]
         kept_corners, kept_stripe = (one.kept for one in found.judgements[p])
         twist = motion.by_links[p] @ state.links + motion.by_noise[p] @ state.noise[p]
@@ -297,7 +290,7 @@ def _pose_results(
             PoseResult(
                 number,
                 True,
-                "",
+                line_out,
                 _rms(corners.residuals[kept_corners]) * np.sqrt(2),
                 int(kept_corners.sum()) // 2,
                 _rms(stripe.residuals[kept_stripe]),

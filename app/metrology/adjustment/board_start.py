@@ -1,4 +1,5 @@
-"""A start for the chessboard's adjustment: lens, places, mounting and laser plane by turns."""
+"""A start for the chessboard's adjustment: the camera, how each picture numbers the corners,
+and whether the arm's motion agrees with the squares' size."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -8,30 +9,22 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from app.metrology.adjustment.block_start import placed
-from app.metrology.adjustment.board_view import AROUND_SQUARES, around_pattern, on_sheet
 from app.metrology.adjustment.mounting import Mounting
-from app.metrology.adjustment.sheet import board_papers
 from app.metrology.camera import Camera
 from app.metrology.chessboard.board import Chessboard, corner_points
 from app.metrology.chessboard.corners import BoardDetection
 from app.metrology.detection.picture import PictureFinding
-from app.metrology.frames import Floats, apply, inverse
-from app.metrology.laser_plane import LaserPlane
+from app.metrology.frames import Floats, inverse
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import Stripe
 
 FEWEST_POSES = 3
 # Pictures of a flat board tell the focal length only where they are tilted so much.
 LEAST_TILT_DEG = 5.0
-# Angle between the laser's plane and the board below which their line is not to be trusted.
-LEAST_LASER_ANGLE_DEG = 8.0
-FEWEST_STRIPE_POINTS = 20
 # The arm's motion against the squares' size: relative, and in standard deviations.
 SIZE_SHARE, SIZE_SIGMAS = 0.05, 5.0
 # Turning angles of the board and of the flange agree so well where a numbering is right.
 TURN_DEG = 3.0
-PLANE_DRAWS = 400
-AGREEING_TIMES = 4.0
 
 
 @dataclass(frozen=True)
@@ -172,85 +165,3 @@ def refuse_other_size(mounting: Mounting, board: Chessboard) -> float:
             " own pose, in mm",
         )
     return scale
-
-
-def laser_start(
-    seen: Sequence[SeenBoard], board: Chessboard, camera: Camera, T_cam_obj: Floats
-) -> LaserPlane:
-    """The plane, in the camera's frame, that most stripe points of most pictures agree on.
-
-    Raises:
-        Refusal: no stripe on the board, on one line only, or the laser along the board.
-    """
-    flat = board_papers(board).coordinates
-    per_pose = []
-    for pose, T in zip(seen, T_cam_obj, strict=True):
-        here = replace(camera, rotation=T[:3, :3], translation_mm=T[:3, 3])
-        points = on_sheet(board, here, flat, pose.stripe.uv_px)
-        points = points[around_pattern(board, points, AROUND_SQUARES)]
-        if len(points) >= FEWEST_STRIPE_POINTS:
-            per_pose.append(apply(T, points))
-    if len(per_pose) < 2:
-        raise Refusal(
-            "stripe-not-found",
-            f"the laser's line lies on the board in {len(per_pose)} of {len(seen)} pictures",
-            "one line alone does not fix the laser's plane",
-            "let the line cross the board in every picture",
-        )
-    plane = plane_of_most(per_pose)
-    _refuse_one_line(per_pose, plane)
-    _refuse_parallel(T_cam_obj, plane, [pose.number for pose in seen])
-    return plane
-
-
-def plane_of_most(per_pose: Sequence[Floats]) -> LaserPlane:
-    """Drawn from three points of two or three pictures many times; each picture counts alike."""
-    rng = np.random.default_rng(0)
-    thinned = [points[:: max(1, len(points) // 60)] for points in per_pose]
-    every = np.concatenate(thinned)
-    best, least = LaserPlane(np.array([0.0, 0.0, 1.0]), 0.0), np.inf
-    for _ in range(PLANE_DRAWS):
-        one, other = rng.choice(len(thinned), 2, replace=False)
-        ends = rng.choice(len(thinned[one]), 2, replace=False)
-        a, b = thinned[one][ends]
-        c = thinned[other][rng.integers(len(thinned[other]))]
-        normal = np.cross(b - a, c - a)
-        length = float(np.linalg.norm(normal))
-        if length < 1e-6:
-            continue
-        normal = normal / length
-        score = float(np.median([np.median(np.abs((p - a) @ normal)) for p in thinned]))
-        if score < least:
-            best, least = LaserPlane(normal, float(normal @ a)), score
-    off = every @ best.normal - best.offset_mm
-    near = every[np.abs(off) <= max(AGREEING_TIMES * float(np.median(np.abs(off))), 1e-6)]
-    centre = near.mean(axis=0)
-    normal = np.linalg.svd(near - centre, full_matrices=False)[2][2]
-    normal = normal * np.sign(normal[2] or 1.0)
-    return LaserPlane(normal, float(normal @ centre))
-
-
-def _refuse_one_line(per_pose: Sequence[Floats], plane: LaserPlane) -> None:
-    """The lines of all pictures must spread over the plane, in depth too."""
-    every = np.concatenate(per_pose)
-    flat = every - every.mean(axis=0)
-    spread = np.linalg.svd(flat - np.outer(flat @ plane.normal, plane.normal))[1]
-    if spread[1] < 0.02 * spread[0]:
-        raise Refusal(
-            "stripe-one-line",
-            "the laser's line lies at one place of its plane in all pictures",
-            "one line alone does not fix the laser's plane",
-            "take pictures from different distances, or tilted to different sides",
-        )
-
-
-def _refuse_parallel(T_cam_obj: Floats, plane: LaserPlane, numbers: Sequence[int]) -> None:
-    angles = np.degrees(np.arccos(np.clip(np.abs(T_cam_obj[:, :3, 2] @ plane.normal), 0, 1)))
-    if np.median(angles) < LEAST_LASER_ANGLE_DEG:
-        raise Refusal(
-            "laser-along-board",
-            f"the laser's plane stands {np.median(angles):.1f}° to the board (limit"
-            f" {LEAST_LASER_ANGLE_DEG:.0f}°; poses {', '.join(map(str, numbers))})",
-            "a plane that is nearly the board's does not meet it in a sharp line",
-            "turn the sensor so that the laser falls onto the board from above",
-        )

@@ -5,10 +5,17 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.adjustment.sheet import BEND, corners_at, surface
-from app.metrology.adjustment.weighing import Judgement
+from app.metrology.adjustment.sheet import (
+    around_pattern,
+    bend_of,
+    corners_at,
+    height_of,
+    shapes,
+    surface,
+)
+from app.metrology.adjustment.weighing import Judgement, as_they_are, merged_points
 from app.metrology.camera import Camera, rays
-from app.metrology.chessboard.board import Chessboard, grid
+from app.metrology.chessboard.board import Chessboard, corner_points, grid
 from app.metrology.chessboard.corners import BoardDetection
 from app.metrology.frames import Floats
 from app.metrology.laser_plane import LaserPlane, tangents
@@ -16,33 +23,39 @@ from app.metrology.projection import COUNT, project_with_jacobian
 from app.metrology.scene import BLOCK, PLANE, Rows
 from app.metrology.stripe import Stripe
 
-# The line is used on the pattern and this many squares around its outermost corners, where
-# there must be paper (one square) or is likely to be; and where it is no further off the
-# laser's plane than this, and than so many times the usual.
-AROUND_SQUARES = 4.0
+# The line is used where it is no further off the laser's plane than this, and than so many
+# times the usual.
 OFF_PLANE_MM, OFF_PLANE_TIMES = 0.3, 5.0
 # Rounds of walking along a ray to the bent sheet: each gains two digits.
-BENT_ROUNDS = 4
+BENT_ROUNDS = 3
 
 
 @dataclass(frozen=True)
 class BoardView:
-    """The board in the picture of one pose; ``used`` (N,) marks the stripe's points in use."""
+    """The board in the picture of one pose; ``used`` (N,) marks the stripe's points in use.
+
+    ``scatter_px`` is by what corners scatter over all pictures: beside the noise of each,
+    blur and print differ from corner to corner. ``uneven_mm`` is by how much stretches of
+    the line lie off the laser's plane together: so much does the sheet differ from a
+    smooth bend, and the laser's sheet of light from a plane.
+    """
 
     board: Chessboard
     detection: BoardDetection
     stripe: Stripe
     used: NDArray[np.bool_]
+    scatter_px: float = 0.0
+    uneven_mm: float = 0.0
 
     def rows(self, camera: Camera, plane: LaserPlane, coordinates: Floats) -> tuple[Rows, Rows]:
         return (
-            self._corner_rows(camera, coordinates),
+            self.corner_rows(camera, coordinates),
             self._stripe_rows(camera, plane, coordinates),
         )
 
     def sorted_anew(self, camera: Camera, plane: LaserPlane, coordinates: Floats) -> "BoardView":
         points = on_sheet(self.board, camera, coordinates, self.stripe.uv_px)
-        near = around_pattern(self.board, points, AROUND_SQUARES)
+        near = around_pattern(self.board, points)
         off = np.full(len(points), np.inf)
         off[near] = points[near] @ plane.normal - plane.offset_mm
         usual = float(np.median(np.abs(off[near]))) if near.any() else 0.0
@@ -51,13 +64,24 @@ class BoardView:
     def merged(
         self, rows: tuple[Rows, Rows], judged: tuple[Judgement, Judgement]
     ) -> tuple["BoardView", tuple[Judgement, Judgement]]:
-        return self, judged
+        used = np.flatnonzero(self.used)
+        own = self.stripe.sigma_px[used]
+        few = merged_points(rows[1].places, own, rows[1].line, judged[1])
+        u, v = few.uv_px.T
+        intensity = self.stripe.intensity[used][few.first]
+        stripe = Stripe(u, v, intensity, few.sigma_px, self.stripe.axis)
+        view = replace(self, stripe=stripe, used=np.ones(len(u), dtype=np.bool_))
+        return view, (judged[0], as_they_are(len(u)))
 
     def stripe_px(self) -> Floats:
         return np.asarray(self.stripe.uv_px[self.used])
 
-    def _corner_rows(self, camera: Camera, coordinates: Floats) -> Rows:
-        """Two rows a corner, along the axes of its covariance."""
+    def _bends(self) -> slice:
+        own = bend_of(self.board)
+        return slice(BLOCK.start + own.start, BLOCK.start + own.stop)
+
+    def corner_rows(self, camera: Camera, coordinates: Floats) -> Rows:
+        """Observation equations of the corners: two a corner, along the axes of its covariance."""
         board, seen = self.board, self.detection
         count = len(grid(board))
         at = corners_at(board, coordinates)[seen.number]
@@ -68,7 +92,7 @@ class BoardView:
         own = by_point[:, :, :2] + by_point[:, :, 2:] * bent.slope[:, None, :]  # by x and y
         share = (grid(board) / (np.array(board.inner_corners) - 1))[seen.number]
         J[:, :, BLOCK.start : BLOCK.start + 2] = own * share[:, None, :]
-        bends = slice(BLOCK.start + BEND.start, BLOCK.start + BEND.stop)
+        bends = self._bends()
         J[:, :, bends] = by_point[:, :, 2:] * bent.by_bend[:, None, :]
         prints = bends.stop + seen.number
         every = np.arange(len(at))
@@ -79,7 +103,7 @@ class BoardView:
         turned = np.einsum("nik,nip->nkp", axes, J)
         return Rows(
             residuals.ravel(),
-            np.sqrt(variances).ravel(),
+            np.sqrt(np.maximum(variances, self.scatter_px**2)).ravel(),
             -turned.reshape(-1, J.shape[2]),
             np.repeat(seen.uv_px, 2, axis=0),
             np.zeros(2 * len(at), dtype=np.int64),
@@ -112,7 +136,7 @@ class BoardView:
         J[:, PLANE.start : PLANE.start + 2] = -(start @ tangents(n).T) * by_offset[:, None]
         J[:, PLANE.start + 2] = by_offset
         by_height = np.sum(to_normal * lifted, axis=1)
-        bends = slice(BLOCK.start + BEND.start, BLOCK.start + BEND.stop)
+        bends = self._bends()
         J[:, bends] = by_height[:, None] * bent.by_bend
         residuals = np.sum((uv - seen) * normal, axis=1)
         return Rows(
@@ -120,8 +144,33 @@ class BoardView:
             sigma * np.abs(normal @ self.stripe.across),
             -J,
             uv,
-            np.zeros(len(uv), dtype=np.int64),
+            self.stretches(uv),
+            self.uneven_mm * self.px_per_mm,
         )
+
+    def stretches(self, uv_px: Floats) -> NDArray[np.int64]:
+        """Numbers the stretches of a line (N, 2), each as long as a bend of the sheet."""
+        if not len(uv_px):
+            return np.zeros(0, dtype=np.int64)
+        along = np.linalg.norm(uv_px - uv_px[0], axis=1)
+        length = shapes(self.board).length_mm * self.px_per_mm
+        return np.maximum.accumulate((along / length).astype(np.int64))
+
+    @property
+    def px_per_mm(self) -> float:
+        """How large the pattern is seen."""
+        seen = self.detection
+        flat = corner_points(self.board)[seen.number]
+        return float(
+            np.linalg.norm(np.std(seen.uv_px, axis=0)) / np.linalg.norm(np.std(flat, axis=0))
+        )
+
+
+def without_line(view: BoardView) -> BoardView:
+    """The view with no stripe at all."""
+    none = np.zeros(0)
+    stripe = Stripe(none, none, none, none, view.stripe.axis)
+    return replace(view, stripe=stripe, used=np.zeros(0, dtype=np.bool_))
 
 
 def on_sheet(board: Chessboard, camera: Camera, coordinates: Floats, uv_px: Floats) -> Floats:
@@ -132,11 +181,5 @@ def on_sheet(board: Chessboard, camera: Camera, coordinates: Floats, uv_px: Floa
     for _ in range(BENT_ROUNDS):
         points = origin + ((height - origin[2]) / along[:, 2])[:, None] * along
         near = np.clip(points[:, :2], -board.size_mm, 2 * board.size_mm)
-        height = surface(board, coordinates, near).height_mm
+        height = height_of(board, coordinates, near)
     return np.asarray(points)
-
-
-def around_pattern(board: Chessboard, points_mm: Floats, squares: float) -> NDArray[np.bool_]:
-    """Which points (N, 3) lie within so many squares of the outermost inner corners."""
-    beyond = np.maximum(-points_mm[:, :2], points_mm[:, :2] - board.extent_mm)
-    return np.asarray((beyond < squares * board.square_mm).all(axis=1))

@@ -1,61 +1,144 @@
 """The sheet that carries a chessboard: its corners' true places, and how it bends.
 
-Its coordinates are the pattern's width and height, the heights (mm) by which a smooth
-bend lifts it half a diagonal off the middle, and what each corner is misprinted by.
+Its coordinates are the pattern's width and height (mm), the strengths (mm) of a few
+smooth shapes in which sheets bend, and what each corner is misprinted by (mm).
+
+The bend is a smooth random surface, a Gaussian process that is as high as the board's
+flatness and alike over ``SMOOTH_SHARE`` of the pattern; its shapes are the principal ones
+(Karhunen-Loeve) of the sheet around the pattern, so that their strengths are independent.
+What a shape has of a plane over the pattern is taken off: that is the board's place.
 """
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
+from numpy.typing import NDArray
 
 from app.metrology.adjustment.evidence import Papers
 from app.metrology.chessboard.board import Chessboard, grid
 from app.metrology.frames import Floats
 
-# Powers of x and y in the bend; a board's place takes up what is constant or linear.
-BENDS = ((2, 0), (1, 1), (0, 2), (3, 0), (2, 1), (1, 2), (0, 3))
 EXTENT = slice(0, 2)
-BEND = slice(2, 2 + len(BENDS))
 LEAST_MM = 1e-6
+# The sheet is described this far around the pattern, in squares. Bends are alike over this
+# share of the pattern's diagonal, and nodes stand closer by a factor.
+AROUND_SQUARES = 4.0
+SMOOTH_SHARE, NODES_PER_LENGTH = 0.5, 2.0
+# Shapes are kept until they make up this share of the variance.
+KEPT_SHARE = 0.995
+
+
+@dataclass(frozen=True)
+class Shapes:
+    """K smooth shapes: ``exp(-d^2 / 2 l^2)`` about the nodes of a grid, X within Y, summed by
+    ``weights`` (M, K), less a plane (3, K) over 1, x and y."""
+
+    nodes_x_mm: Floats
+    nodes_y_mm: Floats
+    length_mm: float
+    weights: Floats
+    planes: Floats
+
+    def bells(self, xy_mm: Floats) -> tuple[Floats, Floats, Floats, Floats]:
+        """Factors of the bells along x (N, X) and y (N, Y), and their slopes."""
+        away_x = (xy_mm[:, :1] - self.nodes_x_mm) / self.length_mm
+        away_y = (xy_mm[:, 1:] - self.nodes_y_mm) / self.length_mm
+        along_x, along_y = np.exp(-0.5 * away_x**2), np.exp(-0.5 * away_y**2)
+        slope_x, slope_y = (
+            -bell * away / self.length_mm for bell, away in ((along_x, away_x), (along_y, away_y))
+        )
+        return along_x, along_y, slope_x, slope_y
+
+    def by_strength(self, xy_mm: Floats) -> Floats:
+        """Heights (N, K) of each shape at places (N, 2)."""
+        along_x, along_y, _, _ = self.bells(xy_mm)
+        bells = (along_y[:, :, None] * along_x[:, None, :]).reshape(len(xy_mm), len(self.weights))
+        flat = np.column_stack([np.ones(len(xy_mm)), xy_mm]) @ self.planes
+        return np.asarray(bells @ self.weights - flat)
+
+    def summed(self, strengths: Floats, xy_mm: Floats) -> tuple[Floats, Floats]:
+        """Height (N,) and slopes (N, 2) of all shapes together."""
+        along_x, along_y, slope_x, slope_y = self.bells(xy_mm)
+        at_nodes = (self.weights @ strengths).reshape(len(self.nodes_y_mm), -1)
+        plane = self.planes @ strengths
+        across = along_y @ at_nodes
+        height = np.sum(across * along_x, axis=1) - plane[0] - xy_mm @ plane[1:]
+        by_x = np.sum(across * slope_x, axis=1) - plane[1]
+        by_y = np.sum((slope_y @ at_nodes) * along_x, axis=1) - plane[2]
+        return height, np.column_stack([by_x, by_y])
 
 
 @dataclass(frozen=True)
 class Surface:
-    """The sheet at N places: heights (N,), and slopes (N, 2) along x and y."""
+    """The sheet at N places: heights (N,), slopes (N, 2) along x and y, and how the heights
+    follow the strengths of the shapes (N, K)."""
 
     height_mm: Floats
     slope: Floats
-    by_bend: Floats  # (N, 7) derivatives of the height
+    by_bend: Floats
+
+
+@lru_cache(maxsize=8)
+def shapes(board: Chessboard) -> Shapes:
+    """In what shapes the sheet of a board may bend, each of variance 1 at its strongest."""
+    length = SMOOTH_SHARE * board.size_mm
+    margin = AROUND_SQUARES * board.square_mm
+    span = board.extent_mm + 2 * margin
+    counts = np.ceil(span / length * NODES_PER_LENGTH).astype(np.int64) + 1
+    x, y = (np.linspace(-margin, -margin + s, n) for s, n in zip(span, counts, strict=True))
+    nodes = np.column_stack([axis.ravel() for axis in np.meshgrid(x, y)])
+    apart = np.sum((nodes[:, None] - nodes) ** 2, axis=2) / length**2
+    variances, principal = np.linalg.eigh(np.exp(-0.5 * apart))
+    variances, principal = variances[::-1], principal[:, ::-1]
+    count = int(np.searchsorted(np.cumsum(variances), KEPT_SHARE * variances.sum())) + 1
+    weights = principal[:, :count] / np.sqrt(variances[:count])
+    plain = Shapes(x, y, length, weights, np.zeros((3, count)))
+    corners = grid(board) * board.square_mm
+    terms = np.column_stack([np.ones(len(corners)), corners])
+    planes = np.linalg.lstsq(terms, plain.by_strength(corners), rcond=None)[0]
+    return Shapes(x, y, length, weights, planes)
+
+
+def bend_of(board: Chessboard) -> slice:
+    """Where the strengths of the shapes stand among the coordinates."""
+    return slice(EXTENT.stop, EXTENT.stop + shapes(board).weights.shape[1])
 
 
 def board_papers(board: Chessboard) -> Papers:
     """The certificate: extents and corners to its standard uncertainty, flat to its flatness."""
-    count = len(grid(board))
-    names = ("extent_x", "extent_y", *(f"bend:x{i}y{j}" for i, j in BENDS))
+    count, bend = len(grid(board)), bend_of(board)
+    names = ("extent_x", "extent_y", *(f"bend:{k}" for k in range(bend.stop - bend.start)))
     names += tuple(f"print_x:{k}" for k in range(count))
     names += tuple(f"print_y:{k}" for k in range(count))
     values = np.zeros(len(names))
     values[EXTENT] = board.extent_mm
     sd = np.full(len(names), max(board.standard_uncertainty_mm, LEAST_MM))
-    sd[BEND] = max(board.flatness_mm, LEAST_MM)
+    sd[bend] = max(board.flatness_mm, LEAST_MM)
     return Papers(names, values, sd)
 
 
 def surface(board: Chessboard, coordinates: Floats, xy_mm: Floats) -> Surface:
     """The bent sheet at places (N, 2) of the board's frame."""
-    half = board.size_mm / 2
-    x, y = ((xy_mm - board.extent_mm / 2) / half).T
-    by_bend = np.column_stack([x**i * y**j for i, j in BENDS])
-    along_x = np.column_stack([i * x ** max(i - 1, 0) * y**j for i, j in BENDS]) / half
-    along_y = np.column_stack([j * x**i * y ** max(j - 1, 0) for i, j in BENDS]) / half
-    bend = coordinates[BEND]
-    return Surface(by_bend @ bend, np.column_stack([along_x @ bend, along_y @ bend]), by_bend)
+    own = shapes(board)
+    height, slope = own.summed(coordinates[bend_of(board)], xy_mm)
+    return Surface(height, slope, own.by_strength(xy_mm))
+
+
+def height_of(board: Chessboard, coordinates: Floats, xy_mm: Floats) -> Floats:
+    """Heights (N,) of the bent sheet at places (N, 2) of the board's frame."""
+    return shapes(board).summed(coordinates[bend_of(board)], xy_mm)[0]
 
 
 def corners_at(board: Chessboard, coordinates: Floats) -> Floats:
     """(N, 3) where every corner truly is, in the board's frame."""
     share = grid(board) / (np.array(board.inner_corners) - 1)
-    count = len(share)
-    print_mm = coordinates[BEND.stop :].reshape(2, count).T
+    print_mm = coordinates[bend_of(board).stop :].reshape(2, len(share)).T
     xy = share * coordinates[EXTENT] + print_mm
-    return np.column_stack([xy, surface(board, coordinates, xy).height_mm])
+    return np.column_stack([xy, height_of(board, coordinates, xy)])
+
+
+def around_pattern(board: Chessboard, points_mm: Floats) -> NDArray[np.bool_]:
+    """Which points (N, 3) lie where the sheet is described."""
+    beyond = np.maximum(-points_mm[:, :2], points_mm[:, :2] - board.extent_mm)
+    return np.asarray((beyond < AROUND_SQUARES * board.square_mm).all(axis=1))

@@ -99,6 +99,8 @@ def _alike(a: Judgements, b: Judgements) -> bool:
     """Whether nearly the same points count, for nearly as much."""
     for ours, theirs in zip(a, b, strict=True):
         for one, other in zip(ours, theirs, strict=True):
+            if not len(one.kept):
+                continue
             if np.mean(one.kept != other.kept) > KEPT_ALIKE:
                 return False
             if np.mean(np.abs(np.log(one.inflation / other.inflation))) > WEIGHED_ALIKE:

@@ -27,7 +27,7 @@ class Chessboard:
     inner_corners: tuple[int, int]  # columns, rows
     square_mm: float
     standard_uncertainty_mm: float
-    flatness_mm: float = 0.2
+    flatness_mm: float = 0.3
 
     @property
     def extent_mm(self) -> Floats:

@@ -12,7 +12,8 @@ from app.metrology.chessboard.lattice import Lattice, largest_lattice, mapped, p
 from app.metrology.chessboard.saddles import Saddles, find_saddles
 from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
-from app.metrology.stripe import Image, Stripe, saturation_level
+from app.metrology.stripe import Stripe, saturation_level
+from app.metrology.stripe_flanks import Image
 
 # Pixels this near to clipped ones or to the stripe's middle show laser light.
 BESIDE_CLIPPED_PX, BESIDE_STRIPE_PX = 8, 12
