@@ -81,7 +81,7 @@ def contact_spot(
     golden = np.array([0.7548776662466927, 0.5698402909980532])
     even = (0.5 + golden * turn + 0.13 * (index % len(patches))) % 1.0
     even = np.clip(even + rng.uniform(-0.04, 0.04, 2), 0.0, 1.0)
-    free = [axis for axis in range(3) if high[axis] != low[axis]]
+    free = np.flatnonzero(outward(face) == 0.0)
     spot = low.copy()
     for share, axis in zip(even, free, strict=True):
         spot[axis] = low[axis] + share * (high[axis] - low[axis])

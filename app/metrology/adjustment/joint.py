@@ -34,6 +34,8 @@ from app.metrology.refusal import Refusal
 from app.metrology.stripe import Image, extract_stripe
 
 Progress = Callable[[str, float], None]
+# Poses that are usually so far off agree with none.
+HOPELESS_MM = 5.0
 # Where the laser plane's offset stands among a scene's parameters.
 OFFSET = COUNT + 2
 
@@ -270,7 +272,8 @@ def _depths(found: Adjusted) -> Floats:
 def _refuse_contradictions(inputs: JointInputs, mounting: Mounting) -> None:
     """Refuses where the poses that agree are not more than those that do not."""
     contradicts: NDArray[np.bool_] = mounting.contradicts
-    if contradicts.sum() * 2 < len(contradicts) or len(contradicts) < 2:
+    some = contradicts.sum() * 2 < len(contradicts) and np.median(mounting.off_mm) < HOPELESS_MM
+    if some or len(contradicts) < 2:
         return
     numbers = _listed([pose.number for pose in inputs.seen])
     raise Refusal(

@@ -1,0 +1,137 @@
+"""The adjustment on simulated measurements: derivatives, exactness, and honest covariance."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from app.bench.calibration import SET_UPS, bound, run
+from app.bench.simulated import Draw, SetUp, drawn, station_of
+from app.metrology.adjustment.linear import linearise
+from app.metrology.adjustment.mounting import mounting_by_motion
+from app.metrology.adjustment.solve import adjust
+from app.metrology.adjustment.state import SENSOR, layout_of
+from app.metrology.adjustment.uncertainty import BUDGET, known, measuring_volume, sources
+from app.metrology.camera import Camera
+from app.metrology.frames import apply, inverse, rigid, rotation_from_vector
+from app.metrology.reconstruct import sensor_points
+from app.metrology.refusal import Refusal
+
+SMALL = SetUp("three poses", 3, joints=7, contacts_per_face=5, seed=3)
+
+
+@pytest.fixture(scope="module")
+def draw() -> Draw:
+    return drawn(station_of(SMALL), np.random.default_rng(1))
+
+
+def everything(draw: Draw, step: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """All residuals after a step from the truth, and their derivatives there."""
+    at = layout_of(draw.problem)
+    linear = linearise(draw.problem, at, draw.truth.moved(step, at))
+    assert linear.contacts is not None
+    residuals, jacobians = [linear.contacts.residuals_mm], [linear.contacts.jacobian]
+    for scene, groups in zip(linear.scenes, linear.rows, strict=True):
+        for rows in groups:
+            residuals.append(rows.residuals)
+            jacobians.append(rows.jacobian @ scene.by_unknowns)
+    return np.concatenate(residuals), np.concatenate(jacobians)
+
+
+def test_the_derivatives_by_every_unknown_are_those_that_differences_give(draw: Draw) -> None:
+    count = layout_of(draw.problem).count
+    _, found = everything(draw, np.zeros(count))
+    for k in range(count):
+        step = np.zeros(count)
+        step[k] = 1e-3 if k < 4 else 1e-6
+        slope = (everything(draw, step)[0] - everything(draw, -step)[0]) / (2 * step[k])
+        largest = max(float(np.abs(slope).max()), 1e-3)
+        np.testing.assert_allclose(found[:, k], slope, atol=3e-4 * largest, err_msg=f"{k}")
+
+
+def test_measurements_without_noise_give_the_truth() -> None:
+    station = station_of(SetUp("exact", 4, seed=5))
+    draw = drawn(station, np.random.default_rng(2), noisy=False)
+    found = adjust(draw.problem, draw.start)
+    uv = measuring_volume(found).uv_px
+    points = sensor_points(found.state.camera, found.state.plane, uv)
+    true = sensor_points(station.camera, station.plane, uv)
+    off = apply(found.state.T_flange_cam, points) - apply(station.T_flange_cam, true)
+    assert np.abs(off).max() < 1e-4
+
+
+def test_the_budget_adds_up_to_the_covariance(draw: Draw) -> None:
+    found = adjust(draw.problem, draw.start)
+    parts = sources(found)
+    assert set(parts) == {name for name, _ in BUDGET} | {"distortion"}
+    np.testing.assert_allclose(
+        np.sum(list(parts.values()), axis=0)[SENSOR, SENSOR],
+        found.covariance[SENSOR, SENSOR],
+        rtol=1e-6,
+        atol=1e-12,
+    )
+    T_cam_sensor = rigid(rotation_from_vector(np.array([0.3, 0.1, 2.0])), np.array([1.0, 2, 130]))
+    worth = known(found, T_cam_sensor)
+    total = np.sqrt(sum(row.value_um**2 for row in worth.rows))
+    assert worth.total_um == pytest.approx(total)
+    assert worth.plane.angle_arcsec > 0
+    assert worth.map.calibrated.any()
+    assert not worth.map.calibrated.all()
+    inside = worth.map.u_um[worth.map.calibrated]
+    assert inside.min() > 0
+    # the frame of the sensor is a choice: neither its place nor the budget depend on it
+    elsewhere = known(found, np.eye(4))
+    assert elsewhere.total_um == pytest.approx(worth.total_um)
+
+
+def test_claims_hold_over_many_solves() -> None:
+    (kept,) = run(60, (replace(SET_UPS[0], contacts_per_face=8),))
+    assert kept.failed == 0
+    assert 0.8 < kept.over_bound < 1.2
+    assert 0.8 < kept.claimed_over_seen < 1.25
+
+
+def test_more_poses_are_known_better() -> None:
+    claims = []
+    for poses in (1, 4, 8):
+        setup = SetUp("", poses, seed=7)
+        exact = bound(drawn(station_of(setup), np.random.default_rng(0), noisy=False), setup.scales)
+        claims.append(known(exact, np.eye(4)).total_um)
+    assert claims[0] > claims[1] > claims[2]
+
+
+def moving(count: int, axes: np.ndarray, rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
+    """Flange poses turned about some axes, and how a camera on the flange sees an object."""
+    X = rigid(rotation_from_vector(np.array([0.1, 3.0, 0.2])), np.array([5.0, -60.0, 210.0]))
+    Z = rigid(rotation_from_vector(np.array([0.0, 0.1, 0.5])), np.array([500.0, 100.0, 90.0]))
+    flange, seen = [], []
+    for _ in range(count):
+        turn = rotation_from_vector(axes.T @ rng.uniform(-0.5, 0.5, len(axes)))
+        T = rigid(turn, np.array([480.0, 80.0, 300.0]) + rng.uniform(-50, 50, 3))
+        flange.append(T)
+        seen.append(inverse(T @ X) @ Z)
+    return np.array(flange), np.array(seen)
+
+
+def test_the_mounting_follows_from_motion_alone() -> None:
+    flange, seen = moving(8, np.eye(3), np.random.default_rng(3))
+    found = mounting_by_motion(flange, seen, 50.0)
+    assert found.off_mm.max() < 1e-6
+    assert not found.contradicts.any()
+    flange[2] = flange[5]
+    found = mounting_by_motion(flange, seen, 50.0)
+    assert np.flatnonzero(found.contradicts).tolist() == [2]
+
+
+def test_turns_about_one_axis_are_refused_and_the_axis_named() -> None:
+    axis = np.array([[0.0, 0.0, 1.0]])
+    with pytest.raises(Refusal, match=r"about one axis, \([+-]0.00 [+-]0.00 [+-]1.00\)"):
+        mounting_by_motion(*moving(6, axis, np.random.default_rng(4)), 50.0)
+    with pytest.raises(Refusal, match="poses all alike"):
+        mounting_by_motion(*moving(6, 0.01 * np.eye(3), np.random.default_rng(5)), 50.0)
+
+
+def test_the_camera_of_a_state_is_its_own_frame(draw: Draw) -> None:
+    camera: Camera = adjust(draw.problem, draw.start).state.camera
+    np.testing.assert_array_equal(camera.rotation, np.eye(3))
+    np.testing.assert_array_equal(camera.translation_mm, np.zeros(3))

@@ -1,0 +1,119 @@
+"""The whole calibration on the sample of eight poses: accuracy, and what is said of bad input."""
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from app.files.calibrate import joint_inputs
+from app.files.session import read_session
+from app.metrology.adjustment.joint import JointCalibration, JointInputs, calibrate_joint
+from app.metrology.adjustment.pose_advice import held, next_poses
+from app.metrology.adjustment.touch_advice import next_touches, place_um
+from app.metrology.findings import Limits
+from app.metrology.frames import apply, rigid_fit
+from app.metrology.reconstruct import sensor_points
+from app.metrology.refusal import Refusal
+
+
+@pytest.fixture(scope="module")
+def inputs(samples: Path) -> JointInputs:
+    return joint_inputs(read_session(samples / "many-poses"))
+
+
+@pytest.fixture(scope="module")
+def found(inputs: JointInputs) -> JointCalibration:
+    return calibrate_joint(inputs)
+
+
+def codes(result: JointCalibration) -> set[str]:
+    return {finding.code for finding in result.findings}
+
+
+def test_points_lie_where_the_truth_has_them(found: JointCalibration, samples: Path) -> None:
+    truth = json.loads((samples / "many-poses/truth.json").read_text())
+    points = sensor_points(found.camera, found.plane, np.array(truth["pixels"]))
+    true = np.array(truth["points_sensor_frame_mm"])
+    off = apply(rigid_fit(true, points), points) - true
+    assert 1e3 * np.sqrt(np.mean(np.sum(off**2, axis=1))) < 2.0
+    in_flange = apply(found.T_flange_sensor, points) - np.array(truth["points_flange_frame_mm"])
+    error_um = 1e3 * float(np.sqrt(np.mean(np.sum(in_flange**2, axis=1))))
+    # the arm's own errors are in the claim, so that it holds
+    assert error_um < 2.0 * found.known.total_um
+    assert all(pose.used for pose in found.poses)
+    # the one contact that the sample has wrong
+    assert next(point.name for point in found.worst if point.kind == "contact") == "crest 10"
+
+
+def test_poses_whose_joints_were_swapped_are_left_out_and_told_whose_they_are(
+    inputs: JointInputs,
+) -> None:
+    q = inputs.q_rad.copy()
+    q[[2, 5]] = q[[5, 2]]
+    result = calibrate_joint(replace(inputs, q_rad=q))
+    out = [pose for pose in result.poses if not pose.used]
+    assert [pose.number for pose in out] == [2, 5]
+    assert "fits the joint angles of pose 5" in out[0].reason
+    assert "pose-left-out" in codes(result)
+
+
+def test_poses_that_agree_with_none_are_refused(inputs: JointInputs) -> None:
+    rng = np.random.default_rng(1)
+    q = inputs.q_rad + rng.uniform(-0.05, 0.05, inputs.q_rad.shape)
+    with pytest.raises(Refusal) as caught:
+        calibrate_joint(replace(inputs, q_rad=q))
+    assert caught.value.code == "poses-contradict"
+
+
+def test_poses_all_alike_are_said_to_tell_little(inputs: JointInputs) -> None:
+    few = replace(inputs, seen=inputs.seen[:1] * 2, q_rad=inputs.q_rad[[0, 0]])
+    few = replace(few, seen=(few.seen[0], replace(few.seen[1], number=9)))
+    assert "poses-alike" in codes(calibrate_joint(few))
+
+
+def test_a_wrong_tip_is_seen_and_its_diameter_told(inputs: JointInputs) -> None:
+    tip = inputs.arm.tip
+    other = replace(inputs.arm, tip=replace(tip, diameter_mm=tip.diameter_mm + 1.0))
+    result = calibrate_joint(replace(inputs, arm=other))
+    told = [finding for finding in result.findings if finding.code == "tip-diameter"]
+    assert told
+    assert told[0].remedy
+    assert "tip-diameter" not in codes(calibrate_joint(inputs))
+
+
+def test_one_pose_is_the_special_case(inputs: JointInputs, found: JointCalibration) -> None:
+    alone = calibrate_joint(replace(inputs, seen=inputs.seen[:1], q_rad=inputs.q_rad[:1]))
+    assert "one-pose" in codes(alone)
+    assert alone.known.total_um > found.known.total_um
+
+
+def test_the_verdict_goes_by_the_users_limits(inputs: JointInputs) -> None:
+    strict = calibrate_joint(replace(inputs, limits=Limits(good_um=5.0, usable_um=10.0)))
+    assert strict.findings[0].quality == "bad"
+    assert "the limit is 10 µm" in strict.findings[0].text
+
+
+def test_the_advised_pose_helps_more_than_the_same_again(
+    inputs: JointInputs, found: JointCalibration
+) -> None:
+    one = calibrate_joint(replace(inputs, seen=inputs.seen[:1], q_rad=inputs.q_rad[:1]))
+    advice = next_poses(one.adjusted, inputs.arm, inputs.block, inputs.q_rad[:1])
+    assert advice[0].total_um < advice[-1].total_um <= one.known.total_um * 1.02
+    assert advice[0].total_um < 0.9 * one.known.total_um
+    move = held(advice[0].T_obj_cam, advice[-1].T_obj_cam, inputs.block)
+    assert "°" in move.words
+    assert held(advice[0].T_obj_cam, advice[0].T_obj_cam, inputs.block).words == "hold as it is"
+
+
+def test_touches_are_asked_for_until_the_target_is_reached(
+    inputs: JointInputs, found: JointCalibration
+) -> None:
+    now = place_um(found.alignment, inputs.features, inputs.block)
+    advice = next_touches(found.alignment, inputs.features, inputs.block, 0.8 * now)
+    assert advice.reaches
+    assert advice.now_um == pytest.approx(now)
+    assert advice.then_um <= 0.8 * now
+    assert "more on the" in advice.words
+    assert next_touches(found.alignment, inputs.features, inputs.block, 2 * now).more == ()
