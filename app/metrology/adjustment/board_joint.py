@@ -30,7 +30,7 @@ from app.metrology.adjustment.uncertainty import Known, known, sensor_of
 from app.metrology.arm import Arm, RobotArm
 from app.metrology.camera import Camera
 from app.metrology.chessboard.board import Chessboard
-from app.metrology.chessboard.corners import detect_board
+from app.metrology.chessboard.corners import detect_board, outshining
 from app.metrology.detection.picture import picture_findings
 from app.metrology.findings import LIMITS, Finding, Limits
 from app.metrology.frames import Floats, apply, inverse, rigid
@@ -110,6 +110,8 @@ def see_board(
         Refusal: the board is not to be found.
     """
     stripe = extract_stripe(ambient if laser is None else laser, axis)
+    if laser is None:
+        stripe = outshining(ambient, stripe)
     detection = detect_board(ambient, board, stripe if laser is None else None)
     return SeenBoard(number, detection, stripe, tuple(picture_findings(ambient)))
 

@@ -159,11 +159,11 @@ class BoardView:
     @property
     def px_per_mm(self) -> float:
         """How large the pattern is seen."""
-        seen = self.detection
-        flat = corner_points(self.board)[seen.number]
-        return float(
-            np.linalg.norm(np.std(seen.uv_px, axis=0)) / np.linalg.norm(np.std(flat, axis=0))
+        flat = corner_points(self.board)[self.detection.number]
+        px, mm = (
+            float(np.linalg.norm(np.std(places, axis=0))) for places in (self.detection.uv_px, flat)
         )
+        return px / mm
 
 
 def without_line(view: BoardView) -> BoardView:

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.adjustment.evidence import Papers
-from app.metrology.chessboard.board import Chessboard, grid
+from app.metrology.chessboard.board import Chessboard, corner_points, grid
 from app.metrology.frames import Floats
 
 EXTENT = slice(0, 2)
@@ -92,11 +92,11 @@ def shapes(board: Chessboard) -> Shapes:
     variances, principal = np.linalg.eigh(np.exp(-0.5 * apart))
     variances, principal = variances[::-1], principal[:, ::-1]
     count = int(np.searchsorted(np.cumsum(variances), KEPT_SHARE * variances.sum())) + 1
-    weights = principal[:, :count] / np.sqrt(variances[:count])
+    weights = np.asarray(principal[:, :count] / np.sqrt(variances[:count]), np.float64)
     plain = Shapes(x, y, length, weights, np.zeros((3, count)))
-    corners = grid(board) * board.square_mm
+    corners = corner_points(board)[:, :2]
     terms = np.column_stack([np.ones(len(corners)), corners])
-    planes = np.linalg.lstsq(terms, plain.by_strength(corners), rcond=None)[0]
+    planes = np.asarray(np.linalg.pinv(terms) @ plain.by_strength(corners), np.float64)
     return Shapes(x, y, length, weights, planes)
 
 

@@ -19,6 +19,8 @@ from app.metrology.stripe_flanks import Image
 BESIDE_CLIPPED_PX, BESIDE_STRIPE_PX = 8, 12
 # Weaker points than this share of the stripe's usual brightness are none of it.
 OF_THE_STRIPE = 0.5
+# The laser's line outshines the sheet by this, and the sheet's white this share of a picture.
+OUTSHINES, DARKER_SHARE = 1.15, 0.95
 # Share of the corners that must be seen, and on each side of the pattern.
 LEAST_SEEN, LEAST_ON_A_SIDE = 0.5, 2
 # Corners further than this off a perspective of all, and this often the usual, are left out.
@@ -72,6 +74,20 @@ def detect_board(image: Image, board: Chessboard, stripe: Stripe | None = None) 
     return BoardDetection(
         uv[kept], covariance[kept], numbers[0][kept], tuple(other[kept] for other in numbers[1:])
     )
+
+
+def outshining(image: Image, stripe: Stripe) -> Stripe:
+    """The stripe, or none of it where it is not brighter than a sheet's white: bright squares
+    between black ones look like a stripe where the laser's line is out of the picture."""
+    if not len(stripe.u):
+        return stripe
+    u, v = (np.round(x).astype(np.int64) for x in (stripe.u, stripe.v))
+    at = image[np.clip(v, 0, image.shape[0] - 1), np.clip(u, 0, image.shape[1] - 1)]
+    white = float(np.quantile(image, DARKER_SHARE))
+    if np.median(at) >= min(OUTSHINES * white, saturation_level(image)):
+        return stripe
+    none = np.zeros(0)
+    return Stripe(none, none, none, none, stripe.axis)
 
 
 def _blocked(image: Image, stripe: Stripe | None) -> NDArray[np.bool_]:

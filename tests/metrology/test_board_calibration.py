@@ -1,0 +1,209 @@
+"""The calibration on a chessboard: truth, Jacobians, contacts, and bad input in words."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from app.files.images import read_grey
+from app.files.session import BoardSession, read_any_session
+from app.metrology.adjustment.board_joint import (
+    BoardCalibration,
+    BoardInputs,
+    calibrate_board,
+    see_board,
+)
+from app.metrology.adjustment.board_view import BoardView
+from app.metrology.adjustment.sheet import board_papers, height_of, surface
+from app.metrology.camera import Camera
+from app.metrology.frames import Floats, apply, inverse, rigid
+from app.metrology.laser_plane import LaserPlane
+from app.metrology.projection import COUNT
+from app.metrology.reconstruct import sensor_points
+from app.metrology.refusal import Refusal
+from app.metrology.scene import Scene
+from tests.metrology.boards import (
+    BOARD,
+    K1,
+    NORMAL,
+    OFFSET_MM,
+    POSES,
+    ROBOT,
+    T_ARM_OBJ,
+    T_FLANGE_CAM,
+    K,
+    Look,
+    inputs,
+    picture,
+)
+from tests.metrology.builders import BLOCK
+from tests.real_sessions import session_of
+
+
+@pytest.fixture(scope="module")
+def given() -> BoardInputs:
+    return inputs()
+
+
+@pytest.fixture(scope="module")
+def found(given: BoardInputs) -> BoardCalibration:
+    return calibrate_board(given)
+
+
+def test_the_truth_is_found(found: BoardCalibration) -> None:
+    state = found.adjusted.state
+    off = inverse(T_FLANGE_CAM) @ state.T_flange_cam
+    assert np.linalg.norm(off[:3, 3]) < 0.15
+    assert np.degrees(np.linalg.norm(Rotation.from_matrix(off[:3, :3]).as_rotvec())) < 0.03
+    assert state.camera.matrix[0, 0] == pytest.approx(K[0, 0], rel=2e-3)
+    assert state.camera.distortion[0] == pytest.approx(K1, abs=0.03)
+    assert np.degrees(np.arccos(abs(state.plane.normal @ NORMAL))) < 0.1
+    assert abs(state.plane.offset_mm) == pytest.approx(OFFSET_MM, abs=0.1)
+    assert np.linalg.norm((found.T_arm_obj - T_ARM_OBJ)[:3, 3]) < 0.1
+    assert [pose.number for pose in found.poses if pose.used] == list(range(1, 9))
+
+
+def test_reconstructed_points_are_as_good_as_said(found: BoardCalibration) -> None:
+    state, known = found.adjusted.state, found.known
+    true = Camera(K, np.eye(3), np.zeros(3), 640, 512, np.array([K1, 0, 0, 0, 0]))
+    uv = known.volume.uv_px
+    right = apply(T_FLANGE_CAM, sensor_points(true, LaserPlane(NORMAL, OFFSET_MM), uv))
+    ours = apply(state.T_flange_cam, sensor_points(state.camera, state.plane, uv))
+    rms_um = 1e3 * np.sqrt(np.mean(np.sum((ours - right) ** 2, axis=1)))
+    assert rms_um < 3 * known.total_um
+    assert known.total_um < 150
+
+
+def test_the_sheets_slopes_are_its_derivatives() -> None:
+    rng = np.random.default_rng(0)
+    coordinates = rng.normal(0, 1, len(board_papers(BOARD).names))
+    at, h = rng.uniform(-20, 80, (6, 2)), 1e-4
+    told = surface(BOARD, coordinates, at)
+    for k, way in enumerate(np.eye(2) * h):
+        ahead, behind = (height_of(BOARD, coordinates, at + s * way) for s in (1, -1))
+        assert (ahead - behind) / (2 * h) == pytest.approx(told.slope[:, k], abs=1e-7)
+
+
+def test_the_views_jacobian_is_right(given: BoardInputs, found: BoardCalibration) -> None:
+    """Against differences, for every parameter, on a bent sheet."""
+    seen, T = given.seen[6], POSES[6]
+    camera = Camera(K, T[:3, :3], T[:3, 3], 640, 512, np.array([K1, 0.1, 1e-3, -1e-3, 0]))
+    plane = LaserPlane(T[:3, :3].T @ NORMAL, float(OFFSET_MM - NORMAL @ T[:3, 3]))
+    rng = np.random.default_rng(1)
+    papers = board_papers(BOARD)
+    values = papers.coordinates + rng.normal(0, 0.05, len(papers.names))
+    view = BoardView(BOARD, seen.detection, seen.stripe, np.ones(len(seen.stripe.u), np.bool_))
+    view = view.sorted_anew(camera, plane, values)
+    told = view.rows(camera, plane, values)
+    scene = Scene(camera, plane, BLOCK)
+    count = COUNT + 3
+    for k in [*range(count), count, count + 1, count + 2, count + 9, count + 30, count + 80]:
+        h = 1e-4 if k < 4 else 1e-6 if k < count else 1e-4
+        ends = []
+        for way in (1, -1):
+            moved, there = scene, values.copy()
+            if k < count:
+                step = np.zeros(len(scene.names))
+                step[k] = way * h
+                moved = scene.moved(step)
+            else:
+                there[k - count] += way * h
+            ends.append(view.rows(moved.camera, moved.plane, there))
+        for kind in (0, 1):
+            slope = (ends[0][kind].residuals - ends[1][kind].residuals) / (2 * h)
+            scale = max(float(np.abs(slope).max()), 1.0)
+            # a line is taken as straight at each point, so its slopes hold to a share
+            share = 1e-5 if kind == 0 else 2e-2
+            assert np.abs(slope - told[kind].jacobian[:, k]).max() < share * scale, (k, kind)
+
+
+def touching(count: int, radius_mm: float) -> Floats:
+    """``T_arm_flange`` (N, 4, 4) with the tip on the board, its centre a radius above it."""
+    rng = np.random.default_rng(5)
+    poses = []
+    for _ in range(count):
+        turn = Rotation.from_rotvec(rng.normal(0, 0.2, 3)).as_matrix()
+        tip = apply(T_ARM_OBJ, np.array([[*rng.uniform(0, 50, 2), radius_mm]]))[0]
+        poses.append(rigid(turn, tip - turn @ ROBOT.tip.centre_mm))
+    return np.array(poses)
+
+
+def test_contacts_are_used_where_given(given: BoardInputs, found: BoardCalibration) -> None:
+    touched = calibrate_board(replace(given, contact_readings=touching(12, 3.0)))
+    contacts = touched.adjusted.linear.contacts
+    assert contacts is not None
+    assert np.sqrt(np.mean(contacts.residuals_mm**2)) < 0.05
+    assert touched.known.total_um < found.known.total_um
+
+
+def test_contacts_off_the_board_are_refused(given: BoardInputs) -> None:
+    with pytest.raises(Refusal, match="off the board") as refused:
+        calibrate_board(replace(given, contact_readings=touching(12, 9.0)))
+    assert refused.value.code == "contacts-off-board"
+
+
+def test_a_wrong_square_size_is_refused(given: BoardInputs) -> None:
+    wrong = replace(BOARD, square_mm=12.0)
+    with pytest.raises(Refusal, match=r"(9\.9|10\.0)\d* mm wide: its certificate says 12 mm"):
+        calibrate_board(replace(given, board=wrong))
+
+
+def test_a_pose_that_contradicts_is_named(given: BoardInputs) -> None:
+    readings = given.readings.copy()
+    readings[3, :3, 3] += [15.0, -10.0, 5.0]
+    result = calibrate_board(replace(given, readings=readings))
+    assert [pose.number for pose in result.poses if not pose.used] == [4]
+    assert any("Pose 4" in finding.text for finding in result.findings)
+
+
+def test_a_line_that_contradicts_is_named(given: BoardInputs) -> None:
+    moved = picture(POSES[4], Look(offset_mm=OFFSET_MM + 3.0), 4)
+    seen = list(given.seen)
+    seen[4] = see_board(5, BOARD, moved, None, "v")
+    result = calibrate_board(replace(given, seen=tuple(seen)))
+    named = [pose.number for pose in result.poses if "laser line" in pose.reason]
+    assert named == [5]
+    assert abs(result.adjusted.state.plane.offset_mm) == pytest.approx(OFFSET_MM, abs=0.1)
+
+
+def test_poses_all_alike_are_refused(given: BoardInputs) -> None:
+    readings = np.array([rigid(np.eye(3), T[:3, 3]) for T in given.readings])
+    with pytest.raises(Refusal) as refused:
+        calibrate_board(replace(given, readings=readings))
+    assert refused.value.code == "poses-alike"
+
+
+def test_two_pictures_are_refused(given: BoardInputs) -> None:
+    with pytest.raises(Refusal) as refused:
+        calibrate_board(replace(given, seen=given.seen[:2], readings=given.readings[:2]))
+    assert refused.value.code == "too-few-poses"
+
+
+def test_pictures_without_the_line_are_refused(given: BoardInputs) -> None:
+    empty = given.seen[2].stripe
+    seen = tuple(replace(pose, stripe=empty) for pose in given.seen)
+    with pytest.raises(Refusal) as refused:
+        calibrate_board(replace(given, seen=seen))
+    assert refused.value.code == "stripe-not-found"
+
+
+def real_inputs(real: Path, tmp_path: Path, name: str) -> BoardInputs:
+    session = read_any_session(session_of(real / "robot-laser-chessboard" / name, tmp_path / "s"))
+    assert isinstance(session, BoardSession)
+    seen = tuple(
+        see_board(pose.number, session.board, read_grey(pose.ambient), None, "v")
+        for pose in session.poses
+    )
+    readings = np.array([pose.reading for pose in session.poses])
+    return BoardInputs(session.arm, session.board, seen, readings, (1280, 1024))
+
+
+def test_real_pictures(real: Path, tmp_path: Path) -> None:
+    """Eight pictures; the laser had not come to rest in the first two."""
+    result = calibrate_board(real_inputs(real, tmp_path, "calib1"))
+    assert all(pose.used for pose in result.poses)
+    assert [pose.number for pose in result.poses if pose.reason] == [1, 2]
+    assert max(pose.edges_rms_px for pose in result.poses) < 0.3
+    assert 2330 < result.camera.matrix[0, 0] < 2450

@@ -1,0 +1,106 @@
+"""The chessboard's corners in rendered pictures: where, which, how sure; and refusals."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from app.metrology.chessboard.board import Chessboard, corner_points, ways_to_number
+from app.metrology.chessboard.corners import detect_board, outshining
+from app.metrology.frames import Floats, apply
+from app.metrology.refusal import Refusal
+from app.metrology.stripe import extract_stripe
+from tests.metrology.boards import BOARD, K1, POSES, K, Look, picture, seen_from
+
+CROSSED = POSES[6]
+
+
+def pixels(board: Chessboard, T_cam_obj: Floats) -> Floats:
+    """(N, 2) where every corner truly is seen."""
+    x, y, z = apply(T_cam_obj, corner_points(board)).T
+    x, y = x / z, y / z
+    radial = 1 + K1 * (x**2 + y**2)
+    return np.column_stack([K[0, 0] * x * radial + K[0, 2], K[1, 1] * y * radial + K[1, 2]])
+
+
+def test_corners_are_right_to_hundredths_of_a_pixel_under_the_laser() -> None:
+    image = picture(CROSSED, Look())
+    found = detect_board(image, BOARD, outshining(image, extract_stripe(image, "v")))
+    off = found.uv_px - pixels(BOARD, CROSSED)[found.number]
+    assert 36 <= len(found) < 42  # those under the line are left out
+    assert np.sqrt(np.mean(off**2)) < 0.03
+    assert np.abs(off).max() < 0.1
+    assert not found.other_numbers
+
+
+@pytest.mark.parametrize("turn_deg", [95, 185, 275])
+def test_a_board_seen_upside_down_is_numbered_alike(turn_deg: float) -> None:
+    T = seen_from(10, 40, turn_deg, 260)
+    found = detect_board(picture(T, Look(laser=False)), BOARD)
+    assert len(found) == 42
+    assert np.abs(found.uv_px - pixels(BOARD, T)[found.number]).max() < 0.1
+
+
+def test_noise_is_in_the_covariance() -> None:
+    looks = (Look(laser=False, noise=3.0), Look(laser=False, noise=9.0))
+    sd, off = [], []
+    for look in looks:
+        found = detect_board(picture(POSES[1], look), BOARD)
+        sd.append(np.sqrt(np.mean(found.covariance_px2[:, [0, 1], [0, 1]])))
+        residuals = found.uv_px - pixels(BOARD, POSES[1])[found.number]
+        off.append(np.sqrt(np.mean(residuals**2)))
+    assert sd[1] == pytest.approx(3 * sd[0], rel=0.2)
+    assert off[1] == pytest.approx(sd[1], rel=0.5)
+
+
+def test_dim_and_blurred_boards_are_found() -> None:
+    look = Look(laser=False, dark=4.0, bright=14.0, blur_px=2.5)
+    found = detect_board(picture(POSES[3], look), BOARD)
+    assert len(found) >= 40
+    assert np.abs(found.uv_px - pixels(BOARD, POSES[3])[found.number]).max() < 0.5
+
+
+def test_a_board_that_reads_alike_both_ways_says_so() -> None:
+    square = Chessboard("square", "", (5, 5), 10.0, 0.01)
+    T = seen_from(10, 30, 5, 240)
+    found = detect_board(picture(T, Look(laser=False, board=square)), square)
+    ways = (found.number, *found.other_numbers)
+    assert len(ways) == ways_to_number(square) == 2
+    assert any(np.abs(found.uv_px - pixels(square, T)[way]).max() < 0.1 for way in ways)
+    assert ways_to_number(Chessboard("", "", (6, 6), 10.0, 0.01)) == 4
+    assert ways_to_number(BOARD) == 1
+
+
+@pytest.mark.parametrize(
+    ("board", "code"),
+    [
+        (replace(BOARD, inner_corners=(6, 5)), "another-board"),
+        (replace(BOARD, inner_corners=(9, 6)), "board-partly-seen"),
+    ],
+)
+def test_another_board_is_refused(board: Chessboard, code: str) -> None:
+    with pytest.raises(Refusal, match=r"7 x 6|6 x 7") as refused:
+        detect_board(picture(POSES[1], Look(laser=False)), board)
+    assert refused.value.code == code
+
+
+def test_a_board_partly_out_of_the_picture_is_refused() -> None:
+    T = POSES[1].copy()
+    T[0, 3] += 45.0
+    with pytest.raises(Refusal) as refused:
+        detect_board(picture(T, Look(laser=False)), BOARD)
+    assert refused.value.code == "board-partly-seen"
+
+
+def test_no_board_is_refused() -> None:
+    grey = np.random.default_rng(0).normal(90, 3, (512, 640)).astype(np.uint8)
+    with pytest.raises(Refusal) as refused:
+        detect_board(grey, BOARD)
+    assert refused.value.code == "board-not-found"
+
+
+def test_white_squares_are_no_stripe() -> None:
+    image = picture(POSES[2], Look())  # the line is out of this picture
+    assert len(outshining(image, extract_stripe(image, "v")).u) == 0
+    crossed = picture(CROSSED, Look())
+    assert len(outshining(crossed, extract_stripe(crossed, "v")).u) > 300
