@@ -46,7 +46,7 @@ def test_the_derivatives_by_every_unknown_are_those_that_differences_give(draw: 
         step[k] = 1e-3 if k < 4 else 1e-6
         slope = (everything(draw, step)[0] - everything(draw, -step)[0]) / (2 * step[k])
         largest = max(float(np.abs(slope).max()), 1e-3)
-        np.testing.assert_allclose(found[:, k], slope, atol=3e-4 * largest, err_msg=f"{k}")
+        np.testing.assert_allclose(found[:, k], slope, atol=1e-3 * largest, err_msg=f"{k}")
 
 
 def test_measurements_without_noise_give_the_truth() -> None:
