@@ -1,0 +1,165 @@
+"""How well a calibration makes pictures of one resting chessboard agree.
+
+Only what a calibration found comes in, beside the pictures' points and the arm's poses, so
+that every way to calibrate is measured alike.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.camera import Camera, project, rays
+from app.metrology.frames import Floats, apply, inverse, rigid
+from app.metrology.laser_plane import LaserPlane
+from app.metrology.reconstruct import sensor_points
+
+NEAR_PX = 170.0
+TRIMMED_SIGMAS = 3.5
+
+
+@dataclass(frozen=True)
+class Frame:
+    """One picture: N corners by their number on the board, M points of the laser's line."""
+
+    number: int
+    T_arm_flange: Floats  # (4, 4)
+    corner: NDArray[np.int64]  # (N,)
+    uv_px: Floats  # (N, 2)
+    stripe_px: Floats  # (M, 2)
+
+    def near_pattern(self) -> NDArray[np.bool_]:
+        """Which points of the line lie within ``NEAR_PX`` of the corners' convex hull."""
+        if not len(self.stripe_px):
+            return np.zeros(0, dtype=np.bool_)
+        hull = cv2.convexHull(self.uv_px.astype(np.float32))
+        off = [cv2.pointPolygonTest(hull, (float(u), float(v)), True) for u, v in self.stripe_px]
+        return np.array(off) > -NEAR_PX
+
+
+def flat(camera: Camera, uv_px: Floats) -> Floats:
+    """Where pixels (N, 2) see the plane z = 0 of the frame that the camera is placed in."""
+    origin, along = rays(camera, uv_px)
+    return np.asarray(origin - (origin[2] / along[:, 2])[:, None] * along)
+
+
+@dataclass(frozen=True)
+class Solved:
+    """What a calibration found: camera and laser plane in a sensor frame of its choice.
+
+    ``corners_mm`` are the board's corners and ``sheet`` brings pixels onto it, for a camera
+    placed in the board's frame: flat, unless the calibration found out how it is bent.
+    """
+
+    name: str
+    camera: Camera
+    T_flange_sensor: Floats
+    corners_mm: Floats
+    plane: LaserPlane
+    sheet: Callable[[Camera, Floats], Floats] = flat
+
+
+def placed(camera: Camera, points_mm: Floats, uv_px: Floats) -> Floats:
+    """``T_cam_obj`` (4, 4) of points (N, 3) by their pixels in one picture (solvePnP)."""
+    _, turn, shift = cv2.solvePnP(points_mm, uv_px, camera.matrix, camera.distortion)
+    turn, shift = cv2.solvePnPRefineLM(
+        points_mm, uv_px, camera.matrix, camera.distortion, turn, shift
+    )
+    return rigid(np.asarray(cv2.Rodrigues(turn)[0], np.float64), np.ravel(shift))
+
+
+def board_from(solved: Solved, frame: Frame) -> Camera:
+    """The camera placed in the board's frame by the corners of one picture."""
+    T = placed(solved.camera, solved.corners_mm[frame.corner], frame.uv_px)
+    return moved(solved.camera, T)
+
+
+def moved(camera: Camera, T_cam_frame: Floats) -> Camera:
+    """The same camera as seen from another frame."""
+    return Camera(
+        camera.matrix,
+        T_cam_frame[:3, :3],
+        T_cam_frame[:3, 3],
+        camera.width_px,
+        camera.height_px,
+        camera.distortion,
+    )
+
+
+def T_cam_of(camera: Camera) -> Floats:
+    return rigid(camera.rotation, camera.translation_mm)
+
+
+def corner_rms_px(solved: Solved, frames: Sequence[Frame]) -> float:
+    """Corners of each picture to the board placed by them: rms over corners."""
+    square = []
+    for frame in frames:
+        seen = project(board_from(solved, frame), solved.corners_mm[frame.corner])
+        square.append(np.sum((seen - frame.uv_px) ** 2, axis=1))
+    return float(np.sqrt(np.mean(np.concatenate(square))))
+
+
+def origin_scatter_mm(solved: Solved, frames: Sequence[Frame]) -> float:
+    """Rms distance of the board's first corner, in the arm's frame, from its mean."""
+    return _scatter_mm(solved, frames, solved.corners_mm[:1])
+
+
+def pattern_scatter_mm(solved: Solved, frames: Sequence[Frame]) -> float:
+    """The same of all corners: no choice of the first one makes it better or worse."""
+    return _scatter_mm(solved, frames, solved.corners_mm)
+
+
+def _scatter_mm(solved: Solved, frames: Sequence[Frame], points_mm: Floats) -> float:
+    T_flange_cam = solved.T_flange_sensor @ inverse(T_cam_of(solved.camera))
+    at = np.array(
+        [
+            apply(
+                frame.T_arm_flange @ T_flange_cam @ T_cam_of(board_from(solved, frame)), points_mm
+            )
+            for frame in frames
+        ]
+    )
+    return float(np.sqrt(np.mean(np.sum((at - at.mean(axis=0)) ** 2, axis=2))))
+
+
+def line_on_board(solved: Solved, frame: Frame) -> Floats:
+    """(K, 3) where the line's points near the pattern lie on the sheet, sensor frame."""
+    camera = board_from(solved, frame)
+    points = solved.sheet(camera, frame.stripe_px[frame.near_pattern()])
+    return apply(inverse(T_cam_of(solved.camera)) @ T_cam_of(camera), points)
+
+
+def laser_plane_rms_mm(solved: Solved, frames: Sequence[Frame]) -> float:
+    """The line's points on the board, each placed by its own picture, to the laser's plane."""
+    points = np.concatenate([line_on_board(solved, frame) for frame in frames])
+    return float(np.sqrt(np.mean((points @ solved.plane.normal - solved.plane.offset_mm) ** 2)))
+
+
+def common_plane_rms_mm(solved: Solved, frames: Sequence[Frame]) -> float:
+    """The line's points of all pictures, in the arm's frame, to the plane through them.
+
+    Points beyond ``TRIMMED_SIGMAS`` are left out, until none is.
+    """
+    parts = []
+    for frame in frames:
+        near = frame.stripe_px[frame.near_pattern()]
+        points = sensor_points(solved.camera, solved.plane, near)
+        points = points[np.isfinite(points).all(axis=1)]
+        parts.append(apply(frame.T_arm_flange @ solved.T_flange_sensor, points))
+    points = np.concatenate(parts)
+    while True:
+        plane = plane_through(points)
+        off = points @ plane.normal - plane.offset_mm
+        kept = np.abs(off) < TRIMMED_SIGMAS * float(np.std(off))
+        if kept.all():
+            return float(np.sqrt(np.mean(off**2)))
+        points = points[kept]
+
+
+def plane_through(points_mm: Floats) -> LaserPlane:
+    """The plane of least squares through points (N, 3)."""
+    centre = points_mm.mean(axis=0)
+    normal = np.linalg.svd(points_mm - centre, full_matrices=False)[2][2]
+    return LaserPlane(normal, float(normal @ centre))

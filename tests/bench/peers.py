@@ -1,0 +1,270 @@
+"""Crenel beside what a competent user of OpenCV does with the same pictures.
+
+    python -m tests.bench.peers REAL [SAMPLES]
+
+REAL holds recordings of a robot, a chessboard and a laser's line; SAMPLES the simulated
+sessions with their truth. OpenCV: calibrateCamera on all pictures, solvePnP on each, the
+hand-eye methods, and a plane through the line's points on the board. Beside it a joint
+least-squares over camera, mounting and board, without noise model, bend or outliers.
+"""
+
+import argparse
+import tempfile
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import least_squares
+
+from app.files.images import read_grey
+from app.files.session import BoardSession, read_any_session
+from app.metrology.adjustment.board_joint import (
+    BoardCalibration,
+    BoardInputs,
+    calibrate_board,
+    see_board,
+)
+from app.metrology.adjustment.board_start import SeenBoard
+from app.metrology.adjustment.board_view import on_sheet
+from app.metrology.adjustment.sheet import corners_at
+from app.metrology.camera import Camera, project
+from app.metrology.chessboard.board import Chessboard, corner_points
+from app.metrology.frames import (
+    Floats,
+    apply,
+    inverse,
+    rigid,
+    rotation_from_vector,
+    vector_from_rotation,
+)
+from app.metrology.laser_plane import LaserPlane
+from app.metrology.stripe import Image
+from tests.bench.block_peers import print_samples
+from tests.bench.board_measures import (
+    Frame,
+    Solved,
+    common_plane_rms_mm,
+    corner_rms_px,
+    laser_plane_rms_mm,
+    line_on_board,
+    origin_scatter_mm,
+    pattern_scatter_mm,
+    placed,
+    plane_through,
+)
+from tests.bench.hand_eye import K1_ONLY, hand_eyes
+from tests.real_sessions import session_of
+
+CRENEL = "Crenel"
+NO_PLANE = LaserPlane(np.array([0.0, 0.0, 1.0]), 0.0)
+
+
+@dataclass(frozen=True)
+class Recording:
+    """A session's pictures by Crenel's corners, and by OpenCV's own where it finds all."""
+
+    size_px: tuple[int, int]
+    board: Chessboard
+    seen: tuple[SeenBoard, ...]
+    frames: tuple[Frame, ...]
+    cv_frames: tuple[Frame, ...]
+
+
+def seen_in(session: BoardSession) -> Recording:
+    board, size_px = session.board, (session.sensor.width_px, session.sensor.height_px)
+    seen, frames, cv_frames = [], [], []
+    for pose in session.poses:
+        image = read_grey(pose.ambient)
+        laser = None if pose.laser is None else read_grey(pose.laser)
+        one = see_board(pose.number, board, image, laser, session.sensor.stripe_axis)
+        assert pose.T_arm_flange is not None
+        found = one.detection
+        frame = Frame(pose.number, pose.T_arm_flange, found.number, found.uv_px, one.stripe.uv_px)
+        corners = opencv_corners(image, board)
+        seen.append(one)
+        frames.append(frame)
+        if corners is not None:
+            number = numbered_alike(corners, frame, board)
+            cv_frames.append(replace(frame, corner=number, uv_px=corners))
+    return Recording(size_px, board, tuple(seen), tuple(frames), tuple(cv_frames))
+
+
+def opencv_corners(image: Image, board: Chessboard) -> Floats | None:
+    """All corners by OpenCV: the sector-based finder, else the older one with cornerSubPix."""
+    flags = cv2.CALIB_CB_EXHAUSTIVE | cv2.CALIB_CB_ACCURACY
+    found, uv = cv2.findChessboardCornersSB(image, board.inner_corners, flags=flags)
+    if not found:
+        flags = cv2.CALIB_CB_ADAPTIVE_THRESH | cv2.CALIB_CB_NORMALIZE_IMAGE
+        found, uv = cv2.findChessboardCorners(image, board.inner_corners, flags=flags)
+        if not found:
+            return None
+        uv = cv2.cornerSubPix(image, uv, (7, 7), (-1, -1), (3, 50, 1e-4))
+    return np.asarray(uv, np.float64).reshape(-1, 2)
+
+
+def numbered_alike(uv_px: Floats, frame: Frame, board: Chessboard) -> NDArray[np.int64]:
+    """The board's numbers of OpenCV's corners, whose first one changes from picture to picture."""
+    places = corner_points(board)[:, :2]
+    H = np.asarray(cv2.findHomography(places[frame.corner], frame.uv_px)[0])
+    seen = cv2.perspectiveTransform(places[:, None], H)[:, 0]
+    return np.argmin(np.linalg.norm(seen - uv_px[:, None], axis=2), axis=1)
+
+
+def by_opencv(what: str, made: Recording, frames: Sequence[Frame]) -> Iterator[Solved]:
+    """calibrateCamera with k1 and with all five terms, then each of the hand-eye methods."""
+    points = corner_points(made.board)
+    for terms, flags in (("k1", K1_ONLY), ("5 terms", 0)):
+        _, K, distortion, _, _ = cv2.calibrateCamera(
+            [points[frame.corner].astype(np.float32) for frame in frames],
+            [frame.uv_px.astype(np.float32) for frame in frames],
+            made.size_px,
+            np.eye(3),
+            np.zeros(5),
+            flags=flags,
+        )
+        camera = Camera(K, np.eye(3), np.zeros(3), *made.size_px, np.ravel(distortion)[:5])
+        T_cam_obj = [placed(camera, points[frame.corner], frame.uv_px) for frame in frames]
+        T_arm_flange = [frame.T_arm_flange for frame in frames]
+        start = Solved("", camera, np.eye(4), points, NO_PLANE)
+        start = with_plane(start, frames)
+        for name, T_flange_cam in hand_eyes(T_arm_flange, T_cam_obj):
+            yield replace(start, name=f"{what}, {terms}, {name}", T_flange_sensor=T_flange_cam)
+
+
+def with_plane(solved: Solved, frames: Sequence[Frame]) -> Solved:
+    """With the plane of least squares through all the line's points on the board."""
+    points = [line_on_board(solved, frame) for frame in frames]
+    return replace(solved, plane=plane_through(np.concatenate(points)))
+
+
+def by_least_squares(what: str, start: Solved, frames: Sequence[Frame]) -> Solved:
+    """Camera with k1, mounting and board together by the pixels; the arm's poses as told."""
+    camera = start.camera
+    T_obj = frames[0].T_arm_flange @ start.T_flange_sensor
+    T_obj = T_obj @ placed(camera, start.corners_mm[frames[0].corner], frames[0].uv_px)
+    p0 = np.concatenate(
+        [
+            [1, 1, camera.matrix[0, 2], camera.matrix[1, 2], camera.distortion[0]],
+            _vector(start.T_flange_sensor),
+            _vector(T_obj),
+        ]
+    )
+
+    def camera_of(p: Floats) -> Camera:
+        K = camera.matrix.copy()
+        K[0, 0], K[1, 1] = camera.matrix[0, 0] * p[0], camera.matrix[1, 1] * p[1]
+        K[0, 2], K[1, 2] = p[2], p[3]
+        return replace(camera, matrix=K, distortion=np.array([p[4], 0, 0, 0, 0]))
+
+    def residuals(p: Floats) -> Floats:
+        own, to_arm, board = camera_of(p), _transform(p[5:11]), _transform(p[11:17])
+        off = [
+            project(
+                own,
+                apply(inverse(f.T_arm_flange @ to_arm) @ board, start.corners_mm[f.corner]),
+            )
+            - f.uv_px
+            for f in frames
+        ]
+        return np.concatenate(off).ravel()
+
+    p = least_squares(residuals, p0, x_scale="jac").x
+    found = replace(start, name=what, camera=camera_of(p), T_flange_sensor=_transform(p[5:11]))
+    return with_plane(found, frames)
+
+
+def _vector(T: Floats) -> Floats:
+    return np.concatenate([vector_from_rotation(T[:3, :3]), T[:3, 3]])
+
+
+def _transform(vector: Floats) -> Floats:
+    return rigid(rotation_from_vector(vector[:3]), vector[3:])
+
+
+def by_crenel(made: Recording, arm_session: BoardSession) -> tuple[Solved, BoardCalibration]:
+    readings = np.array([frame.T_arm_flange for frame in made.frames])
+    result = calibrate_board(
+        BoardInputs(arm_session.arm, made.board, made.seen, readings, made.size_px)
+    )
+    coordinates = result.adjusted.state.coordinates
+    board = made.board
+    return (
+        Solved(
+            CRENEL,
+            result.camera,
+            result.T_flange_sensor,
+            corners_at(board, coordinates),
+            result.plane,
+            lambda camera, uv: on_sheet(board, camera, coordinates, uv),
+        ),
+        result,
+    )
+
+
+def lines_left_out(result: BoardCalibration) -> set[int]:
+    """Numbers of the pictures whose line Crenel found to contradict the others, or lost."""
+    return {pose.number for pose in result.poses if not pose.used or pose.stripe_points == 0}
+
+
+HEAD = ("corners px", "origin mm", "pattern mm", "laser mm", "plane mm", "laser*", "plane*")
+
+
+def figures(solved: Solved, frames: Sequence[Frame], out: set[int]) -> list[float]:
+    """Of all pictures; those of the line also without the pictures ``out``."""
+    rest = [frame for frame in frames if frame.number not in out]
+    again = solved if solved.name == CRENEL else with_plane(solved, rest)
+    return [
+        corner_rms_px(solved, frames),
+        origin_scatter_mm(solved, frames),
+        pattern_scatter_mm(solved, frames),
+        laser_plane_rms_mm(solved, frames),
+        common_plane_rms_mm(solved, frames),
+        laser_plane_rms_mm(again, rest),
+        common_plane_rms_mm(again, rest),
+    ]
+
+
+def print_recording(folder: Path, scratch: Path) -> None:
+    session = read_any_session(session_of(folder, scratch / folder.name))
+    assert isinstance(session, BoardSession)
+    made = seen_in(session)
+    crenel, result = by_crenel(made, session)
+    out = lines_left_out(result)
+    total = len(made.frames)
+    print(f"\n{folder.name}: {total} pictures, OpenCV finds the board in {len(made.cv_frames)}")
+    print(f"* without the lines of pictures {sorted(out) or 'none'}, which contradict the others")
+    print(f"{'':<42}" + "".join(f"{name:>12}" for name in HEAD))
+    for what, frames in (("OpenCV's corners", made.cv_frames), ("Crenel's corners", made.frames)):
+        solved = list(by_opencv(what, made, frames))
+        best = min(solved, key=lambda one: origin_scatter_mm(one, frames))
+        joint = by_least_squares(f"{what}, least squares together", best, frames)
+        for one in (*solved, joint):
+            _print_row(one.name, figures(one, frames, out))
+    _print_row(crenel.name, figures(crenel, made.frames, out))
+    as_flat = with_plane(
+        replace(crenel, corners_mm=corner_points(made.board), sheet=Solved.sheet), made.frames
+    )
+    _print_row("Crenel's camera and mounting, flat board", figures(as_flat, made.frames, out))
+
+
+def _print_row(name: str, row: Sequence[float]) -> None:
+    print(f"{name:<42}" + "".join(f"{value:>12.3f}" for value in row))
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("real", type=Path)
+    parser.add_argument("samples", type=Path, nargs="?")
+    given = parser.parse_args()
+    with tempfile.TemporaryDirectory() as scratch:
+        for folder in sorted({frame.parent for frame in given.real.rglob("frame*.png")}):
+            print_recording(folder, Path(scratch))
+    if given.samples is not None:
+        print_samples(given.samples)
+
+
+if __name__ == "__main__":
+    main()
