@@ -17,7 +17,7 @@ def review_step(state: CalibrationState, live: Live) -> Body:
     result = seen.result
     return Body(
         instruction=_instruction(state, result),
-        picture=_picture(state, live, seen, result, picture, block),
+        picture=_picture(state, live, seen, result, _shown(state, result, picture), block),
         number=LiveNumber(
             "Uncertainty of a scanned point (k = 1)",
             result.total_um,
@@ -37,6 +37,11 @@ def _instruction(state: CalibrationState, result: CalibrationResult) -> str:
     if result.verdict == "bad":
         return "This calibration should not be used. The findings say what to do."
     return "Look at the numbers, then accept the calibration or repeat it."
+
+
+def _shown(state: CalibrationState, result: CalibrationResult, newest: Capture) -> Capture:
+    """The picture that the result's corners were found in."""
+    return next((one for one in state.pictures if one.number == result.shown_pose), newest)
 
 
 def _picture(
@@ -74,6 +79,6 @@ def _actions(state: CalibrationState, live: Live, result: CalibrationResult) -> 
             primary=not good,
             confirm="Set this calibration aside and start again with the first point?",
         ),
-        offer(state, live, "retake", "Take a new picture"),
+        offer(state, live, "another_pose", "Take another pose"),
         offer(state, live, "back", "Back to the points", {"to": "touch"}),
     ]

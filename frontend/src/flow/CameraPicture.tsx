@@ -8,12 +8,17 @@ import styles from "./CameraPicture.module.css";
 /** One press changes the brightness by a fifth: small enough to aim, large enough to see. */
 const FACTOR = 1.25;
 
+interface CameraPictureProps {
+  /** The object as it would look from the advised hold; empty without advice. */
+  target: [number, number, number, number][];
+}
+
 /** The live camera, and its exposure under the hand. */
-export function CameraPicture() {
+export function CameraPicture({ target }: CameraPictureProps) {
   const exposure_us = useLive((s) => s.devices?.exposure_us ?? null);
   return (
     <div className={styles.picture}>
-      <LiveCamera />
+      <LiveCamera target={target} />
       {exposure_us !== null && (
         <div className={styles.exposure} role="group" aria-label="Exposure">
           <span className={styles.label}>

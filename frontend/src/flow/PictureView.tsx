@@ -16,7 +16,7 @@ export function PictureView({ picture }: { picture: Picture }) {
     case "object":
       return <ObjectPicture picture={picture} />;
     case "camera":
-      return <CameraPicture />;
+      return <CameraPicture target={picture.target} />;
     case "still":
       return <StillImage {...picture} />;
     case "result":

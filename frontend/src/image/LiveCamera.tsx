@@ -8,23 +8,28 @@ import { QualityMark } from "../parts/QualityMark";
 import { Readouts } from "../parts/Readouts";
 import { useLive } from "../state/store";
 import styles from "./LiveCamera.module.css";
-import { drawOverlay } from "./overlay";
+import { drawOverlay, drawTarget } from "./overlay";
 
 const OLD_S = 1;
 
-/** The camera as it sees now, with corners, outline and stripe drawn on it. */
-export function LiveCamera() {
+type Target = [number, number, number, number][];
+
+/** The camera as it sees now, with corners, outline and stripe drawn on it; `target` is
+ *  how the object should come to lie. */
+export function LiveCamera({ target = [] }: { target?: Target }) {
   const { ref, width, height } = useElementSize<HTMLDivElement>();
   const canvas = useRef<HTMLCanvasElement>(null);
   const room = useRef({ width, height });
   room.current = { width, height };
+  const wanted = useRef(target);
+  wanted.current = target;
   const newest = useRef(0);
   const [header, setHeader] = useState<PreviewHeader | null>(null);
 
   useEffect(
     () =>
       watchPreview((preview) => {
-        if (canvas.current) paint(canvas.current, preview, room.current);
+        if (canvas.current) paint(canvas.current, preview, room.current, wanted.current);
         newest.current = preview.at - preview.header.age_s * 1000;
         setHeader(preview.header);
       }),
@@ -49,7 +54,12 @@ export function LiveCamera() {
   );
 }
 
-function paint(canvas: HTMLCanvasElement, preview: Preview, room: { width: number; height: number }): void {
+function paint(
+  canvas: HTMLCanvasElement,
+  preview: Preview,
+  room: { width: number; height: number },
+  target: Target,
+): void {
   const { width_px, height_px } = preview.header;
   const fit = Math.min(room.width / width_px, room.height / height_px);
   const density = window.devicePixelRatio;
@@ -66,6 +76,7 @@ function paint(canvas: HTMLCanvasElement, preview: Preview, room: { width: numbe
   context.setTransform(1, 0, 0, 1, 0, 0);
   context.drawImage(preview.image, 0, 0, width, height);
   context.scale(density, density);
+  drawTarget(context, target, fit);
   drawOverlay(context, preview.header, fit);
 }
 

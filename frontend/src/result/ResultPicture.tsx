@@ -8,12 +8,14 @@ import { KeyFigures } from "./KeyFigures";
 import { Numbers } from "./Numbers";
 import { ResidualObject } from "./ResidualObject";
 import styles from "./ResultPicture.module.css";
+import { UncertaintyMap } from "./UncertaintyMap";
 
 type ResultView = Extract<Picture, { kind: "result" }>;
 
 const TABS = [
   { value: "object", label: "Object" },
   { value: "image", label: "Picture" },
+  { value: "map", label: "Map" },
   { value: "budget", label: "Error budget" },
   { value: "numbers", label: "Numbers" },
 ];
@@ -37,6 +39,13 @@ export function ResultPicture({ picture }: { picture: ResultView }) {
       <div className={styles.shown}>
         {tab === "object" && <ResidualObject block={picture.block} points={picture.points} />}
         {tab === "image" && <StillImage {...picture} residuals />}
+        {tab === "map" && (
+          <UncertaintyMap
+            points={picture.result.map}
+            width_px={picture.width_px}
+            height_px={picture.height_px}
+          />
+        )}
         {tab === "budget" && <Budget result={picture.result} />}
         {tab === "numbers" && <Numbers result={picture.result} />}
       </div>

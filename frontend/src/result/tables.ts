@@ -13,6 +13,15 @@ export function tablesOf(result: CalibrationResult): TableData[] {
       rows: result.faces.map((f) => [f.face, figures(f.points), figures(f.rms_um, 1), figures(f.form_um, 1)]),
     },
     {
+      title: "Poses",
+      head: ["Pose", "Edges, px", "Stripe, px", "Off, µm"],
+      rows: result.poses.map((p) =>
+        p.used
+          ? [String(p.number), figures(p.edges_rms_px, 3), figures(p.stripe_rms_px, 3), figures(p.off_um)]
+          : [String(p.number), `left out: ${p.reason}`, "", ""],
+      ),
+    },
+    {
       title: "Largest residuals",
       head: ["Where", "Kind", "Residual", "Unit"],
       rows: result.worst.map((w) => [
