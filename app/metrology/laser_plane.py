@@ -9,7 +9,8 @@ from app.metrology.camera import Camera, rays
 from app.metrology.crenellated import Crenellated
 from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
-from app.metrology.stripe import Image, Stripe, extract_stripe, together
+from app.metrology.stripe import Stripe, extract_stripe, together
+from app.metrology.stripe_flanks import Image
 
 # Stripe points nearer than this to an edge of their face may mix light of both sides.
 EDGE_MARGIN_PX = 6.0

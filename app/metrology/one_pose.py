@@ -27,7 +27,8 @@ from app.metrology.laser_plane import (
 )
 from app.metrology.reconstruct import sensor_points
 from app.metrology.refusal import Refusal
-from app.metrology.stripe import Image, Stripe, extract_stripe
+from app.metrology.stripe import Stripe, extract_stripe
+from app.metrology.stripe_flanks import Image
 
 Progress = Callable[[str, float], None]
 

@@ -31,7 +31,8 @@ from app.metrology.laser_plane import LaserPlane, stripe_on_levels
 from app.metrology.projection import COUNT
 from app.metrology.reconstruct import sensor_points
 from app.metrology.refusal import Refusal
-from app.metrology.stripe import Image, extract_stripe
+from app.metrology.stripe import extract_stripe
+from app.metrology.stripe_flanks import Image
 
 Progress = Callable[[str, float], None]
 # Poses that are usually so far off agree with none.

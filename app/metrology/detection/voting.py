@@ -58,9 +58,8 @@ def _in_view(c0: float, c1: float, near: Floats, view: Floats) -> bool:
     d0, d1 = view[0] - c0, view[1] - c1
     along = d0 * view[2] + d1 * view[3]
     aside = abs(d0 * view[3] - d1 * view[2])
-    return along > view[5] * (view[2] ** 2 + view[3] ** 2) and aside < view[4] * along / np.sqrt(
-        view[2] ** 2 + view[3] ** 2
-    )
+    size = np.sqrt(view[2] ** 2 + view[3] ** 2)
+    return bool(along > view[5] * size * size and aside < view[4] * along / size)
 
 
 @kernel
