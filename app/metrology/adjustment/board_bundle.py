@@ -86,7 +86,10 @@ def _stepped(views: Sequence[BoardView], at: Bundle, certified: Floats, sd: Floa
         own_step[COMMON] = step[common]
         own_step[OWN] = step[shared + len(OWN) * p : shared + len(OWN) * (p + 1)]
         cameras.append(stepped(camera, own_step))
-    return Bundle(tuple(cameras), at.coordinates + step[sheet], scatter)
+    # all unknowns were free, the sheet's within its certificate
+    degrees = max(int(kept.sum()) - len(COMMON) - len(OWN) * len(views), 1)
+    rms = float(np.sqrt(r[kept] @ r[kept] / degrees))
+    return Bundle(tuple(cameras), at.coordinates + step[sheet], max(rms, LEAST_SCATTER_PX))
 
 
 def unplaced(camera: Camera) -> Camera:

@@ -31,6 +31,7 @@ class BoardEvidence:
     known: Known
     poses: Sequence[PoseResult]
     limits: Limits
+    lines_apart: dict[int, float]  # mm by pose number
 
 
 def board_findings(evidence: BoardEvidence) -> tuple[Finding, ...]:
@@ -44,6 +45,7 @@ def board_findings(evidence: BoardEvidence) -> tuple[Finding, ...]:
         *_about_poses(evidence),
         *_about_pictures(evidence.seen),
         *about_pixels(found.state.camera, found.covariance[:2, :2]),
+        *_about_lines(evidence.lines_apart),
         _about_stripe(evidence),
     )
 
@@ -127,6 +129,22 @@ def _about_pictures(seen: Sequence[SeenBoard]) -> list[Finding]:
     return [
         Finding("attention", code, f"Pose {number}: {item.text}", item.remedy)
         for code, (number, item) in first.items()
+    ]
+
+
+def _about_lines(apart: dict[int, float]) -> list[Finding]:
+    """Lines that contradict the others, and are too many to be mistakes."""
+    if not apart:
+        return []
+    listed = ", ".join(map(str, apart))
+    return [
+        Finding(
+            "bad",
+            "laser-moved",
+            f"The laser's lines of poses {listed} lie {max(apart.values()):.1f} mm off the plane "
+            "of the others: the laser moved against the camera, and all lines were made to count.",
+            "Let the laser warm up, check its mount, and take the pictures again.",
+        )
     ]
 
 

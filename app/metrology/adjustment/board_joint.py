@@ -10,7 +10,7 @@ import numpy as np
 
 from app.metrology.adjustment.board_bundle import Bundle, bundle, unplaced
 from app.metrology.adjustment.board_findings import BoardEvidence, board_findings
-from app.metrology.adjustment.board_lines import contradicting_lines, lines_of
+from app.metrology.adjustment.board_lines import lines_of
 from app.metrology.adjustment.board_start import (
     SeenBoard,
     board_camera,
@@ -71,12 +71,14 @@ class BoardInputs:
 
 @dataclass(frozen=True)
 class _Start:
-    """``lines_out`` tells by pose number how far off (mm) the lines are that were left out."""
+    """``lines_out`` tells by pose number how far off (mm) the lines are that were left out, and
+    ``apart`` the same of those that contradict but are too many to be mistakes."""
 
     problem: Problem
     state: State
     mounting: Mounting
     lines_out: dict[int, float]
+    apart: dict[int, float]
 
 
 @dataclass(frozen=True)
@@ -158,13 +160,12 @@ def _start(inputs: BoardInputs) -> _Start:
     refuse_other_size(mounting, board)
     _refuse_contradictions(mounting, numbers)
     lines = lines_of(views, found, numbers)
-    out = contradicting_lines(lines, board.flatness_mm)
-    views = [replace(view, uneven_mm=lines.uneven_mm) for view in views]
+    views = [replace(view, line_scatter_mm=lines.scatter_mm) for view in views]
     papers = board_papers(board)
     problem = Problem(
         numbers,
         tuple(
-            without_line(view) if p in out else _sorted(view, found, p, lines.plane)
+            without_line(view) if p in lines.left_out else _sorted(view, found, p, lines.plane)
             for p, view in enumerate(views)
         ),
         moves,
@@ -181,8 +182,9 @@ def _start(inputs: BoardInputs) -> _Start:
         np.zeros(moves.by_links.shape[2]),
         np.zeros((len(problem.views), moves.by_noise.shape[2])),
     )
-    lines_out = {numbers[p]: float(abs(lines.off_mm[p])) for p in out}
-    return _Start(problem, start, mounting, lines_out)
+    lines_out = {numbers[p]: float(abs(lines.off_mm[p])) for p in lines.left_out}
+    apart = {numbers[p]: float(abs(lines.off_mm[p])) for p in lines.apart}
+    return _Start(problem, start, mounting, lines_out, apart)
 
 
 def _touches(inputs: BoardInputs, T_arm_obj: Floats, coordinates: int) -> Touches | None:
@@ -256,7 +258,9 @@ def _assembled(inputs: BoardInputs, found: Adjusted, start: _Start) -> BoardCali
     stripe = np.concatenate([view.stripe_px() for view in found.problem.views])
     points = sensor_points(state.camera, state.plane, stripe)
     distance = np.linalg.norm(points[np.isfinite(points).all(axis=1)], axis=1)
-    evidence = BoardEvidence(inputs.board, inputs.seen, found, worth, poses, inputs.limits)
+    evidence = BoardEvidence(
+        inputs.board, inputs.seen, found, worth, poses, inputs.limits, start.apart
+    )
     return BoardCalibration(
         found,
         camera,

@@ -1,5 +1,5 @@
-"""The laser's lines of all pictures against one another: the plane most agree on, and which
-lines contradict it."""
+"""The laser's lines of all pictures against one another: their plane, how far whole lines lie
+off it, and which contradict the others."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -17,6 +17,9 @@ FEWEST_STRIPE_POINTS = 20
 # Lines contradict the others beyond this, beyond so many times the sheet's flatness, and
 # so many times what is usual among them.
 OFF_MM, OFF_FLATNESSES, OFF_TIMES = 0.5, 3.0, 5.0
+# A larger share of the lines than this that contradict the others are no mistakes.
+MISTAKES_SHARE = 0.2
+LEAST_SCATTER_MM = 0.01
 PLANE_DRAWS, DRAWN_POINTS = 400, 60
 AGREEING_TIMES = 4.0
 # Angle between the laser's plane and the board below which their line is not to be trusted.
@@ -27,15 +30,20 @@ LEAST_SPREAD = 0.02
 
 @dataclass(frozen=True)
 class Lines:
-    """The plane of most lines, in the camera's frame.
+    """What the lines of P poses say of the laser's plane before the adjustment.
 
-    ``off_mm`` (P,) is how far each pose's line lies off it (NaN where there is none), and
-    ``uneven_mm`` how far stretches of the lines typically do (standard deviation).
+    ``off_mm`` (P,) is how far each line lies off the plane of most (NaN where there is no
+    line). Of those further off than the others explain, ``left_out`` are too few to be more
+    than mistakes; ``apart`` are more: the laser moved, nobody knows which of them are right,
+    and all count. ``plane`` is that of all that count, in the camera's frame, and
+    ``scatter_mm`` the standard deviation by which whole lines lie off it.
     """
 
     plane: LaserPlane
     off_mm: Floats
-    uneven_mm: float
+    left_out: tuple[int, ...]
+    apart: tuple[int, ...]
+    scatter_mm: float
 
 
 def lines_of(views: Sequence[BoardView], found: Bundle, numbers: Sequence[int]) -> Lines:
@@ -45,8 +53,7 @@ def lines_of(views: Sequence[BoardView], found: Bundle, numbers: Sequence[int]) 
         Refusal: fewer than two lines on the board, none that most agree on, all in one
             place, or the laser's plane along the board.
     """
-    on_board = [_points(view, found, p) for p, view in enumerate(views)]
-    in_cam = [points for points, _ in on_board]
+    in_cam = [_points(view, found, p) for p, view in enumerate(views)]
     enough = [p for p, points in enumerate(in_cam) if len(points) >= FEWEST_STRIPE_POINTS]
     if len(enough) < 2:
         raise Refusal(
@@ -58,13 +65,7 @@ def lines_of(views: Sequence[BoardView], found: Bundle, numbers: Sequence[int]) 
     plane = plane_of_most([in_cam[p] for p in enough])
     _refuse_one_line([in_cam[p] for p in enough], plane)
     _refuse_parallel([found.cameras[p].rotation[:, 2] for p in enough], plane)
-    off = np.full(len(views), np.nan)
-    of_stretches: list[float] = []
-    for p in enough:
-        each = in_cam[p] @ plane.normal - plane.offset_mm
-        off[p] = float(np.median(each))
-        stretch = views[p].stretches(on_board[p][1])
-        of_stretches += [abs(float(np.median(each[stretch == k]))) for k in np.unique(stretch)]
+    off = _offsets(in_cam, enough, plane)
     usual = float(np.median(np.abs(off[enough])))
     if usual > max(OFF_MM, OFF_FLATNESSES * views[0].board.flatness_mm):
         raise Refusal(
@@ -75,23 +76,46 @@ def lines_of(views: Sequence[BoardView], found: Bundle, numbers: Sequence[int]) 
             "check that the laser was not moved against the camera, and that the line seen is"
             " its own and not a reflection",
         )
-    return Lines(plane, off, float(np.median(of_stretches)) / 0.6745)
+    out, apart = _contradicting(off, views[0].board.flatness_mm)
+    counting = [p for p in enough if p not in out]
+    plane = _through([in_cam[p] for p in counting])
+    again = _offsets(in_cam, counting, plane)[counting]
+    scatter = float(np.sqrt(np.sum(again**2) / max(len(again) - 3, 1)))
+    return Lines(plane, off, out, apart, max(scatter, LEAST_SCATTER_MM))
 
 
-def contradicting_lines(lines: Lines, flatness_mm: float) -> list[int]:
-    """Which of the views' lines cannot lie in the plane of the others."""
-    seen = np.isfinite(lines.off_mm)
-    usual = float(np.median(np.abs(lines.off_mm[seen])))
+def _offsets(in_cam: Sequence[Floats], poses: Sequence[int], plane: LaserPlane) -> Floats:
+    """(P,) median distance of each pose's points from a plane; NaN of other poses."""
+    off = np.full(len(in_cam), np.nan)
+    for p in poses:
+        off[p] = float(np.median(in_cam[p] @ plane.normal - plane.offset_mm))
+    return off
+
+
+def _contradicting(off_mm: Floats, flatness_mm: float) -> tuple[tuple[int, ...], tuple[int, ...]]:
+    """Lines that cannot lie in the plane of the others: few enough to leave out, or too many."""
+    seen = np.isfinite(off_mm)
+    usual = float(np.median(np.abs(off_mm[seen])))
     limit = max(OFF_MM, OFF_FLATNESSES * flatness_mm, OFF_TIMES * usual)
-    return [int(p) for p in np.flatnonzero(seen) if abs(lines.off_mm[p]) > limit]
+    far = tuple(int(p) for p in np.flatnonzero(seen) if abs(off_mm[p]) > limit)
+    return (far, ()) if len(far) <= MISTAKES_SHARE * seen.sum() else ((), far)
 
 
-def _points(view: BoardView, found: Bundle, pose: int) -> tuple[Floats, Floats]:
-    """Where a view's line lies on the sheet, (N, 3) in the camera's frame, and its pixels."""
-    camera, uv = found.cameras[pose], view.stripe.uv_px
-    points = on_sheet(view.board, camera, found.coordinates, uv)
-    near = around_pattern(view.board, points)
-    return points[near] @ camera.rotation.T + camera.translation_mm, uv[near]
+def _points(view: BoardView, found: Bundle, pose: int) -> Floats:
+    """(N, 3) where a view's line lies on the sheet, in the camera's frame."""
+    camera = found.cameras[pose]
+    points = on_sheet(view.board, camera, found.coordinates, view.stripe.uv_px)
+    points = points[around_pattern(view.board, points)]
+    return np.asarray(points @ camera.rotation.T + camera.translation_mm)
+
+
+def _through(per_pose: Sequence[Floats]) -> LaserPlane:
+    """The plane of least squares; each picture counts alike."""
+    centre = np.mean([points.mean(axis=0) for points in per_pose], axis=0)
+    spread = np.sum([(p - centre).T @ (p - centre) / len(p) for p in per_pose], axis=0)
+    normal = np.asarray(np.linalg.eigh(spread)[1][:, 0], dtype=np.float64)
+    normal = normal * (np.sign(normal[2]) or 1.0)
+    return LaserPlane(normal, float(normal @ centre))
 
 
 def plane_of_most(per_pose: Sequence[Floats]) -> LaserPlane:

@@ -10,7 +10,6 @@ from app.metrology.adjustment.sheet import (
     bend_of,
     corners_at,
     height_of,
-    shapes,
     surface,
 )
 from app.metrology.adjustment.weighing import Judgement, as_they_are, merged_points
@@ -23,8 +22,8 @@ from app.metrology.projection import COUNT, project_with_jacobian
 from app.metrology.scene import BLOCK, PLANE, Rows
 from app.metrology.stripe import Stripe
 
-# The line is used where it is no further off the laser's plane than this, and than so many
-# times the usual.
+# Points of a line are used where they lie no further off it, across the laser's plane, than
+# this, and than so many times the usual.
 OFF_PLANE_MM, OFF_PLANE_TIMES = 0.3, 5.0
 # Rounds of walking along a ray to the bent sheet: each gains two digits.
 BENT_ROUNDS = 3
@@ -35,9 +34,9 @@ class BoardView:
     """The board in the picture of one pose; ``used`` (N,) marks the stripe's points in use.
 
     ``scatter_px`` is by what corners scatter over all pictures: beside the noise of each,
-    blur and print differ from corner to corner. ``uneven_mm`` is by how much stretches of
-    the line lie off the laser's plane together: so much does the sheet differ from a
-    smooth bend, and the laser's sheet of light from a plane.
+    blur and print differ from corner to corner. ``line_scatter_mm``
+    is by how much the line lies off the laser's plane as a whole: the sheet bends, and the
+    laser may have moved, by more than its points show.
     """
 
     board: Chessboard
@@ -45,7 +44,7 @@ class BoardView:
     stripe: Stripe
     used: NDArray[np.bool_]
     scatter_px: float = 0.0
-    uneven_mm: float = 0.0
+    line_scatter_mm: float = 0.0
 
     def rows(self, camera: Camera, plane: LaserPlane, coordinates: Floats) -> tuple[Rows, Rows]:
         return (
@@ -58,6 +57,8 @@ class BoardView:
         near = around_pattern(self.board, points)
         off = np.full(len(points), np.inf)
         off[near] = points[near] @ plane.normal - plane.offset_mm
+        if near.any():
+            off -= float(np.median(off[near]))  # of the line as a whole, which may be off
         usual = float(np.median(np.abs(off[near]))) if near.any() else 0.0
         return replace(self, used=np.abs(off) < max(OFF_PLANE_MM, OFF_PLANE_TIMES * usual))
 
@@ -144,17 +145,9 @@ class BoardView:
             sigma * np.abs(normal @ self.stripe.across),
             -J,
             uv,
-            self.stretches(uv),
-            self.uneven_mm * self.px_per_mm,
+            np.zeros(len(uv), dtype=np.int64),
+            self.line_scatter_mm * self.px_per_mm,
         )
-
-    def stretches(self, uv_px: Floats) -> NDArray[np.int64]:
-        """Numbers the stretches of a line (N, 2), each as long as a bend of the sheet."""
-        if not len(uv_px):
-            return np.zeros(0, dtype=np.int64)
-        along = np.linalg.norm(uv_px - uv_px[0], axis=1)
-        length = shapes(self.board).length_mm * self.px_per_mm
-        return np.maximum.accumulate((along / length).astype(np.int64))
 
     @property
     def px_per_mm(self) -> float:
