@@ -6,6 +6,7 @@ from typing import Annotated, Literal
 from pydantic import BaseModel, ConfigDict, Field
 
 from app.guide.view import FlowView
+from app.station import scanner
 from app.station.findings import Finding, Quality
 
 Page = Literal["calibrate", "scan", "records"]
@@ -67,20 +68,9 @@ class Problem:
 
 
 @dataclass(frozen=True)
-class ScanState:
+class ScanState(scanner.ScanState):
     """The station's scan state, and whether the twin's hand is at it."""
 
-    state: Literal["idle", "running", "stopping", "blocked"]
-    why_not: str
-    scan_id: str | None
-    points: int
-    points_shown: int
-    rate_points_s: float
-    frames: int
-    lost_frames: int
-    frames_without_joints: int
-    seconds: float
-    findings: tuple[Finding, ...]
     hand_running: bool
 
 
