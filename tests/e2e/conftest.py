@@ -14,8 +14,8 @@ import pytest
 from playwright.sync_api import Browser, sync_playwright
 
 ROOT = Path(__file__).resolve().parents[2]
-START_UP_S = 120
-"""The first start compiles the inner loops."""
+START_UP_S = 300
+"""The first start compiles the inner loops, on a busy machine for minutes."""
 # software rendering, and none of the browser's own talk to the outside
 CHROMIUM_FLAGS = [
     "--no-sandbox",
