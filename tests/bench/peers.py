@@ -41,7 +41,7 @@ from app.metrology.frames import (
     vector_from_rotation,
 )
 from app.metrology.laser_plane import LaserPlane
-from app.metrology.stripe import Image
+from app.metrology.stripe_flanks import Image
 from tests.bench.block_peers import print_samples
 from tests.bench.board_measures import (
     Frame,

@@ -77,17 +77,19 @@ def calibrate(visit: Visit) -> None:
         visit.wait_until(
             f"step {step}",
             "/api/flow",
-            lambda view, step=step: view["step"] == step and view["busy"] is None,
+            lambda view, step=step: (
+                view["step"] == step and view["busy"] is None and not lost_devices(view)
+            ),
         )
         page.wait_for_timeout(500)
         visit.look(step)
         page.get_by_role("button", name="Let the hand do it").click()
         page.wait_for_timeout(1500)
         visit.look(f"{step}-by-the-hand")
-    visit.wait_until("step review", "/api/flow", lambda view: view["step"] == "review")
+    take_poses(visit)
     page.wait_for_timeout(500)
     visit.look("review")
-    for tab in ("Picture", "Error budget", "Numbers"):
+    for tab in ("Picture", "Map", "Error budget", "Numbers"):
         page.get_by_role("tab", name=tab).or_(page.get_by_text(tab, exact=True)).first.click()
         page.wait_for_timeout(300)
         visit.look(f"review-{tab.lower().replace(' ', '-')}")
@@ -97,6 +99,28 @@ def calibrate(visit: Visit) -> None:
     page.get_by_role("button", name="Accept this calibration").click()
     page.wait_for_timeout(500)
     assert visit.ask("/api/home")["calibration"]["active"]
+
+
+def lost_devices(view: dict[str, Any]) -> bool:
+    return any("Connecting" in finding["text"] for finding in view["findings"])
+
+
+def take_poses(visit: Visit) -> None:
+    """The hand goes on, pose after pose as it is advised, until the result is there."""
+    poses = set()
+    for _ in range(30):
+        visit.wait_until("the hand", "/api/flow", lambda view: view["busy"] is None)
+        view = visit.ask("/api/flow")
+        if view["step"] == "review":
+            assert len(poses) >= 3
+            return
+        if view["step"] == "capture":
+            poses.add(view["rev"])
+            assert view["picture"]["target"]
+            visit.look(f"pose-{len(poses) + 1}")
+        visit.page.get_by_role("button", name="Let the hand do it").click()
+        visit.page.wait_for_timeout(500)
+    raise AssertionError("the hand never came to the result")
 
 
 def scan(visit: Visit, folder: Path) -> None:
