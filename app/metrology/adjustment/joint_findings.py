@@ -28,6 +28,8 @@ from app.metrology.frames import Floats, inverse
 
 # The arm reads worse than its sheet by this factor.
 NOISY = 2.5
+# One pose may fit its edges so much worse than all together should.
+WORST_POSE = 1.5
 # Turns between the poses below which they tell little more than one.
 ALIKE_DEG = 8.0
 # A tip's diameter is doubted beyond this many deviations, and this much.
@@ -188,12 +190,13 @@ def _about_pictures(evidence: JointEvidence) -> list[Finding]:
     points = sum(pose.edge_points for pose in used)
     square = sum(pose.edges_rms_px**2 * pose.edge_points for pose in used) / max(points, 1)
     worst = max(used, key=lambda pose: pose.edges_rms_px)
-    good = worst.edges_rms_px <= EDGE_RMS_PX
+    rms_px = float(np.sqrt(square))
+    good = rms_px <= EDGE_RMS_PX and worst.edges_rms_px <= WORST_POSE * EDGE_RMS_PX
     found = [
         Finding(
             "good" if good else "attention",
             "edges",
-            f"{points} points on the block's edges fit the camera to {np.sqrt(square):.2f} px rms, "
+            f"{points} points on the block's edges fit the camera to {rms_px:.2f} px rms, "
             f"worst in pose {worst.number} ({worst.edges_rms_px:.2f} px); the limit is "
             f"{EDGE_RMS_PX:.1f} px.",
             "" if good else "Clean the block's edges; check focus, lighting and certificate.",
