@@ -121,7 +121,9 @@ def extract_stripe(image: Image, axis: str = "u", where: NDArray[np.bool_] | Non
         beside[:] = True
         beside[cores.columns] = False
         peaks = _peaks(grey, level, peak, beside, saturated)
-    return _joined(peaks, fit_flanks(grey, cores, saturated), cores, axis, saturated)
+    return _joined(
+        peaks, fit_flanks(grey, cores, saturated, _read_noise(grey)), cores, axis, saturated
+    )
 
 
 def together(parts: Sequence[Stripe]) -> Stripe:
@@ -304,15 +306,18 @@ def _joined(peaks: _Peaks, flanks: FlankFits, cores: Cores, axis: str, saturated
     height, variance = np.full(len(kept), saturated), np.empty(len(kept))
     rest = kept[~clipped]
     height[~clipped] = np.minimum(peaks.amplitude[rest], saturated)
-    variance[~clipped] = peaks.variance[rest] + _speckle_variance(
-        peaks.along[rest], peaks.across[rest], peaks.variance[rest], SPECKLE_LAG
-    )
+    known = peaks.variance[rest]
+    scatter = _speckle_variance(peaks.along[rest], peaks.across[rest], known, SPECKLE_LAG)
     if clipped.any():
         line = averaged(flanks.chosen(kept[clipped] - len(peaks.along)), cores.width)
-        known = line.variance + line.uneven
+        unsure = line.variance + line.uneven
         # points that share no column are as far apart as the core is wide
-        scatter = _speckle_variance(along[clipped], line.centre, known, int(cores.width))
-        across[clipped], variance[clipped] = line.centre, known + scatter
+        lag = int(cores.width) + 1
+        rough = _speckle_variance(along[clipped], line.centre, unsure, lag, lag)
+        across[clipped], variance[clipped] = line.centre, unsure + rough
+        # a few points between clipped ones lie on the same rough surface
+        scatter = max(scatter, rough)
+    variance[~clipped] = known + scatter
     u, v = (along, across) if axis == "u" else (across, along)
     return Stripe(u, v, height, np.sqrt(variance), axis)
 
@@ -327,25 +332,35 @@ def in_runs(along: Floats, across: Floats) -> NDArray[np.bool_]:
     return np.asarray(np.bincount(run)[run] >= SHORTEST_RUN)
 
 
-def _speckle_variance(along: Floats, across: Floats, variance: Floats, lag: int) -> float:
+def _speckle_variance(
+    along: Floats, across: Floats, variance: Floats, lag: int, alike: int = 0
+) -> float:
     """What the points scatter by beyond the pixels' noise, in px squared.
 
     Speckle shifts the light itself and is alike in neighbouring columns, so it shows
-    only between points ``lag`` columns apart: the third difference over such lags
+    only between points ``lag`` columns apart: the fourth difference over such lags
     of a smooth surface is noise alone. The median is robust to steps and
-    texture.
+    texture. Where ``alike`` neighbours share their noise, few points are independent: what
+    their median may exceed the known variance by in chance is none.
     """
-    unbroken = along[3 * lag :] - along[: -3 * lag] == 3 * lag
+    unbroken = along[4 * lag :] - along[: -4 * lag] == 4 * lag
     if unbroken.sum() < 30:
         return 0.0
-    a, b, c, d = (slice(i * lag, len(along) - (3 - i) * lag) for i in range(4))
-    squares = (across[d] - 3 * across[c] + 3 * across[b] - across[a])[unbroken] ** 2
-    known = (variance[d] + 9 * variance[c] + 9 * variance[b] + variance[a])[unbroken]
+    parts = [slice(i * lag, len(along) - (4 - i) * lag) for i in range(5)]
+    factors = (1, -4, 6, -4, 1)
+    pairs = list(zip(factors, parts, strict=True))
+    squares = np.sum([f * across[p] for f, p in pairs], axis=0)[unbroken] ** 2
+    known = np.sum([f**2 * variance[p] for f, p in pairs], axis=0)[unbroken]
+    # the standard deviation of a median of squared deviates, in shares of itself
+    chance = 2.33 * np.sqrt(alike / len(squares))
+    if float(np.median(squares / known)) / 0.4549 - 1 < chance:
+        return 0.0
+    total = sum(f**2 for f in factors)
     speckle = 0.0
     for _ in range(30):
         # the median of a squared standard normal deviate is 0.4549
-        surplus = float(np.median(squares / (known + 20 * speckle))) / 0.4549 - 1
-        speckle = max(speckle + surplus * (float(np.median(known)) / 20 + speckle), 0.0)
+        surplus = float(np.median(squares / (known + total * speckle))) / 0.4549 - 1
+        speckle = max(speckle + surplus * (float(np.median(known)) / total + speckle), 0.0)
     return speckle
 
 

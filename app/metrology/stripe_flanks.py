@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.optimize import nnls
 
 from app.metrology import stripe_flank_kernels as kernels
 from app.metrology.frames import Floats
@@ -18,21 +19,27 @@ Image = NDArray[np.uint8] | NDArray[np.uint16]
 
 # Pixels looked at beside the core on each side; those further out show the background.
 FLANK, OUTERMOST = 11, 24
+# Pixels beside the core that the image must hold.
+NEAREST = 4
 # The least height of clipping over the background, as a share of the clipping level.
 LEAST_TOP = 0.2
-# The signals that count, in shares of the height at which pixels are clipped.
-LOWEST, HIGHEST = 0.05, 1.3
 # The shared shape needs this many columns.
 FEWEST_COLUMNS = 40
-ROUNDS, SHAPE_ROUNDS = 10, 6
+# Rounds at most; those that find the shape; from which on the noise is told.
+ROUNDS, SHAPE_ROUNDS, NOISE_ROUND = 12, 6, 4
 SETTLED_PX = 1e-3
 # The middle of the flanks lies near the middle of the core, in shares of the core's width.
 MOST_SHIFT = 0.3
 # Backgrounds on both sides that differ by more than this factor tell two brightnesses of
 # the surface: the flank on the brighter one reaches further.
 UNEVEN = 1.5
-# Steps in which the noise is looked up by the signal's height; the redundancy that one needs.
-NOISE_STEPS, LEAST_FREE = 12, 5.0
+# The redundancy that a step of the noise needs, in all and per pixel; the gain it begins
+# with, in shares of the clipping level.
+LEAST_FREE, LEAST_SHARE, FIRST_GAIN = 5.0, 0.15, 0.1 / 255
+# The variance of a median of many values, in shares of their mean's.
+MEDIAN = 1.57
+# A fit's chi squared that is no chance, in its standard deviations.
+UNLIKELY = 5.0
 # A window that scatters so many times as much as usual holds a step or a bend.
 UNSTRAIGHT = 9.0
 
@@ -94,10 +101,17 @@ def clipped_cores(image: Image, saturated: float) -> Cores:
     return Cores(columns, first[columns, best], last[columns, best], track[columns, best])
 
 
-def fit_flanks(image: Image, cores: Cores, saturated: float) -> FlankFits:
-    """Fits all columns together; those whose flanks do not fit are left out."""
+def fit_flanks(image: Image, cores: Cores, saturated: float, read: float) -> FlankFits:
+    """Fits all columns together; those whose flanks do not fit are left out.
+
+    Args:
+        image: (H, W) with the line across its columns.
+        cores: the clipped cores that belong to the line.
+        saturated: the grey level from which a pixel is clipped.
+        read: variance of a dark pixel in grey levels squared, to begin with.
+    """
     height = image.shape[0]
-    whole = (cores.first - OUTERMOST >= 0) & (cores.last + OUTERMOST < height)
+    whole = (cores.first - NEAREST >= 0) & (cores.last + NEAREST < height)
     cores = cores.chosen(whole)
     places, signal, top, background = _signals(image, cores, saturated)
     lit = top.min(axis=1) > LEAST_TOP * saturated
@@ -107,9 +121,9 @@ def fit_flanks(image: Image, cores: Cores, saturated: float) -> FlankFits:
         return FlankFits(np.zeros(0, dtype=np.int64), *np.zeros((3, 0)))
     middle = (cores.first + cores.last) / 2
     half = (cores.last - cores.first + 1) / 2
-    fit = _Fit(places, signal, top, middle.copy(), half)
+    fit = _Fit(places, signal, top, middle.copy(), half, read, FIRST_GAIN * saturated)
     for i in range(ROUNDS):
-        shift = fit.round(with_shape=i < SHAPE_ROUNDS)
+        shift = fit.round(with_shape=i < SHAPE_ROUNDS, with_noise=i >= NOISE_ROUND)
         if i >= SHAPE_ROUNDS and float(np.median(shift)) < SETTLED_PX:
             break
     variance, uneven = fit.variance(), _uneven_variance(background, fit.decay)
@@ -122,8 +136,8 @@ def fit_flanks(image: Image, cores: Cores, saturated: float) -> FlankFits:
 def averaged(fits: FlankFits, width_px: float) -> FlankFits:
     """The line smoothed along itself over its own core's width.
 
-    Light from so broad a spot shows nothing finer. A straight line is fitted to the
-    points about each one; where they are not straight, the point stays as it is.
+    Light from so broad a spot shows nothing finer. A line, bent as its neighbourhood is,
+    is fitted to the points about each one; where they do not fit, the point stays as it is.
     """
     reach = int(width_px / 2)
     start = int(fits.columns[0]) - reach
@@ -134,7 +148,7 @@ def averaged(fits: FlankFits, width_px: float) -> FlankFits:
     y[at], w[at] = fits.centre - level, 1 / (fits.variance + fits.uneven)
     t = np.arange(-reach, reach + 1, dtype=np.float64)
     # correlation, so the kernel is turned round
-    sums = [np.convolve(w, (t**k)[::-1], "same")[at] for k in range(3)]
+    sums = [np.convolve(w, (t**k)[::-1], "same")[at] for k in range(4)]
     first = [np.convolve(w * y, (t**k)[::-1], "same")[at] for k in range(2)]
     square = np.convolve(w * y**2, np.ones(len(t)), "same")[at]
     count = np.convolve(w > 0, np.ones(len(t)), "same")[at]
@@ -144,31 +158,54 @@ def averaged(fits: FlankFits, width_px: float) -> FlankFits:
         slope = (sums[0] * first[1] - sums[1] * first[0]) / det
         misfit = (square - here * first[0] - slope * first[1]) / (count - 2)
         variance = sums[2] / det
+        by_bend = 0.5 * (sums[2] ** 2 - sums[1] * sums[3]) / det
     straight = (count > reach) & (misfit < UNSTRAIGHT * float(np.nanmedian(misfit)))
+    bend = _bend(fits.columns, np.where(straight, here, np.nan), len(t))
+    share = np.abs(by_bend) / len(t) ** 2  # the bend is told by means that this one is of
     return FlankFits(
         fits.columns,
-        np.where(straight, here + level, fits.centre),
-        np.where(straight, variance, fits.variance),
+        np.where(straight, here - by_bend * bend + level, fits.centre),
+        np.where(straight, variance * (1 + 4 * share + 6 * share**2), fits.variance),
         fits.uneven,
     )
+
+
+def _bend(columns: NDArray[np.int64], mean: Floats, span: int) -> Floats:
+    """(n,) second derivative of the line, by its means that lie ``span`` columns apart.
+
+    A step or a gap (a mean of NaN) between them bends nothing; there, and where the line
+    begins and ends, the nearest known bend counts.
+    """
+    whole = np.full(int(columns[-1] - columns[0]) + 1 + 2 * span, np.nan)
+    at = columns - columns[0] + span
+    whole[at] = mean
+    broken = np.concatenate([[0], np.cumsum(np.isnan(whole))])
+    known = np.flatnonzero(broken[at + span + 1] == broken[at - span])
+    if len(known) == 0:
+        return np.zeros(len(columns))
+    at = at[known]
+    bend = (whole[at - span] - 2 * whole[at] + whole[at + span]) / span**2
+    return np.asarray(np.interp(columns, columns[known], bend))
 
 
 def _signals(image: Image, cores: Cores, saturated: float) -> tuple[Floats, Floats, Floats, Floats]:
     """Pixels beside the cores: places and signals (n, 2 FLANK), clipping heights, backgrounds.
 
-    Clipped pixels have a signal of NaN; heights (n, 2 FLANK) and backgrounds (n, 2) are
-    those of the pixel's side.
+    Clipped pixels and those beyond the image have a signal of NaN; heights and
+    backgrounds (n, 2) are by side.
     """
     out = np.arange(1, FLANK + 1)
     far = np.arange(FLANK + 1, OUTERMOST + 1)
     rows = np.concatenate([cores.first[:, None] - out, cores.last[:, None] + out], axis=1)
     away = np.concatenate([cores.first[:, None] - far, cores.last[:, None] + far], axis=1)
-    levels = image[rows, cores.columns[:, None]].astype(np.float64)
-    beyond = image[away, cores.columns[:, None]].astype(np.float64)
+    border = image.shape[0] - 1  # beyond it, its own pixel is the best guess
+    levels = image[np.clip(rows, 0, border), cores.columns[:, None]].astype(np.float64)
+    beyond = image[np.clip(away, 0, border), cores.columns[:, None]].astype(np.float64)
     background = np.median(beyond.reshape(len(rows), 2, OUTERMOST - FLANK), axis=2)
     floor = np.repeat(background, FLANK, axis=1)
-    signal = np.where(levels < saturated, levels - floor, np.nan)
-    return rows.astype(np.float64), signal, saturated - floor, background
+    held = (rows >= 0) & (rows < image.shape[0])
+    signal = np.where(held & (levels < saturated), levels - floor, np.nan)
+    return rows.astype(np.float64), signal, saturated - background, background
 
 
 def _uneven_variance(background: Floats, decay_px: float) -> Floats:
@@ -185,115 +222,87 @@ class _Fit:
     """Middle and brightness of every column, and the shape that all share."""
 
     def __init__(
-        self, places: Floats, signal: Floats, top: Floats, centre: Floats, half: Floats
+        self,
+        places: Floats,
+        signal: Floats,
+        top: Floats,
+        centre: Floats,
+        half: Floats,
+        read: float,
+        gain: float,
     ) -> None:
-        self._places, self._top = places, top
-        self._clipped = np.isnan(signal)
-        self._signal = np.where(self._clipped, 0.0, signal)
+        self._places, self._top, self._signal = places, top, signal
         self._usual = float(np.median(half))  # distances count from the usual core's edge
         self.centre = centre
         self.shape = self._first_shape()
         self.log_height = np.log(top[:, 0]) + self.shape[0] * (half - self._usual)
-        self._noise = np.ones(NOISE_STEPS)
-        self._normal = np.zeros((3, len(centre)))
+        self._read, self._gain = read, gain
+        self._first = np.array([read, gain])
+        self._fits = np.zeros((len(centre), 4))
 
     @property
     def decay(self) -> float:
         """Distance over which the signal at the core's edge falls by e."""
         return float(1 / max(self.shape[0], 0.02))
 
-    def round(self, with_shape: bool) -> Floats:
+    def round(self, with_shape: bool, with_noise: bool) -> Floats:
         """One Gauss-Newton step; returns how far the middles moved (n,)."""
-        away = self._places - self.centre[:, None]
-        d = np.abs(away) - self._usual
-        model = np.exp(
-            np.clip(self.log_height[:, None] - d * (self.shape[0] + self.shape[1] * d), -9, 12)
+        N, g, moments = np.zeros((2, 2)), np.zeros(2), np.zeros((kernels.NOISE_STEPS, 4))
+        noise = np.array([self._read, self._gain, MEDIAN * self._read / (OUTERMOST - FLANK)])
+        kernels.flank_round(
+            self._places,
+            self._signal,
+            self._top,
+            self._usual,
+            self.shape,
+            noise,
+            self.centre,
+            self.log_height,
+            self._fits,
+            N,
+            g,
+            moments,
         )
-        share = model / self._top
-        counts = (share > LOWEST) & (share < HIGHEST) & ~self._clipped
-        left = np.where(counts, self._signal - model, 0.0)
-        step = np.clip(share * NOISE_STEPS / HIGHEST, 0, NOISE_STEPS - 1).astype(np.int64)
-        weight = np.where(counts, 1 / self._noise[step], 0.0)
-        by_centre = model * (self.shape[0] + 2 * self.shape[1] * d) * np.sign(away)
-        wc, wm = weight * by_centre, weight * model
-        cc, cm, mm = (np.sum(a, axis=1) for a in (wc * by_centre, wc * model, wm * model))
-        gc, gm = np.sum(wc * left, axis=1), np.sum(wm * left, axis=1)
-        det = cc * mm - cm**2
-        # both flanks must count: one alone tells brightness from place no more
-        sides = counts.reshape(len(d), 2, -1).any(axis=2).all(axis=1)
-        good = sides & (det > 1e-9 * cc * mm) & (mm > 0)
-        safe = np.where(good, det, 1.0)
-        move = np.where(good, (mm * gc - cm * gm) / safe, 0.0)
-        brighten = np.where(good, (cc * gm - cm * gc) / safe, 0.0)
         if with_shape:
-            self._reshape(d, model, weight, left, mm, good)
-        self.centre = self.centre + np.clip(move, -1.0, 1.0)
-        self.log_height = self.log_height + np.clip(brighten, -0.5, 0.5)
-        misfit = np.sum(weight * left**2, axis=1) / np.maximum(counts.sum(axis=1) - 2, 1)
-        leverage = (
-            weight
-            * (
-                by_centre**2 * mm[:, None]
-                - 2 * by_centre * model * cm[:, None]
-                + model**2 * cc[:, None]
-            )
-            / safe[:, None]
-        )
-        self._learn_noise(step, left, 1 - leverage, counts & good[:, None])
-        self._normal = np.array([np.where(good, mm / safe, np.nan), misfit, counts.sum(axis=1)])
-        return np.abs(move)
+            self._reshape(N, g)
+        if with_noise:
+            self._learn_noise(moments)
+        return np.asarray(self._fits[:, kernels.MOVE])
 
     def variance(self) -> Floats:
         """(n,) of the middles; NaN where a column cannot be fitted."""
-        by_noise, misfit, count = self._normal
-        worse = np.where((count > 4) & (misfit > 3), misfit, 1.0)
-        return np.asarray(by_noise * worse)
+        misfit, count = self._fits[:, kernels.MISFIT], self._fits[:, kernels.COUNT]
+        free = np.maximum(count - 2, 1)
+        worse = np.where(misfit > 1 + UNLIKELY * np.sqrt(2 / free), misfit, 1.0)
+        return np.asarray(self._fits[:, kernels.VARIANCE] * worse)
 
     def _first_shape(self) -> Floats:
         """From how the usual signal falls between the first pixels beside the cores."""
-        usual = [
-            float(np.median(self._signal[:, [k, FLANK + k]][~self._clipped[:, [k, FLANK + k]]]))
-            for k in (0, 2)
-        ]
+        usual = np.nanmedian(self._signal[:, [0, FLANK, 2, FLANK + 2]].reshape(-1, 2, 2), (0, 2))
         fall = np.log(max(usual[0], 1.0) / max(usual[1], 1.0)) / 2
         return np.array([float(np.clip(fall, 0.1, 2.0)), 0.0])
 
-    def _reshape(
-        self,
-        d: Floats,
-        model: Floats,
-        weight: Floats,
-        left: Floats,
-        mm: Floats,
-        good: NDArray[np.bool_],
-    ) -> None:
-        """One step of the shared shape, freed of what the columns' own brightness takes up."""
-        terms = np.stack([-model * d, -model * d**2], axis=2)[good]
-        w, m = weight[good], model[good]
-        own = np.einsum("nk,nk,nkj->nj", w, m, terms) / mm[good, None]
-        terms -= own[:, None, :] * m[:, :, None]
-        N = np.einsum("nk,nki,nkj->ij", w, terms, terms)
-        g = np.einsum("nk,nki,nk->i", w, terms, left[good])
+    def _reshape(self, N: Floats, g: Floats) -> None:
+        """One step of the shared shape."""
         step = np.linalg.lstsq(N, g, rcond=1e-9)[0]
         largest = float(np.max(np.abs(step) / (0.3 * self.shape[0] + np.array([0.0, 0.05]))))
         self.shape = self.shape + step / max(largest, 1.0)
 
-    def _learn_noise(
-        self,
-        step: NDArray[np.int64],
-        left: Floats,
-        redundancy: Floats,
-        counts: NDArray[np.bool_],
-    ) -> None:
-        """The pixels' variance by the height of the signal, from what is left of them.
+    def _learn_noise(self, moments: Floats) -> None:
+        """Read noise and gain from what is left of the pixels, by the height of the signal.
 
         Each is divided by its redundancy, the share of its error that the fit leaves
-        (Foerstner's estimate), so that pixels which the fit follows seem no better.
+        (Foerstner's estimate), so that pixels which the fit follows seem no better. A
+        line through the steps, and not each on its own: steps whose pixels the fit follows
+        closely would take up all weight. What no step tells stays near what it was first.
         """
-        flat = step[counts]
-        free = np.bincount(flat, redundancy[counts], minlength=NOISE_STEPS)
-        squares = np.bincount(flat, left[counts] ** 2, minlength=NOISE_STEPS)
-        known = np.flatnonzero(free > LEAST_FREE)
-        if len(known):
-            found = np.maximum(squares[known] / free[known], 1 / 12)
-            self._noise = np.interp(np.arange(NOISE_STEPS), known, found)
+        free, pixels = moments[:, kernels.FREE], moments[:, kernels.PIXELS]
+        known = moments[(free > LEAST_FREE) & (free > LEAST_SHARE * pixels)]
+        signal = known[:, kernels.SIGNALS] / known[:, kernels.PIXELS]
+        found = known[:, kernels.SQUARES] / known[:, kernels.FREE]
+        # a variance is known to a share of itself; the first guess to its own size
+        weight = np.sqrt(known[:, kernels.FREE]) / (self._read + self._gain * signal)
+        terms = np.column_stack([weight, weight * signal])
+        rows = np.vstack([terms, np.diag(1 / self._first)])
+        read, gain = nnls(rows, np.concatenate([weight * found, [1.0, 1.0]]))[0]
+        self._read, self._gain = max(float(read), 1 / 12), float(gain)

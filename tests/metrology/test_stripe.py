@@ -96,6 +96,32 @@ def test_an_overexposed_stripe_is_placed_by_its_flanks() -> None:
     assert np.sqrt(np.mean((error / stripe.sigma_px) ** 2)) < 1.3
 
 
+@pytest.mark.parametrize(("width_px", "amplitude"), [(2.0, 1000), (3.0, 1000), (4.5, 2000)])
+def test_an_overexposed_stripe_scatters_as_the_noise_allows_and_as_it_says(
+    width_px: float, amplitude: float
+) -> None:
+    error, pull = [], []
+    for seed in range(6):
+        image, centre = rendered(width_px, amplitude, gain=0.15, tilt=0.03 * seed, seed=seed)
+        stripe = extract_stripe(image)
+        assert len(stripe.u) > 0.98 * WIDTH
+        error.append(errors(stripe, centre))
+        pull.append(error[-1] / stripe.sigma_px)
+    # a single column can tell 0.022 px; as many as the core is wide, a third of that
+    assert np.std(np.concatenate(error)) < 0.016
+    # neighbours share an average: some 200 independent points tell this to 5 %
+    assert 0.8 < np.sqrt(np.mean(np.concatenate(pull) ** 2)) < 1.12
+
+
+def test_an_overexposed_stripe_is_followed_to_the_images_border() -> None:
+    image, centre = rendered(3.0, 1500, tilt=0.05)
+    first = int(centre.min()) - 12
+    stripe = extract_stripe(np.ascontiguousarray(image[first:]))
+    error = stripe.v + first - centre[stripe.u.astype(int)]
+    assert len(stripe.u) > 0.98 * WIDTH
+    assert np.max(np.abs(error)) < 0.1
+
+
 def test_rows_and_columns_are_treated_alike() -> None:
     image, _ = rendered()
     along_u, along_v = extract_stripe(image, "u"), extract_stripe(image.T, "v")
