@@ -25,7 +25,7 @@ def simulated_parts(data: Path, hosts: tuple[str, ...] = ()) -> Iterator[Parts]:
         Refusal: the data folder cannot be written.
     """
     with Twin() as twin:
-        yield parts_of(twin.prepare(), data, hosts)
+        yield parts_of(twin, data, hosts)
 
 
 def parts_of(twin: Twin, data: Path, hosts: tuple[str, ...] = ()) -> Parts:

@@ -64,12 +64,10 @@ class Studio:
         self._last: Floats | None = None
 
     def prepare(self) -> None:
-        """Builds the renderer and takes a first picture, which are slow the first time."""
+        """Builds the renderer, which takes a second; before the sensor is opened."""
         with self._lock:
             if self._renderer is None:
                 self._renderer = self._make()
-                for rays in (QUICK, SMEARED):
-                    self._renderer.picture(self._sensor_pose(now_ns()), 1.0, 1.0, rays)
 
     def expose(self, mid_ns: int, exposure_us: float, laser_on: bool) -> Digits:
         """What the camera sees; ``mid_ns`` is the middle of the exposure."""
@@ -115,9 +113,6 @@ class TwinSensor:
         return self._health
 
     def open(self) -> SensorInfo:
-        with self._state:
-            self._check_camera()
-        self._studio.prepare()
         with self._state:
             self._check_camera()
             if not self._open:

@@ -131,10 +131,16 @@ class Twin:
         return self._device
 
     def start(self) -> "Twin":
-        """Serves the arm's bytes. Raises ``OSError`` when the port is taken."""
+        """Makes ready for pictures of every kind, and serves the arm's bytes.
+
+        Slow the first time on a machine, on which the rendering is compiled. Raises
+        ``OSError`` when the port is taken.
+        """
         if self._device is None:
             config = self.config
             self._line = PtyLine() if config.line == "pty" else TcpLine(config.host, config.port)
+            self._compile()
+            self.studio.prepare()
             encoders = Encoders(
                 config.rate_hz, config.counts_per_revolution, self._rig.arm.encoder_sd_rad
             )
@@ -144,16 +150,12 @@ class Twin:
             self._device.start()
         return self
 
-    def prepare(self) -> "Twin":
-        """Compiles what pictures of every kind need, so that none is held up when it is wanted.
-
-        It takes small ones of the block; slow only the first time on a machine.
-        """
+    def _compile(self) -> None:
+        """Takes small pictures of the block of every kind, so that none is held up later."""
         rig, detector = self._rig, replace(self.config.detector, speckle_contrast=0.0)
         renderer = Renderer(self._scene, reduced(rig.optics, 16), rig.sheet, detector)
         for room, laser, rays in KINDS:
             renderer.picture(rig.T_arm_obj, room, laser, rays)
-        return self
 
     def stop(self) -> None:
         """Ends the arm and whatever the hand does."""

@@ -77,7 +77,7 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     with Twin(TwinConfig(pace=3.0)) as twin, socket.socket() as listening:
         listening.bind(("127.0.0.1", 0))
         listening.listen()
-        app = build_app(parts_of(twin.prepare(), data))
+        app = build_app(parts_of(twin, data))
         compiled = loops()
         running = make_server(app)
         thread = threading.Thread(target=running.run, kwargs={"sockets": [listening]})
