@@ -22,7 +22,6 @@ from scipy.optimize import least_squares
 from app.files.images import read_grey
 from app.files.session import BoardSession, read_any_session
 from app.metrology.adjustment.board_joint import (
-    BoardCalibration,
     BoardInputs,
     calibrate_board,
     see_board,
@@ -59,6 +58,8 @@ from tests.bench.hand_eye import K1_ONLY, hand_eyes
 from tests.real_sessions import session_of
 
 CRENEL = "Crenel"
+# A line so far off the plane of all others contradicts them; this many are always kept.
+CONTRADICTING_MM, FEWEST_LINES = 1.0, 3
 NO_PLANE = LaserPlane(np.array([0.0, 0.0, 1.0]), 0.0)
 
 
@@ -184,29 +185,40 @@ def _transform(vector: Floats) -> Floats:
     return rigid(rotation_from_vector(vector[:3]), vector[3:])
 
 
-def by_crenel(made: Recording, arm_session: BoardSession) -> tuple[Solved, BoardCalibration]:
+def by_crenel(made: Recording, arm_session: BoardSession) -> Solved:
     readings = np.array([frame.T_arm_flange for frame in made.frames])
     result = calibrate_board(
         BoardInputs(arm_session.arm, made.board, made.seen, readings, made.size_px)
     )
     coordinates = result.adjusted.state.coordinates
     board = made.board
-    return (
-        Solved(
-            CRENEL,
-            result.camera,
-            result.T_flange_sensor,
-            corners_at(board, coordinates),
-            result.plane,
-            lambda camera, uv: on_sheet(board, camera, coordinates, uv),
-        ),
-        result,
+    return Solved(
+        CRENEL,
+        result.camera,
+        result.T_flange_sensor,
+        corners_at(board, coordinates),
+        result.plane,
+        lambda camera, uv: on_sheet(board, camera, coordinates, uv),
     )
 
 
-def lines_left_out(result: BoardCalibration) -> set[int]:
-    """Numbers of the pictures whose line Crenel found to contradict the others, or lost."""
-    return {pose.number for pose in result.poses if not pose.used or pose.stripe_points == 0}
+def contradicting(solved: Solved, frames: Sequence[Frame]) -> set[int]:
+    """Numbers of the pictures whose line lies off the plane of the others, the worst first."""
+    seen = [frame for frame in frames if frame.near_pattern().any()]
+    out: set[int] = set()
+    while len(seen) - len(out) > FEWEST_LINES:
+        rest = [frame for frame in seen if frame.number not in out]
+        off = [_off_the_others_mm(solved, frame, rest) for frame in rest]
+        worst = int(np.argmax(off))
+        if off[worst] < CONTRADICTING_MM:
+            break
+        out.add(rest[worst].number)
+    return out
+
+
+def _off_the_others_mm(solved: Solved, frame: Frame, frames: Sequence[Frame]) -> float:
+    plane = with_plane(solved, [other for other in frames if other is not frame]).plane
+    return abs(float(np.median(line_on_board(solved, frame) @ plane.normal - plane.offset_mm)))
 
 
 HEAD = ("corners px", "origin mm", "pattern mm", "laser mm", "plane mm", "laser*", "plane*")
@@ -231,8 +243,9 @@ def print_recording(folder: Path, scratch: Path) -> None:
     session = read_any_session(session_of(folder, scratch / folder.name))
     assert isinstance(session, BoardSession)
     made = seen_in(session)
-    crenel, result = by_crenel(made, session)
-    out = lines_left_out(result)
+    crenel = by_crenel(made, session)
+    usual = next(by_opencv("", made, made.frames))
+    out = contradicting(usual, made.frames)
     total = len(made.frames)
     print(f"\n{folder.name}: {total} pictures, OpenCV finds the board in {len(made.cv_frames)}")
     print(f"* without the lines of pictures {sorted(out) or 'none'}, which contradict the others")
