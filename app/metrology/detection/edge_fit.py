@@ -53,7 +53,7 @@ def _held(camera: Camera) -> tuple[Floats, Floats]:
             camera.distortion[1],
         ]
     )
-    return values, np.array([0.005, 0.05, 0.05, 0.5, 2.0])
+    return values, np.array([0.005, 0.05, 0.05, 0.5, 1.0])
 
 
 _HELD_STEPS = (1, 2, 3, 10, 11)

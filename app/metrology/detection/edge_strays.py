@@ -10,12 +10,13 @@ from app.metrology.camera import project
 from app.metrology.detection.edge_points import Stations, profiles, stations
 from app.metrology.detection.edge_step import chosen, measure
 from app.metrology.detection.edge_survey import Survey
+from app.metrology.detection.objection import Objection
 from app.metrology.frames import Floats
 
 # Lines of the block are judged by at least so many points of their kind.
 _ENOUGH = 6
 # By how much, in mm, a size may be thought wrong, and what is too little to be told so, px.
-_FURTHEST_MM, _NEAREST_PX = 2.6, 2.5
+_FURTHEST_MM, _NEAREST_PX = 2.6, 1.6
 # Steps this much lower than the faces' usual ones are none of the block's.
 _STEP = 0.35
 # Share of the edges of a size that must show elsewhere where the size is wrong, of those at
@@ -30,10 +31,11 @@ _STRAIGHT_PX = 1.5
 # stations in a row, every two pixels, must see one go on.
 _BEYOND = 0.3
 _IN_A_ROW = 8
+_MOST_OF_IT = 0.3
 
 
-def missized(grey: Floats, found: Survey) -> str:
-    """A size of the certificate that the picture shows to be another, in words; else empty.
+def missized(grey: Floats, found: Survey) -> Objection | None:
+    """A size of the certificate that the picture shows to be another, if any.
 
     Faces of equal brightness, shadows and things in the way hide edges, which is no
     fault. But where the edges of one size (all those in one plane) are missing, and would
@@ -53,11 +55,13 @@ def missized(grey: Floats, found: Survey) -> str:
             off_mm = _elsewhere(found, lines, rows, axis)
             if off_mm is not None:
                 name = frame.names[lines.at.edge[rows[0]]]
-                return (
+                return Objection(
                     f"its edge {name} seems to lie {abs(off_mm):.2f} mm from where the"
-                    " certificate puts it"
+                    " certificate puts it",
+                    True,
+                    tuple(int(edge) for edge in edges),
                 )
-    return ""
+    return None
 
 
 @dataclass(frozen=True)
@@ -117,7 +121,7 @@ def _elsewhere(found: Survey, lines: _Lines, rows: NDArray[np.int64], axis: int)
     column = np.clip(away + reach, 0, 2 * reach)
     free = lines.free[rows, column] & (np.abs(away) >= _NEAREST_PX)
     seen = lines.there[rows, column] & free
-    near = lines.there[rows][:, reach - 1 : reach + 2].any(axis=1)
+    near = lines.there[rows, reach]
     share = seen @ length / np.maximum(free @ length, _FREE * length.sum())
     best = int(np.argmax(share))
     here = float(near @ length / length.sum())
@@ -126,8 +130,8 @@ def _elsewhere(found: Survey, lines: _Lines, rows: NDArray[np.int64], axis: int)
     return None
 
 
-def overrun(grey: Floats, found: Survey) -> str:
-    """An edge that goes on beyond its certificate's end, in words; empty where none does.
+def overrun(grey: Floats, found: Survey) -> Objection | None:
+    """An edge that goes on beyond its certificate's end, if any.
 
     Along X an edge must end at its corners, and beyond the block's two ends nothing
     may run on in the same line.
@@ -159,19 +163,21 @@ def overrun(grey: Floats, found: Survey) -> str:
                 beyond = _beyond(found, corner, reach_mm, row)
                 if _runs_on(grey, found, beyond, step):
                     what = "it" if level == "base" else f"its edge {names[edge]}"
-                    return f"{what} goes on beyond its {side} end"
-    return ""
+                    return Objection(f"{what} goes on beyond its {side} end", True, (edge,))
+    return None
 
 
 def _runs_on(grey: Floats, found: Survey, beyond: Stations, step: float) -> bool:
     """Whether a step like an edge's own is seen at enough stations (every 2 px) in a row."""
-    if len(beyond.edge) < _IN_A_ROW:
+    # In texture a short run means nothing: it must go on for most of the way.
+    row = max(_IN_A_ROW, int(_MOST_OF_IT * len(beyond.edge)))
+    if len(beyond.edge) < row:
         return False
     seen = measure(grey, beyond, found.blur_px)
     like = np.abs(seen.offset_px) < _STRAIGHT_PX / 2
     like &= np.abs(seen.step - step) < np.minimum(0.4 * abs(step), abs(step) - 6 * seen.step_sigma)
-    streak = np.convolve(like.astype(np.int64), np.ones(_IN_A_ROW, dtype=np.int64), "valid")
-    return bool(streak.max() == _IN_A_ROW)
+    streak = np.convolve(like.astype(np.int64), np.ones(row, dtype=np.int64), "valid")
+    return bool(streak.max() == row)
 
 
 def _beyond(found: Survey, corner: Floats, reach_mm: float, row: int) -> Stations:

@@ -99,6 +99,13 @@ def survey(
     return _with_significant_lens(_measured(masked, frame, camera, blur, spacing), certificate_mm)
 
 
+def without(found: Survey, parts: list[int], certificate_mm: float) -> Survey | None:
+    """The survey with the camera fitted to all but some parts; None if too few are left."""
+    left_out = np.isin(found.at.part, parts)
+    again = replace(found, shows=found.shows & ~left_out)
+    return _with_significant_lens(again, certificate_mm)
+
+
 def _coarse(smooth: Floats, frame: Wireframe, camera: Camera, reach_px: float) -> Camera | None:
     for radius in (reach_px, max(0.6 * reach_px, 2.0)):
         at = stations(frame, camera, 2 * _SPACING_PX, radius + 2)

@@ -1,6 +1,7 @@
 """The block found in a picture, to a pixel or so: placings drawn, pulled onto the edges, judged."""
 
 from dataclasses import dataclass
+from typing import Literal
 
 import cv2
 import numpy as np
@@ -15,8 +16,9 @@ from app.metrology.detection.identify import Placing, mirrored, placings
 from app.metrology.detection.visibility import Wireframe, wireframe
 from app.metrology.frames import Floats
 
-# The longer side, in pixels, at which the block is first looked for.
-WORKING_PX = 640
+# How a picture is freed of texture: of a ground surface's, of a coarsely cut one's, or of thin
+# lines and speckle.
+Cleaning = Literal["fine", "coarse", "speckled"]
 # Steps of brightness this many standard deviations of the noise steep count as edges.
 _CONTRAST = 5.0
 _SPACING_PX = 5.0
@@ -43,12 +45,17 @@ class Search:
     """What was found: the best placings, refined, best first, and what they came from.
 
     ``explained``: share of the picture's straight segments that follow three
-    perpendicular directions; ``segment_count``: how many there are.
+    perpendicular directions; ``segments``: (S, 4) those segments as u0, v0, u1, v1, from
+    the picture's middle and over its longer side.
     """
 
     found: tuple[Located, ...]
     explained: float
-    segment_count: int
+    segments: Floats
+
+    @property
+    def segment_count(self) -> int:
+        return len(self.segments)
 
 
 def working_picture(
@@ -68,22 +75,31 @@ def working_picture(
     return np.rint(stretched).astype(np.uint8), mask, scale
 
 
-def cleaned(picture: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """The picture without noise and fine texture, its steps as steep as they were."""
-    soft = cv2.GaussianBlur(picture, (0, 0), 1.0)
-    return np.asarray(cv2.bilateralFilter(soft, 9, 25.0, 4.0), dtype=np.uint8)
+def cleaned(picture: NDArray[np.uint8], cleaning: Cleaning) -> NDArray[np.uint8]:
+    """The picture without noise and texture, its steps as steep as they were."""
+    if cleaning == "fine":
+        soft = cv2.GaussianBlur(picture, (0, 0), 1.0)
+        return np.asarray(cv2.bilateralFilter(soft, 9, 25.0, 4.0), dtype=np.uint8)
+    if cleaning == "coarse":
+        soft = cv2.bilateralFilter(cv2.GaussianBlur(picture, (0, 0), 1.2), 11, 40.0, 5.0)
+        return np.asarray(cv2.bilateralFilter(soft, 11, 40.0, 5.0), dtype=np.uint8)
+    soft = cv2.medianBlur(cv2.medianBlur(picture, 7), 5)
+    return np.asarray(cv2.bilateralFilter(soft, 9, 30.0, 4.0), dtype=np.uint8)
 
 
 def locate(
-    picture: NDArray[np.uint8], ignore: NDArray[np.bool_] | None, block: Crenellated
+    picture: NDArray[np.uint8],
+    ignore: NDArray[np.bool_] | None,
+    block: Crenellated,
+    cleaning: Cleaning = "fine",
 ) -> Search:
     """The block's likeliest placings in a small picture (H, W)."""
-    seen = segments(cleaned(picture), ignore)
+    seen = segments(cleaned(picture, cleaning), ignore)
     frames = perpendicular_directions(seen)
     guesses = [guess for frame in frames for guess in placings(frame, seen, block)]
     explained = max((frame.explained for frame in frames), default=0.0)
     if not guesses:
-        return Search((), explained, len(seen.lines))
+        return Search((), explained, seen.lines)
     smooth: Floats = np.asarray(
         cv2.GaussianBlur(picture.astype(np.float64), (0, 0), 0.8), dtype=np.float64
     )
@@ -107,7 +123,7 @@ def locate(
             support = _support(smooth, frame, pulled, 2.0, noise, seen)
             found.append(Located(pulled, guess.mirrored, support))
     found.sort(key=lambda one: -one.support)
-    return Search(tuple(found), explained, len(seen.lines))
+    return Search(tuple(found), explained, seen.lines)
 
 
 def _different(guesses: list[Placing]) -> list[Placing]:

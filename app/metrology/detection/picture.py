@@ -22,6 +22,8 @@ CLIPPED = 0.03
 # Beyond the second, the two edges of a groove's wall run into one.
 SOFT = 0.0016
 BLURRED = 0.004
+# Noise over the contrast at which the lower steps between faces are lost.
+NOISY = 0.04
 _SMOOTH_PX = 0.7
 
 
@@ -58,6 +60,14 @@ def grey_picture(image: Image) -> tuple[Floats, NDArray[np.bool_]]:
     # The fewest bits that a sensor of today has and that hold this picture.
     bits = next(b for b in (8, 10, 12, 14, 16) if int(array.max()) < 2**b)
     return array.astype(np.float64) * (255.0 / (2**bits - 1)), clipped
+
+
+def noisy(grey: Floats) -> bool:
+    """Whether a picture (H, W) is so noisy, for its contrast, that edges of faces may be lost."""
+    bend = np.abs(grey[1:-1:2, 2::2] - 2 * grey[1:-1:2, 1:-1:2] + grey[1:-1:2, :-2:2])
+    noise = float(np.median(bend)) / (0.6745 * np.sqrt(6.0))
+    low, high = np.percentile(grey[::4, ::4], (2.0, 98.0))
+    return bool(noise > NOISY * float(high - low))
 
 
 def edge_blur_px(grey: NDArray[np.floating]) -> float:

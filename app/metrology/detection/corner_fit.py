@@ -1,0 +1,126 @@
+"""Corners of the block where measured edges meet, each with its covariance."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.metrology.camera import project
+from app.metrology.crenellated import Crenellated
+from app.metrology.crenellated import corners as corners_of
+from app.metrology.detection.edge_survey import Survey
+from app.metrology.detection.visibility import seen, visible_corners
+from app.metrology.frames import Floats
+
+# Edges that cross at less than this make no corner.
+_FLATTEST_RAD = np.deg2rad(8.0)
+_WORST_CORNER_PX = 1.0
+# What lies askew to the drawn edge by more, over its length and its own deviation, is not it.
+_ASKEW_SIGMAS, _ASKEW_PX = 4.0, 0.7
+
+
+@dataclass(frozen=True)
+class Corner:
+    """A corner of the block in the image, px, with its covariance (2, 2)."""
+
+    name: str
+    u: float
+    v: float
+    covariance_px2: Floats
+
+
+def corners_where_edges_meet(measured: Survey, block: Crenellated) -> tuple[Corner, ...]:
+    """Corners where two measured edges meet, with their covariance."""
+    camera, frame = measured.camera, measured.frame
+    parts = seen(frame, camera.centre_mm)
+    begin = frame.starts_mm[parts.edge]
+    along = frame.ends_mm[parts.edge] - begin
+    ends = np.stack(
+        [begin + parts.start[:, None] * along, begin + parts.end[:, None] * along], axis=1
+    )
+    lines = {}
+    for part in np.unique(measured.at.part[measured.used]):
+        line = _line(measured, int(part))
+        if line is not None:
+            lines[int(part)] = line
+    found = []
+    shown = visible_corners(block, camera.centre_mm)
+    for name, point in corners_of(block).items():
+        if name not in shown:
+            continue
+        at = project(camera, point[None])[0]
+        if (at < 0).any() or at[0] > camera.width_px - 1 or at[1] > camera.height_px - 1:
+            continue
+        touching = np.flatnonzero((np.abs(ends - point).max(axis=2) < 1e-6).any(axis=1))
+        met = [lines[int(k)] for k in touching if int(k) in lines]
+        corner = _meeting(name, at, met)
+        if corner is not None:
+            found.append(corner)
+    return tuple(found)
+
+
+@dataclass(frozen=True)
+class _Line:
+    """One part's measured edge as offsets, straight along the part, from the camera's edge."""
+
+    middle: Floats  # (2,) px, where the offset is best known
+    direction: Floats  # (2,)
+    offset_px: float
+    slope: float
+    variance_offset: float
+    variance_slope: float
+    reach_px: tuple[float, float]  # along, as far beyond either end as the part was measured
+
+
+def _line(measured: Survey, part: int) -> _Line | None:
+    rows = np.flatnonzero(measured.used & (measured.at.part == part))
+    if len(rows) < 3:
+        return None
+    uv, off = measured.at.uv_px[rows], measured.off_px[rows]
+    weight = 1 / measured.sigma_px[rows] ** 2
+    normal = measured.at.normal[rows].mean(axis=0)
+    direction = np.array([normal[1], -normal[0]]) / np.linalg.norm(normal)
+    middle = weight @ uv / weight.sum()
+    s = (uv - middle) @ direction
+    spread = float(weight @ s**2)
+    if spread <= 0:
+        return None
+    slope = float((weight * s) @ off / spread)
+    if abs(slope) > max(_ASKEW_SIGMAS / np.sqrt(spread), _ASKEW_PX / np.ptp(s)):
+        return None
+    return _Line(
+        middle,
+        direction,
+        float(weight @ off / weight.sum()),
+        slope,
+        float(1 / weight.sum()),
+        float(1 / spread),
+        (float(2 * s.min() - s.max()), float(2 * s.max() - s.min())),
+    )
+
+
+def _meeting(name: str, at: Floats, lines: list[_Line]) -> Corner | None:
+    """Least-squares crossing (weighted) of the edges that meet at ``at`` (2,)."""
+    information = np.zeros((2, 2))
+    pull = np.zeros(2)
+    used: list[_Line] = []
+    for line in lines:
+        s = float((at - line.middle) @ line.direction)
+        if not line.reach_px[0] < s < line.reach_px[1]:
+            continue
+        used.append(line)
+        variance = line.variance_offset + s**2 * line.variance_slope
+        normal = np.array([-line.direction[1], line.direction[0]])
+        information += np.outer(normal, normal) / variance
+        pull += normal * (line.offset_px + s * line.slope) / variance
+    crossings = [
+        abs(a.direction[0] * b.direction[1] - a.direction[1] * b.direction[0])
+        for a in used
+        for b in used
+    ]
+    if not crossings or max(crossings) < np.sin(_FLATTEST_RAD):
+        return None
+    covariance: Floats = np.asarray(np.linalg.inv(information), dtype=np.float64)
+    if float(np.linalg.eigvalsh(covariance)[-1]) > _WORST_CORNER_PX**2:
+        return None
+    u, v = at + covariance @ pull
+    return Corner(name, float(u), float(v), covariance)
