@@ -6,18 +6,23 @@ from dataclasses import asdict, dataclass
 from pydantic import TypeAdapter
 
 from app.guide.view import CalibrationResult, ImageCorner, Segment
+from app.metrology.detection.evidence import Mark
 from app.station.findings import Finding
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """The object and the stripe in the picture and, after a solve, its result."""
+    """The object and the stripe in the picture and, after a solve, its result.
+
+    ``marks``: in a picture that was declined, what shows why.
+    """
 
     corners: Sequence[ImageCorner]
     outline: Sequence[Segment]
     stripe: Sequence[tuple[float, float]]
     findings: Sequence[Finding]
     result: CalibrationResult | None
+    marks: Sequence[Mark] = ()
 
 
 _ADAPTER = TypeAdapter(Outcome)

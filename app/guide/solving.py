@@ -32,6 +32,7 @@ from app.metrology.adjustment.joint import (
 )
 from app.metrology.adjustment.pose_results import PoseResult
 from app.metrology.adjustment.uncertainty import UncertaintyMap
+from app.metrology.detection.evidence import DetectionRefusal
 from app.metrology.findings import Limits
 from app.metrology.frames import apply
 from app.metrology.reconstruct import sensor_points
@@ -66,7 +67,8 @@ def look_at(taken: Capture, chosen: Chosen, number: int) -> tuple[Outcome, SeenP
     except Refusal as refusal:
         told = refused(refusal)
         findings.insert(0, Finding("bad", told.text, told.remedy))
-        return Outcome((), (), _shown(stripe), findings, None), refusal
+        marks = refusal.marks if isinstance(refusal, DetectionRefusal) else ()
+        return Outcome((), (), _shown(stripe), findings, None, marks), refusal
     corners = [
         ImageCorner(corner.name, corner.u, corner.v, corner.residual_px)
         for corner in seen_corners(seen.detection, chosen.block)

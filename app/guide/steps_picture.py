@@ -154,6 +154,7 @@ def still_picture(session_id: str, picture: Capture, live: Live) -> StillPicture
         corners=seen.corners if seen else (),
         outline=seen.outline if seen else (),
         stripe=seen.stripe if seen else (),
+        marks=seen.marks if seen else (),
     )
 
 

@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
+from app.metrology.detection.evidence import Mark
 from app.station.findings import Finding, Quality
 
 Vec3 = tuple[float, float, float]
@@ -218,7 +219,7 @@ class CameraPicture:
 
 @dataclass(frozen=True)
 class StillPicture:
-    """The captured picture, with what was found in it."""
+    """The captured picture, with what was found in it, or why nothing was (``marks``)."""
 
     image_url: str
     width_px: int
@@ -226,6 +227,7 @@ class StillPicture:
     corners: Sequence[ImageCorner]
     outline: Sequence[Segment]
     stripe: Sequence[tuple[float, float]]
+    marks: Sequence[Mark] = ()
     kind: Literal["still"] = "still"
 
 

@@ -102,6 +102,15 @@ export interface ImageCorner {
   residual_px: number | null;
 }
 
+/** Why a picture was declined, as a line in it. */
+export interface ImageMark {
+  kind: "clipped" | "segment" | "outline" | "disagrees" | "outside";
+  u0: number;
+  v0: number;
+  u1: number;
+  v1: number;
+}
+
 export interface BudgetRow {
   source: string;
   /** Standard uncertainty of a reconstructed point in the flange frame, k = 1. */
@@ -197,6 +206,7 @@ export type Picture =
       corners: ImageCorner[];
       outline: [number, number, number, number][];
       stripe: [number, number][];
+      marks: ImageMark[];
     }
   | { kind: "result"; result: CalibrationResult; block: BlockGeometry; points: TouchedPoint[];
       image_url: string; width_px: number; height_px: number; corners: ImageCorner[];

@@ -1,6 +1,6 @@
 import { useState } from "react";
 
-import type { ImageCorner } from "../api/types";
+import type { ImageCorner, ImageMark } from "../api/types";
 import { figures } from "../parts/format";
 import { cornerWords } from "../result/names";
 import { COLOURS, type Overlay } from "./overlay";
@@ -10,9 +10,20 @@ interface StillImageProps extends Overlay {
   image_url: string;
   width_px: number;
   height_px: number;
+  /** In a picture that was declined: what shows why. */
+  marks?: ImageMark[];
   /** Draws each corner's residual as a disc of that radius, enlarged. */
   residuals?: boolean;
 }
+
+const MARKS: Record<ImageMark["kind"], { colour: string; words: string }> = {
+  disagrees: { colour: "#ff9f43", words: "edges that do not lie where they should" },
+  outside: { colour: "#ff9f43", words: "out of the frame" },
+  clipped: { colour: "#ff5a5f", words: "overexposed" },
+  outline: { colour: COLOURS.outline, words: "the object as it was nearest found" },
+  segment: { colour: "#9aa7b4", words: "straight edges" },
+};
+const KINDS = Object.keys(MARKS) as ImageMark["kind"][];
 
 /** How much residuals are enlarged, so that the largest is well seen and covers little. */
 function enlargement(corners: ImageCorner[], width_px: number): number {
@@ -22,7 +33,7 @@ function enlargement(corners: ImageCorner[], width_px: number): number {
 
 /** The captured picture with what was found in it. */
 export function StillImage(props: StillImageProps) {
-  const { image_url, width_px, height_px, corners, outline, stripe, residuals = false } = props;
+  const { image_url, width_px, height_px, corners, outline, stripe, marks = [], residuals = false } = props;
   const times = residuals ? enlargement(corners, width_px) : 0;
   const [name, setName] = useState<string | null>(null);
   const corner = corners.find((c) => c.name === name);
@@ -45,6 +56,17 @@ export function StillImage(props: StillImageProps) {
           stroke={COLOURS.stripe}
           d={stripe.map(([u, v]) => `M${u} ${v}h0`).join("")}
         />
+        {KINDS.toReversed().map((kind) => (
+          <path
+            key={kind}
+            className={styles.line}
+            stroke={MARKS[kind].colour}
+            d={marks
+              .filter((mark) => mark.kind === kind)
+              .map(({ u0, v0, u1, v1 }) => `M${u0} ${v0}L${u1} ${v1}`)
+              .join("")}
+          />
+        ))}
         {corners.map((c) => (
           <g key={c.name} transform={`translate(${c.u} ${c.v})`} onPointerEnter={() => setName(c.name)}>
             <circle r={width_px / 50} className={styles.reach} />
@@ -56,10 +78,19 @@ export function StillImage(props: StillImageProps) {
         ))}
       </svg>
       <figcaption className={styles.caption}>
-        {corner ? told(corner.name, corner.residual_px) : summary(props, times)}
+        {corner ? told(corner.name, corner.residual_px) : marks.length ? <Legend marks={marks} /> : summary(props, times)}
       </figcaption>
     </figure>
   );
+}
+
+function Legend({ marks }: { marks: ImageMark[] }) {
+  const shown = KINDS.filter((kind) => marks.some((mark) => mark.kind === kind));
+  return shown.map((kind) => (
+    <span key={kind} className={styles.legend}>
+      <i style={{ background: MARKS[kind].colour }} /> {MARKS[kind].words}
+    </span>
+  ));
 }
 
 function told(name: string, residual_px: number | null): string {
