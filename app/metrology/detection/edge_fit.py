@@ -40,7 +40,7 @@ def moved(camera: Camera, step: Floats) -> Camera:
 def _held(camera: Camera) -> tuple[Floats, Floats]:
     """What lenses are like before any measurement: values (5,) and their standard deviations.
 
-    Square pixels to half a percent, the axis within a twentieth of the width of the
+    Square pixels to a thousandth, the axis within a twentieth of the width of the
     middle, mild distortion. They only count where the picture says nothing.
     """
     K = camera.matrix
@@ -53,7 +53,7 @@ def _held(camera: Camera) -> tuple[Floats, Floats]:
             camera.distortion[1],
         ]
     )
-    return values, np.array([0.005, 0.05, 0.05, 0.5, 1.0])
+    return values, np.array([0.001, 0.05, 0.05, 0.5, 1.0])
 
 
 _HELD_STEPS = (1, 2, 3, 10, 11)

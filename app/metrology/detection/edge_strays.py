@@ -22,6 +22,7 @@ _STEP = 0.35
 # Share of the edges of a size that must show elsewhere where the size is wrong, of those at
 # least so many free of others; and how much of it may show where the certificate puts them.
 _THERE, _FREE, _HERE = 0.2, 0.4, 0.15
+_OVER_USUAL = 4.0
 # Length, px, that the edges of a size must have in the picture to say anything.
 _LENGTH_PX = 25.0
 _SPACING_PX = 3.0
@@ -125,7 +126,9 @@ def _elsewhere(found: Survey, lines: _Lines, rows: NDArray[np.int64], axis: int)
     share = seen @ length / np.maximum(free @ length, _FREE * length.sum())
     best = int(np.argmax(share))
     here = float(near @ length / length.sum())
-    if share[best] > _THERE and here < _HERE * share[best]:
+    # In texture something lies everywhere.
+    stands_out = share[best] > max(_THERE, _OVER_USUAL * float(share.mean()))
+    if stands_out and here < _HERE * share[best]:
         return float(steps[best])
     return None
 
