@@ -118,7 +118,7 @@ def test_a_whole_calibration_by_the_hand(server: Server, tmp_path: Path) -> None
         server.do("abandon")
     http.post("/api/flow/start").raise_for_status()
     server.do("let_hand", all=True)
-    server.wait(lambda view: view["busy"] is None)
+    server.wait(lambda view: view["busy"] is None, PATIENCE_S)
     view = http.get("/api/flow").json()
     assert view["step"] == "review", view["findings"]
 
