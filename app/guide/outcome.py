@@ -22,7 +22,7 @@ class Outcome:
     stripe: Sequence[tuple[float, float]]
     findings: Sequence[Finding]
     result: CalibrationResult | None
-    marks: Sequence[Mark] = ()
+    marks: tuple[Mark, ...] = ()
 
 
 _ADAPTER = TypeAdapter(Outcome)

@@ -14,6 +14,9 @@ from hardware.interfaces import Button
 from tests.api.conftest import Server, enabled
 from tests.loops import loops
 
+# A whole calibration by the hand, on a machine with other work.
+PATIENCE_S = 240.0
+
 
 def points(view: dict[str, object]) -> list[int]:
     picture = view["picture"]

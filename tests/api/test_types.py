@@ -10,6 +10,7 @@ import pytest
 
 from app.api import schema
 from app.guide import view
+from app.metrology.detection import evidence
 from app.station import device_state, findings, preview, rig
 
 TYPES = Path(__file__).resolve().parents[2] / "frontend/src/api/types.ts"
@@ -25,6 +26,7 @@ SHAPES: dict[str, type] = {
     "Choice": view.Choice,
     "DeviceLine": view.DeviceLine,
     "ImageCorner": view.ImageCorner,
+    "ImageMark": evidence.Mark,
     "BudgetRow": view.BudgetRow,
     "FaceResult": view.FaceResult,
     "WorstPoint": view.WorstPoint,
