@@ -97,7 +97,8 @@ def test_the_next_picture_waits_for_the_last_to_be_acknowledged(server: Server) 
         assert picture(socket, 1.0) is None
 
 
-def drain(socket: ClientConnection) -> None:
+def send_and_drain(socket: ClientConnection, sent: str | bytes) -> None:
+    socket.send(sent)
     for _ in range(1000):
         socket.recv(5.0)
 
@@ -120,8 +121,7 @@ def drain(socket: ClientConnection) -> None:
 def test_a_malformed_message_ends_this_connection_alone(server: Server, sent: str | bytes) -> None:
     with connect(server.live) as bystander, connect(server.live) as socket:
         with pytest.raises(ConnectionClosed) as closed:
-            socket.send(sent)
-            drain(socket)
+            send_and_drain(socket, sent)
         # the reason is lost where the server hangs up on a message that is still coming
         if len(sent) < 100_000:
             assert closed.value.rcvd is not None
