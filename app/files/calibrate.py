@@ -2,22 +2,24 @@
 
 import getpass
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import Literal
+from typing import Literal, TypeVar
 
 import numpy as np
 
 from app.files.atomic import checked_target
 from app.files.calibration import CalibrationFile, Input, SerialNumbers
-from app.files.calibration_sheet import Origin, joint_sheet, one_pose_sheet
+from app.files.calibration_sheet import Origin, board_sheet, joint_sheet, one_pose_sheet
 from app.files.documents import sha256_of
 from app.files.failures import refusals_naming
 from app.files.images import read_grey
 from app.files.progress import Progress, no_progress
-from app.files.session import Pose, Session, read_session
+from app.files.session import BoardSession, Pose, Session, read_any_session
 from app.metrology.adjustment.block_start import SeenPose
+from app.metrology.adjustment.board_joint import BoardInputs, calibrate_board, see_board
+from app.metrology.adjustment.board_start import SeenBoard
 from app.metrology.adjustment.joint import JointInputs, NotSeen, calibrate_joint, see_pose
 from app.metrology.findings import LIMITS, Limits
 from app.metrology.one_pose import OnePoseInputs, calibrate_one_pose
@@ -27,6 +29,7 @@ Method = Literal["one-pose", "joint"]
 NOTHING_KNOWN: Mapping[int, SeenPose | Refusal] = {}
 # Share of the time that looking at the pictures takes.
 LOOKING = 0.8
+Seen = TypeVar("Seen", SeenPose, SeenBoard)
 
 
 def calibrate_session(
@@ -51,21 +54,15 @@ def calibrate_session(
             calibration follows from it; nothing is then written.
     """
     checked_target(output)
-    session = read_session(folder)
+    session = read_any_session(folder)
     checked_target(output, session.files)
     with refusals_naming(folder):
-        if method == "one-pose":
-            pose = session.poses[0]
-            result = calibrate_one_pose(
-                one_pose_inputs(session, pose), lambda text, share: progress(share, text)
-            )
-            sheet = one_pose_sheet(result, origin_of(session, (pose,), _user()))
+        if isinstance(session, BoardSession):
+            sheet = _by_board(session, method, limits, progress)
+        elif method == "one-pose":
+            sheet = _by_one_pose(session, progress)
         else:
-            inputs = joint_inputs(session, limits, progress)
-            joint = calibrate_joint(
-                inputs, lambda text, share: progress(LOOKING + (1 - LOOKING) * share, text)
-            )
-            sheet = joint_sheet(joint, origin_of(session, session.poses, _user()))
+            sheet = _by_all_poses(session, limits, progress)
     sheet.write(output)
     unused = len(session.poses) - 1 if method == "one-pose" else 0
     warnings = (
@@ -74,6 +71,38 @@ def calibrate_session(
         else []
     )
     return sheet, warnings
+
+
+def _by_one_pose(session: Session, progress: Progress) -> CalibrationFile:
+    pose = session.poses[0]
+    result = calibrate_one_pose(
+        one_pose_inputs(session, pose), lambda text, share: progress(share, text)
+    )
+    return one_pose_sheet(result, origin_of(session, (pose,), _user()))
+
+
+def _by_all_poses(session: Session, limits: Limits, progress: Progress) -> CalibrationFile:
+    result = calibrate_joint(joint_inputs(session, limits, progress), _solving(progress))
+    return joint_sheet(result, origin_of(session, session.poses, _user()))
+
+
+def _by_board(
+    session: BoardSession, method: Method, limits: Limits, progress: Progress
+) -> CalibrationFile:
+    if method == "one-pose":
+        raise Refusal(
+            "one-pose-on-board",
+            f"one pose is not enough on {session.board.name}",
+            "one picture of a flat board tells neither the focal length nor the laser's plane",
+            "use --method joint, with pictures of the board from several sides",
+        )
+    result = calibrate_board(board_inputs(session, limits, progress), _solving(progress))
+    return board_sheet(result, origin_of(session, session.poses, _user()))
+
+
+def _solving(progress: Progress) -> Callable[[str, float], None]:
+    """Progress of what follows after the pictures were looked at."""
+    return lambda text, share: progress(LOOKING + (1 - LOOKING) * share, text)
 
 
 def one_pose_inputs(session: Session, pose: Pose) -> OnePoseInputs:
@@ -102,31 +131,56 @@ def joint_inputs(
     Poses that show nothing usable are kept with the reason; ``Refusal`` if a file is
     damaged. What is ``known`` of a pose, by number, is not looked at again.
     """
-    seen: list[SeenPose] = []
-    unseen: list[NotSeen] = []
-    q_rad = []
-    with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as looking:
-        found = looking.map(
-            lambda pose: known[pose.number] if pose.number in known else _seen(session, pose),
-            session.poses,
-        )
-        for done, (pose, one) in enumerate(zip(session.poses, found, strict=True), start=1):
-            progress(LOOKING * done / len(session.poses), f"Looked at pose {pose.number}")
-            if isinstance(one, Refusal):
-                unseen.append(NotSeen(pose.number, one))
-            else:
-                seen.append(one)
-                q_rad.append(pose.q_rad)
+    seen, unseen = _looked_at(
+        session.poses,
+        lambda pose: known[pose.number] if pose.number in known else _seen(session, pose),
+        progress,
+    )
     return JointInputs(
         arm=session.arm,
         block=session.block,
         features=session.contacts.features,
         contact_q_rad=session.contacts.q_rad,
-        seen=tuple(seen),
-        q_rad=np.array(q_rad).reshape(-1, session.arm.joint_count),
-        unseen=tuple(unseen),
+        seen=tuple(one for _, one in seen),
+        q_rad=np.array([pose.q_rad for pose, _ in seen]).reshape(-1, session.arm.joint_count),
+        unseen=unseen,
         limits=limits,
     )
+
+
+def board_inputs(
+    session: BoardSession, limits: Limits = LIMITS, progress: Progress = no_progress
+) -> BoardInputs:
+    """The same of a session on a chessboard."""
+    seen, unseen = _looked_at(session.poses, lambda pose: _seen_board(session, pose), progress)
+    return BoardInputs(
+        arm=session.arm,
+        board=session.board,
+        seen=tuple(one for _, one in seen),
+        readings=np.array([pose.reading for pose, _ in seen]),
+        size_px=(session.sensor.width_px, session.sensor.height_px),
+        contact_readings=session.contacts.readings if session.contacts else None,
+        unseen=unseen,
+        limits=limits,
+    )
+
+
+def _looked_at(
+    poses: Sequence[Pose], look: Callable[[Pose], Seen | Refusal], progress: Progress
+) -> tuple[list[tuple[Pose, Seen]], tuple[NotSeen, ...]]:
+    """What the poses' pictures show, on all cores, and those that show nothing usable."""
+    seen: list[tuple[Pose, Seen]] = []
+    unseen: list[NotSeen] = []
+    with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as looking:
+        for done, (pose, one) in enumerate(
+            zip(poses, looking.map(look, poses), strict=True), start=1
+        ):
+            progress(LOOKING * done / len(poses), f"Looked at pose {pose.number}")
+            if isinstance(one, Refusal):
+                unseen.append(NotSeen(pose.number, one))
+            else:
+                seen.append((pose, one))
+    return seen, tuple(unseen)
 
 
 def _seen(session: Session, pose: Pose) -> SeenPose | Refusal:
@@ -139,13 +193,24 @@ def _seen(session: Session, pose: Pose) -> SeenPose | Refusal:
         return refusal
 
 
-def origin_of(session: Session, poses: Sequence[Pose], operator: str) -> Origin:
+def _seen_board(session: BoardSession, pose: Pose) -> SeenBoard | Refusal:
+    """The same of a chessboard."""
+    ambient = read_grey(pose.ambient)
+    laser = None if pose.laser is None else read_grey(pose.laser)
+    try:
+        return see_board(pose.number, session.board, ambient, laser, session.sensor.stripe_axis)
+    except Refusal as refusal:
+        return refusal
+
+
+def origin_of(session: Session | BoardSession, poses: Sequence[Pose], operator: str) -> Origin:
     """Serial numbers, and the SHA-256 of every file that the calibration used."""
     folder = session.folder
+    target = session.board if isinstance(session, BoardSession) else session.block
     return Origin(
         serial_numbers=SerialNumbers(
             arm=session.arm.serial_number,
-            object=session.block.serial_number,
+            object=target.serial_number,
             sensor=session.sensor.serial_number,
         ),
         stripe_axis=session.sensor.stripe_axis,

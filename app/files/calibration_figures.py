@@ -45,7 +45,7 @@ def _uncertainty_figures(uncertainty: Uncertainty) -> list[tuple[str, str]]:
 
 
 def _residual_figures(residuals: Residuals) -> list[tuple[str, str]]:
-    figures = [("edges", f"{residuals.reprojection_rms_px:.3f} px rms")]
+    figures = [("edges and corners", f"{residuals.reprojection_rms_px:.3f} px rms")]
     if residuals.corners_px:
         corners = f"{len(residuals.corners_px)}, {_rms_px(residuals):.3f} px rms"
         figures.append(("corners", corners))
@@ -69,7 +69,6 @@ def _rms_px(residuals: Residuals) -> float:
 def _pose_figure(pose: PosePart) -> tuple[str, str]:
     if not pose.used:
         return f"  pose {pose.number}", f"left out: {pose.reason}"
-    return f"  pose {pose.number}", (
-        f"edges {pose.edges_rms_px:.3f} px, stripe {pose.stripe_rms_px:.3f} px, "
-        f"object off by {pose.off_um:.0f} µm"
-    )
+    stripe = f"stripe {pose.stripe_rms_px:.3f} px" if pose.stripe_points else "no stripe"
+    fits = f"edges {pose.edges_rms_px:.3f} px, {stripe}, object off by {pose.off_um:.0f} µm"
+    return f"  pose {pose.number}", fits + (f"; {pose.reason}" if pose.reason else "")

@@ -1,6 +1,6 @@
 """What was calibrated, as the file ``calibration.json`` has it."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from datetime import UTC, datetime
 from typing import Literal
@@ -26,6 +26,7 @@ from app.files.calibration import (
     Verdict,
 )
 from app.files.software import SOFTWARE
+from app.metrology.adjustment.board_joint import BoardCalibration
 from app.metrology.adjustment.joint import JointCalibration
 from app.metrology.adjustment.uncertainty import NAMES, Known
 from app.metrology.alignment import Alignment
@@ -151,6 +152,39 @@ def _faces(alignment: Alignment) -> list[FacePart]:
 
 def joint_sheet(result: JointCalibration, origin: Origin) -> CalibrationFile:
     """The file of a calibration over many poses, made now."""
+    alignment = result.alignment
+    return _sheet_of_all(
+        result,
+        origin,
+        {
+            "contacts_rms_um": alignment.rms_mm * 1e3,
+            "contacts_um": (alignment.residuals_mm * 1e3).tolist(),
+            "contacts_left_out": np.flatnonzero(alignment.outliers).tolist(),
+            "faces": _faces(alignment),
+        },
+    )
+
+
+def board_sheet(result: BoardCalibration, origin: Origin) -> CalibrationFile:
+    """The file of a calibration on a chessboard, made now."""
+    contacts = result.contacts
+    return _sheet_of_all(
+        result,
+        origin,
+        {}
+        if contacts is None
+        else {
+            "contacts_rms_um": contacts.rms_um,
+            "contacts_um": contacts.residuals_um.tolist(),
+            "contacts_left_out": np.flatnonzero(contacts.left_out).tolist(),
+        },
+    )
+
+
+def _sheet_of_all(
+    result: JointCalibration | BoardCalibration, origin: Origin, contacts: Mapping[str, object]
+) -> CalibrationFile:
+    """``contacts`` are those fields of the residuals."""
     scales = result.adjusted.scales
     return CalibrationFile.model_validate(
         {
@@ -165,7 +199,7 @@ def joint_sheet(result: JointCalibration, origin: Origin) -> CalibrationFile:
             "T_arm_obj": result.T_arm_obj.tolist(),
             "verdict": verdict_part(result.findings),
             "uncertainty": _uncertainty(result.known, result.depth_range_mm),
-            "residuals": _joint_residuals(result),
+            "residuals": _all_residuals(result, contacts),
             "poses": tuple(
                 PosePart.model_validate(
                     asdict(pose) | {"corners_px": {name: (u, v) for name, u, v in pose.corners_px}}
@@ -209,10 +243,11 @@ def _uncertainty(known: Known, depth_range_mm: tuple[float, float]) -> Uncertain
     )
 
 
-def _joint_residuals(result: JointCalibration) -> Residuals:
+def _all_residuals(
+    result: JointCalibration | BoardCalibration, contacts: Mapping[str, object]
+) -> Residuals:
     used = [pose for pose in result.poses if pose.used]
     edges = np.array([[pose.edges_rms_px, pose.edge_points] for pose in used])
-    alignment = result.alignment
     return Residuals.model_validate(
         {
             "reprojection_rms_px": float(
@@ -220,11 +255,8 @@ def _joint_residuals(result: JointCalibration) -> Residuals:
             ),
             "laser_plane_rms_um": result.stripe_rms_um,
             "stripe_points": sum(pose.stripe_points for pose in used),
-            "contacts_rms_um": alignment.rms_mm * 1e3,
-            "contacts_um": (alignment.residuals_mm * 1e3).tolist(),
-            "contacts_left_out": np.flatnonzero(alignment.outliers).tolist(),
-            "faces": _faces(alignment),
             "worst": [asdict(point) for point in result.worst],
+            **contacts,
         }
     )
 

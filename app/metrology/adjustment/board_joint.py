@@ -11,6 +11,12 @@ import numpy as np
 from app.metrology.adjustment.board_bundle import Bundle, bundle, unplaced
 from app.metrology.adjustment.board_findings import BoardEvidence, board_findings
 from app.metrology.adjustment.board_lines import lines_of
+from app.metrology.adjustment.board_results import (
+    BoardContacts,
+    board_contacts,
+    board_pose_results,
+    board_worst,
+)
 from app.metrology.adjustment.board_start import (
     SeenBoard,
     board_camera,
@@ -19,7 +25,7 @@ from app.metrology.adjustment.board_start import (
 )
 from app.metrology.adjustment.board_view import BoardView, without_line
 from app.metrology.adjustment.evidence import Problem, Touches
-from app.metrology.adjustment.joint import NotSeen, sorted_anew
+from app.metrology.adjustment.joint import NotSeen, sorted_anew, stripe_rms_mm
 from app.metrology.adjustment.mounting import Mounting, mounting_by_motion, refuse_alike
 from app.metrology.adjustment.pose_results import PoseResult
 from app.metrology.adjustment.readings import motion_of, plane_touches
@@ -32,7 +38,7 @@ from app.metrology.camera import Camera
 from app.metrology.chessboard.board import Chessboard
 from app.metrology.chessboard.corners import detect_board, outshining
 from app.metrology.detection.picture import picture_findings
-from app.metrology.findings import LIMITS, Finding, Limits
+from app.metrology.findings import LIMITS, Finding, Limits, WorstPoint
 from app.metrology.frames import Floats, apply, inverse, rigid
 from app.metrology.laser_plane import LaserPlane
 from app.metrology.reconstruct import sensor_points
@@ -95,8 +101,11 @@ class BoardCalibration:
     T_arm_obj: Floats
     poses: tuple[PoseResult, ...]
     known: Known
+    contacts: BoardContacts | None
+    stripe_rms_um: float  # of the line's points to the laser plane
     depth_range_mm: tuple[float, float]
     findings: tuple[Finding, ...]
+    worst: tuple[WorstPoint, ...]
 
 
 def see_board(
@@ -255,6 +264,7 @@ def _assembled(inputs: BoardInputs, found: Adjusted, start: _Start) -> BoardCali
     worth = known(found, T_cam_sensor)
     camera, plane, T_flange_sensor = sensor_of(state, T_cam_sensor)
     poses = _pose_results(inputs, found, start)
+    contacts = board_contacts(found)
     stripe = np.concatenate([view.stripe_px() for view in found.problem.views])
     points = sensor_points(state.camera, state.plane, stripe)
     distance = np.linalg.norm(points[np.isfinite(points).all(axis=1)], axis=1)
@@ -269,8 +279,11 @@ def _assembled(inputs: BoardInputs, found: Adjusted, start: _Start) -> BoardCali
         state.T_arm_obj,
         poses,
         worth,
+        contacts,
+        1e3 * stripe_rms_mm(found),
         (float(distance.min()), float(distance.max())),
         board_findings(evidence),
+        board_worst(found, poses, contacts),
     )
 
 
@@ -280,32 +293,13 @@ def _pose_results(inputs: BoardInputs, found: Adjusted, start: _Start) -> tuple[
     for out in map(int, np.flatnonzero(start.mounting.contradicts)):
         off = f"it puts the board {start.mounting.off_mm[out]:.1f} mm from where the others do"
         results.append(PoseResult(inputs.seen[out].number, False, off))
-    state, motion = found.state, found.problem.motion
-    for p, number in enumerate(found.problem.numbers):
+    for pose in board_pose_results(found, inputs.seen, inputs.board):
+        off_mm = start.lines_out.get(pose.number)
         line_out = (
-            f"its laser line was left out, {start.lines_out[number]:.1f} mm off the plane on which"
-            " the others agree"
-            if number in start.lines_out
-            else ""
+            ""
+            if off_mm is None
+            else f"its laser line was left out, {off_mm:.1f} mm off the plane on which the others"
+            " agree"
         )
-        corners, stripe = found.linear.rows[p]
-        kept_corners, kept_stripe = (one.kept for one in found.judgements[p])
-        twist = motion.by_links[p] @ state.links + motion.by_noise[p] @ state.noise[p]
-        at = state.T_arm_obj[:3, 3]
-        results.append(
-            PoseResult(
-                number,
-                True,
-                line_out,
-                _rms(corners.residuals[kept_corners]) * np.sqrt(2),
-                int(kept_corners.sum()) // 2,
-                _rms(stripe.residuals[kept_stripe]),
-                int(kept_stripe.sum()),
-                1e3 * float(np.linalg.norm(np.cross(twist[:3], at) + twist[3:])),
-            )
-        )
+        results.append(replace(pose, reason=line_out))
     return tuple(sorted(results, key=lambda pose: pose.number))
-
-
-def _rms(values: Floats) -> float:
-    return float(np.sqrt(np.mean(values**2))) if len(values) else 0.0

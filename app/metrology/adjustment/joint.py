@@ -243,14 +243,14 @@ def _assembled(
         state.T_arm_obj,
         poses,
         worth,
-        1e3 * _stripe_rms_mm(found),
+        1e3 * stripe_rms_mm(found),
         (float(distance.min()), float(distance.max())),
         joint_findings(evidence),
         worst_of_all(found, alignment, inputs.features, used),
     )
 
 
-def _stripe_rms_mm(found: Adjusted) -> float:
+def stripe_rms_mm(found: Adjusted) -> float:
     """Rms distance from the laser plane of the stripe's points on their levels.
 
     A pixel across the stripe is a length on the level, and so much of it off the plane.

@@ -1,0 +1,120 @@
+"""What became of each pose, contact and point in the adjustment on a chessboard."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.adjustment.board_start import SeenBoard
+from app.metrology.adjustment.pose_results import PoseResult
+from app.metrology.adjustment.sheet import corners_at
+from app.metrology.adjustment.solve import Adjusted
+from app.metrology.adjustment.state import pose_scene
+from app.metrology.camera import project
+from app.metrology.chessboard.board import Chessboard, grid
+from app.metrology.findings import WORST_OF_A_KIND, WorstPoint
+from app.metrology.frames import Floats
+
+
+@dataclass(frozen=True)
+class BoardContacts:
+    """Of N contacts: how far each lies off the sheet, and which were left out."""
+
+    residuals_um: Floats
+    left_out: NDArray[np.bool_]
+
+    @property
+    def rms_um(self) -> float:
+        """Of those that count."""
+        return _rms(self.residuals_um[~self.left_out])
+
+
+def board_pose_results(
+    found: Adjusted, seen: Sequence[SeenBoard], board: Chessboard
+) -> list[PoseResult]:
+    """Of the poses that were used."""
+    by_number = {pose.number: pose for pose in seen}
+    state, motion = found.state, found.problem.motion
+    results = []
+    for p, number in enumerate(found.problem.numbers):
+        corners, stripe = found.linear.rows[p]
+        kept_corners, kept_stripe = (one.kept for one in found.judgements[p])
+        twist = motion.by_links[p] @ state.links + motion.by_noise[p] @ state.noise[p]
+        at = state.T_arm_obj[:3, 3]
+        results.append(
+            PoseResult(
+                number,
+                True,
+                "",
+                _rms(corners.residuals[kept_corners]) * np.sqrt(2),
+                int(kept_corners.sum()) // 2,
+                _rms(stripe.residuals[kept_stripe]),
+                int(kept_stripe.sum()),
+                1e3 * float(np.linalg.norm(np.cross(twist[:3], at) + twist[3:])),
+                _corners(found, p, by_number[number], board),
+            )
+        )
+    return results
+
+
+def _corners(
+    found: Adjusted, pose: int, seen: SeenBoard, board: Chessboard
+) -> tuple[tuple[str, float, float], ...]:
+    """Measured less projected, by column and row on the board."""
+    scene = pose_scene(found.state, found.problem, found.layout, pose)
+    at = corners_at(board, found.state.coordinates)[seen.detection.number]
+    off = seen.detection.uv_px - project(scene.camera, at)
+    places = grid(board)[seen.detection.number]
+    return tuple(
+        (f"corner {column},{row}", float(u), float(v))
+        for (column, row), (u, v) in zip(places.tolist(), off, strict=True)
+    )
+
+
+def board_contacts(found: Adjusted) -> BoardContacts | None:
+    """Of a session in which the board was touched."""
+    rows, touches = found.linear.contact_rows, found.problem.touches
+    if rows is None or touches is None:
+        return None
+    return BoardContacts(1e3 * rows.residuals_mm, ~touches.kept)
+
+
+def board_worst(
+    found: Adjusted, poses: Sequence[PoseResult], contacts: BoardContacts | None
+) -> tuple[WorstPoint, ...]:
+    """The few worst contacts, corners and points of the laser's line over all poses."""
+    worst: list[WorstPoint] = []
+    if contacts is not None:
+        off_um = np.abs(contacts.residuals_um)
+        worst += [
+            WorstPoint("contact", f"board {i + 1}", float(off_um[i]), "µm", contact=int(i))
+            for i in np.argsort(-off_um)[:WORST_OF_A_KIND]
+        ]
+    at_corners = [
+        (float(np.hypot(u, v)), pose.number, name)
+        for pose in poses
+        for name, u, v in pose.corners_px
+    ]
+    worst += [
+        WorstPoint("corner", f"pose {number} {name}", off, "px", pose=number)
+        for off, number, name in sorted(at_corners, reverse=True)[:WORST_OF_A_KIND]
+    ]
+    on_line = []
+    for number, (_, rows), (_, judgement) in zip(
+        found.problem.numbers, found.linear.rows, found.judgements, strict=True
+    ):
+        off_px = np.abs(rows.residuals) * judgement.kept
+        on_line += [
+            (float(off_px[i]), number, float(rows.places[i, 0]), float(rows.places[i, 1]))
+            for i in np.argsort(-off_px)[:WORST_OF_A_KIND]
+        ]
+    worst += [
+        WorstPoint("stripe", f"pose {number} ({u:.0f}, {v:.0f})", off, "px", None, number, (u, v))
+        for off, number, u, v in sorted(on_line, reverse=True)[:WORST_OF_A_KIND]
+    ]
+    return tuple(worst)
+
+
+def _rms(values: Floats) -> float:
+    return float(np.sqrt(np.mean(values**2))) if len(values) else 0.0
