@@ -93,6 +93,7 @@ def serve(config: Path | None, data: Path | None, host: str, port: int, open_bro
         arm=lambda: arm_driver(arm.driver, arm.options),
         sensor=lambda: sensor_driver(sensor.driver, sensor.options),
         hosts=(*settings.hosts, host),
+        limits=settings.limits,
     )
     print("Starting the station; the first start takes half a minute.", flush=True)
     _run(parts, listening, host, open_browser)

@@ -12,6 +12,10 @@ url = "/dev/ttyUSB0"
 [sensor]
 driver = "opencv"
 source = 0
+
+[limits]                      # of a scanned point's standard uncertainty, k = 1
+good_um = 50                  # up to here a calibration is good
+usable_um = 150               # beyond, it is not to be used
 """
 
 import os
@@ -24,9 +28,11 @@ from typing import Annotated
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from app.files.failures import files_refused
+from app.metrology.findings import LIMITS, Limits
 from app.metrology.refusal import Refusal
 
 DEFAULT_FILE = "station.toml"
+LimitUm = Annotated[float, Field(gt=0, le=10_000, allow_inf_nan=False)]
 
 
 @dataclass(frozen=True)
@@ -46,6 +52,7 @@ class Settings:
     hosts: tuple[str, ...]
     arm: DeviceSettings
     sensor: DeviceSettings
+    limits: Limits
 
 
 class _StationTable(BaseModel):
@@ -62,12 +69,20 @@ class _DeviceTable(BaseModel):
     driver: Annotated[str, Field(min_length=1)]
 
 
+class _LimitsTable(BaseModel):
+    model_config = ConfigDict(extra="forbid", strict=True)
+
+    good_um: LimitUm = LIMITS.good_um
+    usable_um: LimitUm = LIMITS.usable_um
+
+
 class _File(BaseModel):
     model_config = ConfigDict(extra="forbid", strict=True)
 
     station: _StationTable = _StationTable()
     arm: _DeviceTable
     sensor: _DeviceTable
+    limits: _LimitsTable = _LimitsTable()
 
 
 def read_settings(path: Path | None) -> Settings:
@@ -101,7 +116,20 @@ def read_settings(path: Path | None) -> Settings:
         hosts=tuple(station.hosts),
         arm=DeviceSettings(sheet.arm.driver, sheet.arm.model_extra or {}),
         sensor=DeviceSettings(sheet.sensor.driver, sheet.sensor.model_extra or {}),
+        limits=_limits(path, sheet.limits),
     )
+
+
+def _limits(path: Path, table: _LimitsTable) -> Limits:
+    if table.usable_um < table.good_um:
+        raise Refusal(
+            "settings-limits",
+            f"{path}, [limits]: usable_um = {table.usable_um:g} is below good_um = "
+            f"{table.good_um:g}",
+            "what is good must be usable",
+            "Give usable_um the larger value",
+        )
+    return Limits(table.good_um, table.usable_um)
 
 
 def user_data_folder() -> Path:

@@ -19,6 +19,7 @@ from app.guide.guide import Guide
 from app.guide.guide import Station as GuidedStation
 from app.guide.hand import Hand
 from app.guide.scan_hand import ScanHand
+from app.metrology.findings import LIMITS, Limits
 from app.metrology.refusal import Refusal
 from app.station.bus import Bus
 from app.station.jobs import Jobs
@@ -46,6 +47,8 @@ class Parts:
     hosts: tuple[str, ...] = ()
     hand: Hand | None = None
     """Of the simulated station."""
+    limits: Limits = LIMITS
+    """What the verdict on a calibration goes by."""
 
 
 def open_context(parts: Parts) -> Context:
@@ -71,6 +74,7 @@ def open_context(parts: Parts) -> Context:
         store.calibrations,
         store.folder,
         use_active,
+        parts.limits,
     )
     if not guide.running:
         use_active()

@@ -112,10 +112,21 @@ def _another_pose(guide: Guide, args: Args, key: str | None) -> None:
 
 
 def _void_pose(guide: Guide, args: Args, key: str | None) -> None:
-    number = args["number"]
-    assert isinstance(number, int)
-    guide.append("pose_voided", {"number": number}, key)
+    guide.append("pose_voided", {"number": args["number"]}, key)
+    _poses_changed(guide)
+
+
+def _restore_pose(guide: Guide, args: Args, key: str | None) -> None:
+    guide.append("pose_restored", {"number": args["number"]}, key)
+    _poses_changed(guide)
+
+
+def _poses_changed(guide: Guide) -> None:
+    """The folder follows; while poses are still taken, the next one is advised anew."""
     guide.folder.keep_images(guide.state.pictures)
+    if guide.state.step == "solve" and guide.state.advice is None:
+        title = "Working out which pose would help most"
+        _job(guide, title, lambda _progress: works.keep_advice(guide))
 
 
 def _capture(guide: Guide, args: Args, key: str | None) -> None:
@@ -178,6 +189,7 @@ ACTS: dict[str, Callable[[Guide, Args, str | None], None]] = {
     "retake": _retake,
     "another_pose": _another_pose,
     "void_pose": _void_pose,
+    "restore_pose": _restore_pose,
     "capture": _capture,
     "solve": _solve,
     "let_hand": _let_hand,

@@ -94,8 +94,9 @@ class Guide:
         self.state = CalibrationState()
         if session is not None:
             self.state = fold(journal.rows(session.id), self.state, after)
-        self.sheets = Sheets(self._folder_of(session.id if session else "none"))
+        self.sheets = Sheets(self._folder_of(session.id if session else "none"), limits)
         self._outcome: tuple[Mapping[str, object] | None, Outcome | None] = (None, None)
+        self._captured: dict[int, tuple[Mapping[str, object], Outcome]] = {}
         self._advised: tuple[Mapping[str, object] | None, Advice | None] = (None, None)
         self._bring_station_in_line()
 
@@ -148,6 +149,7 @@ class Guide:
             corners_seen=len(preview.header.corners) if preview else 0,
             picture_findings=tuple(preview.header.findings) if preview else (),
             seen=self._seen(),
+            looked_at=self._looked_at(),
             advice=self._advice(),
             to_move=self._to_move(),
             scanning=self._scanning(),
@@ -161,9 +163,21 @@ class Guide:
         """The outcome of the solve, or before one of the capture; parsed once."""
         picture = self.state.picture
         payload = self.state.outcome or (picture.outcome if picture else None)
+        if self.state.step == "review" and self.state.solved is not None:
+            payload = self.state.solved.outcome
         if self._outcome[0] is not payload:
             self._outcome = (payload, from_payload(payload) if payload else None)
         return self._outcome[1]
+
+    def _looked_at(self) -> Mapping[int, Outcome]:
+        """What the captures showed, each parsed once."""
+        for capture in self.state.captures:
+            known = self._captured.get(capture.number)
+            if known is None or known[0] is not capture.outcome:
+                self._captured[capture.number] = (capture.outcome, from_payload(capture.outcome))
+        return {
+            capture.number: self._captured[capture.number][1] for capture in self.state.captures
+        }
 
     def _advice(self) -> Advice | None:
         """The advice on the next pose, parsed once."""
@@ -225,7 +239,7 @@ class Guide:
             )
         stamp = datetime.now(UTC).strftime("%Y%m%d-%H%M%S")
         session_id = f"{stamp}-{secrets.token_hex(2)}"
-        self.sheets = Sheets(self._folder_of(session_id))
+        self.sheets = Sheets(self._folder_of(session_id), self.limits)
         self.state = CalibrationState(session_id=session_id, choices=choices)
         if step == "touch":
             self.folder.keep_sheets(library, self.state)

@@ -1,5 +1,6 @@
 """What the flow's view depends on beside the journal. Pure."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from app.files.sensor import SensorSheet
@@ -63,7 +64,10 @@ class Live:
     picture_findings: tuple[Finding, ...]
     """Exposure, saturation and sharpness of the live picture."""
     seen: Outcome | None
-    """What the solve, or before it the capture, found in the pictures."""
+    """What the solve, or before it the capture, found in the pictures; in the review the
+    last solve's, even where a pose was set aside or taken back since."""
+    looked_at: Mapping[int, Outcome]
+    """What each capture showed as it was taken, by the pose's number."""
     advice: Advice | None
     """Which pose to take next, for the points and pictures as they are."""
     to_move: Hold | None

@@ -11,8 +11,18 @@ from app.station.findings import Finding
 
 
 @dataclass(frozen=True)
+class PoseDrawing:
+    """What a solve found in one pose's picture, each corner with its residual."""
+
+    number: int
+    corners: Sequence[ImageCorner]
+    outline: Sequence[Segment]
+    stripe: Sequence[tuple[float, float]]
+
+
+@dataclass(frozen=True)
 class Outcome:
-    """The object and the stripe in the picture and, after a solve, its result.
+    """The object and the stripe in a fresh picture; or a solve's result, and each pose's.
 
     ``marks``: in a picture that was declined, what shows why.
     """
@@ -23,6 +33,7 @@ class Outcome:
     findings: Sequence[Finding]
     result: CalibrationResult | None
     marks: tuple[Mark, ...] = ()
+    poses: tuple[PoseDrawing, ...] = ()
 
 
 _ADAPTER = TypeAdapter(Outcome)

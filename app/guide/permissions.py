@@ -25,7 +25,8 @@ ONLY_IN = {
     "another_pose": ("solve", "review"),
     "void_pose": ("solve", "review"),
     "retake": ("solve", "review"),
-    "solve": ("solve",),
+    "restore_pose": ("solve", "review"),
+    "solve": ("solve", "review"),
     "accept": ("review",),
     "back": ("setup", "touch", "place", "capture", "solve", "review"),
     "let_hand": ("devices", "setup", "touch", "place", "capture", "solve"),
@@ -138,10 +139,19 @@ def _keep(state: CalibrationState, live: Live, args: Args) -> str:
 
 def _void_pose(state: CalibrationState, live: Live, args: Args) -> str:
     known = any(picture.number == args.get("number") for picture in state.pictures)
-    return "" if known else "That pose is not there any more."
+    if not known:
+        return "That pose is not there any more."
+    return "" if len(state.pictures) > 1 else "It is the only pose. Take another first."
+
+
+def _restore_pose(state: CalibrationState, live: Live, args: Args) -> str:
+    aside = [picture.number for picture in state.listed if picture.gone]
+    return "" if args.get("number") in aside else "That pose is not set aside."
 
 
 def _solve(state: CalibrationState, live: Live, args: Args) -> str:
+    if state.step == "review" and state.outcome is not None:
+        return "Nothing changed since this was solved."
     if not state.picture:
         return "There is no picture of this object and sensor. Take one."
     return _touch(state, live, args)
@@ -177,6 +187,7 @@ RULES: dict[str, Rule] = {
     "capture": _capture,
     "keep_picture": _keep,
     "void_pose": _void_pose,
+    "restore_pose": _restore_pose,
     "solve": _solve,
     "accept": _accept,
     "back": _back,

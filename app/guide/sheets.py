@@ -7,16 +7,20 @@ from app.guide.live import Chosen, ConnectedArm, ConnectedSensor
 from app.guide.session_folder import SessionFolder
 from app.guide.state import FIELDS, CalibrationState
 from app.guide.touching import TouchReport, touch_report
+from app.metrology.findings import Limits
 
 FRESH_S = 2.0
 """While the operator chooses, files that were added are seen after this time."""
 CHOOSING = ("devices", "setup")
+TARGET_SHARE = 0.3
+"""The contacts may take so much of what a good calibration may be uncertain by."""
 
 
 class Sheets:
     """Reads the sheets once and again only when they may have changed; not thread-safe."""
 
-    def __init__(self, folder: SessionFolder) -> None:
+    def __init__(self, folder: SessionFolder, limits: Limits) -> None:
+        self._target_um = TARGET_SHARE * limits.good_um
         self._data_folder = folder.path.parent.parent
         self.folder = folder
         self._library: Library | None = None
@@ -54,7 +58,7 @@ class Sheets:
         if self._report[0] != key:
             report = None
             if chosen.arm is not None and chosen.block is not None:
-                report = touch_report(state.counted, chosen.arm, chosen.block)
+                report = touch_report(state.counted, chosen.arm, chosen.block, self._target_um)
             self._report = (key, report)
         return self._report[1]
 

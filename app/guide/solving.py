@@ -1,6 +1,7 @@
 """From the session's folder to its calibration file, and what the browser shows of it."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -10,7 +11,7 @@ from app.files.calibration_sheet import joint_sheet, worst_of
 from app.files.session import read_session
 from app.guide.journal import Calibration
 from app.guide.live import Chosen
-from app.guide.outcome import Outcome
+from app.guide.outcome import Outcome, PoseDrawing
 from app.guide.session_folder import SessionFolder
 from app.guide.view import (
     BudgetRow,
@@ -19,13 +20,16 @@ from app.guide.view import (
     FaceResult,
     ImageCorner,
     MapPoint,
+    MovedPoint,
     PlaneKnown,
     PoseRow,
     WorstPoint,
 )
+from app.metrology import findings as metrology
 from app.metrology.adjustment.block_start import SeenPose
 from app.metrology.adjustment.joint import (
     JointCalibration,
+    JointInputs,
     Progress,
     calibrate_joint,
     see_pose,
@@ -34,7 +38,7 @@ from app.metrology.adjustment.pose_results import PoseResult
 from app.metrology.adjustment.uncertainty import UncertaintyMap
 from app.metrology.detection.evidence import DetectionRefusal
 from app.metrology.findings import Limits
-from app.metrology.frames import apply
+from app.metrology.frames import Floats, apply
 from app.metrology.reconstruct import sensor_points
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import Stripe, extract_stripe
@@ -43,7 +47,7 @@ from app.station.findings import Finding
 from app.station.object_watch import outline, seen_corners
 from app.station.picture_words import picture_words, refused
 
-SHOWN_STRIPE_POINTS = 400
+SHOWN_STRIPE_POINTS = 300
 
 
 def look_at(taken: Capture, chosen: Chosen, number: int) -> tuple[Outcome, SeenPose | Refusal]:
@@ -85,11 +89,13 @@ def solve(
     progress: Progress,
     known: Mapping[int, SeenPose | Refusal],
     limits: Limits,
+    points: Sequence[int],
 ) -> Outcome:
     """Calibrates the session as the command line does, and writes ``calibration.json``.
 
     Args:
         known: what the pictures of poses show, by number, where they were looked at.
+        points: the index of the touched point that each row of the contacts is.
 
     Raises:
         Refusal: by its reason; a calibration file of an earlier solve is then gone.
@@ -100,19 +106,56 @@ def solve(
     result = calibrate_joint(inputs, progress)
     sheet = joint_sheet(result, origin_of(session, session.poses, operator=""))
     sheet.write(folder.calibration)
-    shown = _worst_fitting(result)
-    seen = next(pose for pose in inputs.seen if pose.number == shown.number)
-    corners = [
-        ImageCorner(corner.name, corner.u, corner.v, float(np.hypot(du, dv)))
-        for corner, (_, du, dv) in zip(seen.detection.corners, shown.corners_px, strict=True)
-    ]
+    drawings = _drawings(result, inputs)
     return Outcome(
-        corners=corners,
-        outline=outline(seen.detection, session.block),
-        stripe=_shown(seen.stripe),
-        findings=[Finding(f.quality, f.text, f.remedy) for f in result.findings],
-        result=_result(result, sheet, compare(result, sheet, in_use), shown.number),
+        corners=(),
+        outline=(),
+        stripe=(),
+        findings=[Finding(f.quality, f.text, f.remedy, f.pose) for f in result.findings],
+        result=replace(
+            _result(result, sheet, compare(result, sheet, in_use)),
+            shown_pose=_worst_fitting(result).number,
+            worst=[_worst(point, drawings, points) for point in result.worst],
+            good_um=limits.good_um,
+            usable_um=limits.usable_um,
+        ),
+        poses=tuple(drawings.values()),
     )
+
+
+def _drawings(result: JointCalibration, inputs: JointInputs) -> dict[int, PoseDrawing]:
+    """Of the poses that were used, by number: corners with what the adjustment left of them."""
+    left = {pose.number: pose.corners_px for pose in result.poses if pose.used}
+    return {
+        seen.number: PoseDrawing(
+            seen.number,
+            [
+                ImageCorner(corner.name, corner.u, corner.v, float(np.hypot(du, dv)))
+                for corner, (_, du, dv) in zip(
+                    seen.detection.corners, left[seen.number], strict=True
+                )
+            ],
+            outline(seen.detection, inputs.block),
+            _shown(seen.stripe),
+        )
+        for seen in inputs.seen
+        if seen.number in left
+    }
+
+
+def _worst(
+    point: metrology.WorstPoint, drawings: Mapping[int, PoseDrawing], points: Sequence[int]
+) -> WorstPoint:
+    """One of the worst points with the place where it is shown."""
+    if point.contact is not None:
+        index = points[point.contact]
+        face = point.name.split()[0]
+        return WorstPoint(point.kind, f"{face}, point {index + 1}", point.value, point.unit, index)
+    at_px = point.at_px
+    if at_px is None and point.pose is not None:
+        corners = drawings[point.pose].corners
+        at_px = next((c.u, c.v) for c in corners if point.name.endswith(f" {c.name}"))
+    return WorstPoint(point.kind, point.name, point.value, point.unit, None, point.pose, at_px)
 
 
 def _worst_fitting(result: JointCalibration) -> PoseResult:
@@ -134,7 +177,6 @@ def _result(
     result: JointCalibration,
     sheet: CalibrationFile,
     comparison: Comparison | None,
-    shown_pose: int,
 ) -> CalibrationResult:
     verdict = sheet.verdict or Verdict(quality=worst_of([]), text="")
     residuals, known, text = sheet.residuals, result.known, verdict.text
@@ -166,8 +208,7 @@ def _result(
             )
             for pose in result.poses
         ],
-        shown_pose=shown_pose,
-        worst=[WorstPoint(p.kind, p.name, p.value, p.unit) for p in result.worst],
+        worst=(),
         comparison=comparison,
         distortion=result.camera.distortion.tolist(),
     )
@@ -200,12 +241,21 @@ def compare(
     was, now = before.serial_numbers, sheet.serial_numbers
     if (was.arm, was.sensor) != (now.arm, now.sensor):
         return None
-    uv = result.known.volume.uv_px
     old = calibration_in(before)
-    points = apply(result.T_flange_sensor, sensor_points(result.camera, result.plane, uv))
-    others = apply(old.T_flange_sensor, sensor_points(old.camera, old.plane, uv))
-    shift_um = 1e3 * np.linalg.norm(points - others, axis=1)
-    if not np.all(np.isfinite(shift_um)):
+
+    def moved_um(uv_px: Floats) -> Floats:
+        points = apply(result.T_flange_sensor, sensor_points(result.camera, result.plane, uv_px))
+        others = apply(old.T_flange_sensor, sensor_points(old.camera, old.plane, uv_px))
+        return np.asarray(1e3 * np.linalg.norm(points - others, axis=1))
+
+    in_volume = moved_um(result.known.volume.uv_px)
+    if not np.all(np.isfinite(in_volume)):
         return None
-    rms_um = float(np.sqrt(np.mean(shift_um**2)))
-    return Comparison(in_use.name, float(shift_um.max()), rms_um)
+    over = result.known.map.uv_px
+    moved = [
+        MovedPoint(round(float(u), 1), round(float(v), 1), round(float(um), 2))
+        for (u, v), um in zip(over, moved_um(over), strict=True)
+        if np.isfinite(um)
+    ]
+    rms_um = float(np.sqrt(np.mean(in_volume**2)))
+    return Comparison(in_use.name, float(in_volume.max()), rms_um, moved)

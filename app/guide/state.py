@@ -43,7 +43,8 @@ class Capture:
     sensor: str
     outcome: Payload
     """What was found in the picture as it was taken."""
-    voided: bool = False
+    gone: str = ""
+    """``aside``: set aside, and can be taken back; ``retaken``: another took its place."""
 
 
 @dataclass(frozen=True)
@@ -107,9 +108,16 @@ class CalibrationState:
     def pictures(self) -> tuple[Capture, ...]:
         """The pictures that count, one pose each: not set aside, and of the chosen arm,
         object and sensor."""
+        return tuple(capture for capture in self.listed if not capture.gone)
+
+    @property
+    def listed(self) -> tuple[Capture, ...]:
+        """The pictures that count, and those set aside that could."""
         chosen = tuple(self.choices.get(name) for name in FIELDS)
         return tuple(
-            c for c in self.captures if not c.voided and (c.arm, c.object, c.sensor) == chosen
+            c
+            for c in self.captures
+            if c.gone != "retaken" and (c.arm, c.object, c.sensor) == chosen
         )
 
     @property
@@ -195,17 +203,30 @@ def _image_captured(state: CalibrationState, payload: Payload) -> CalibrationSta
 
 def _retaken(state: CalibrationState, payload: Payload) -> CalibrationState:
     newest = state.picture.number if state.picture else None
-    return replace(_without_pose(state, newest), step="capture")
+    return replace(_with_pose(state, newest, "retaken"), step="capture")
 
 
 def _pose_voided(state: CalibrationState, payload: Payload) -> CalibrationState:
-    left = _without_pose(state, payload["number"])
+    left = _with_pose(state, payload["number"], "aside")
     return left if left.pictures else replace(left, step="place")
 
 
-def _without_pose(state: CalibrationState, number: int | None) -> CalibrationState:
-    captures = (replace(c, voided=c.voided or c.number == number) for c in state.captures)
+def _pose_restored(state: CalibrationState, payload: Payload) -> CalibrationState:
+    return _with_pose(state, payload["number"], "")
+
+
+def _with_pose(state: CalibrationState, number: int | None, gone: str) -> CalibrationState:
+    captures = (
+        replace(c, gone=gone) if c.number == number and c.gone != "retaken" else c
+        for c in state.captures
+    )
     return replace(state, captures=tuple(captures))
+
+
+def _solve_refused(state: CalibrationState, payload: Payload) -> CalibrationState:
+    """The calibration of before is gone with its file."""
+    step = "solve" if state.step == "review" else state.step
+    return replace(state, refused=Refused(**payload), solved=None, step=step)
 
 
 def _solved(state: CalibrationState, payload: Payload) -> CalibrationState:
@@ -223,10 +244,11 @@ CHANGES: dict[str, Callable[[CalibrationState, Payload], CalibrationState]] = {
     "image_captured": _image_captured,
     "retaken": _retaken,
     "pose_voided": _pose_voided,
+    "pose_restored": _pose_restored,
     "another_pose": lambda state, payload: replace(state, step="place"),
     "advised": lambda state, payload: replace(state, advised=Advised(**payload)),
     "solved": _solved,
-    "solve_refused": lambda state, payload: replace(state, refused=Refused(**payload)),
+    "solve_refused": _solve_refused,
     "went_back": lambda state, payload: replace(state, step=payload["to"]),
 }
 KINDS = frozenset((*FORWARD, *ENDS, *NOTES, *CHANGES))

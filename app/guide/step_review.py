@@ -2,36 +2,44 @@
 
 from app.guide.body import Body, geometry, offer
 from app.guide.live import Live
-from app.guide.outcome import Outcome
-from app.guide.state import CalibrationState, Capture
-from app.guide.steps_picture import image_url, solve_step
+from app.guide.pose_pictures import pose_pictures
+from app.guide.state import CalibrationState
+from app.guide.steps_picture import solve_step
 from app.guide.view import Action, CalibrationResult, LiveNumber, ResultPicture
-from app.metrology.crenellated import Crenellated
+from app.station.findings import Finding
 
 
 def review_step(state: CalibrationState, live: Live) -> Body:
     """The numbers, the verdict with its reasons, and accept or repeat."""
-    seen, picture, block = live.seen, state.picture, live.chosen.block
-    if seen is None or seen.result is None or picture is None or block is None:
+    seen, block = live.seen, live.chosen.block
+    if seen is None or seen.result is None or block is None:
         return solve_step(state, live)
-    result = seen.result
+    result, stale = seen.result, state.outcome is None
     return Body(
-        instruction=_instruction(state, result),
-        picture=_picture(state, live, seen, result, _shown(state, result, picture), block),
+        instruction=_instruction(state, result, stale),
+        picture=ResultPicture(
+            result=result,
+            stale=stale,
+            block=geometry(block),
+            points=live.touch.points if live.touch else (),
+            poses=pose_pictures(state, live, seen),
+        ),
         number=LiveNumber(
             "Uncertainty of a scanned point (k = 1)",
             result.total_um,
             "µm",
             0,
-            result.verdict,
-            result.verdict_text,
+            "neutral" if stale else result.verdict,
+            "Of before: the poses were changed since." if stale else result.verdict_text,
         ),
-        findings=seen.findings,
-        actions=_actions(state, live, result),
+        findings=[*(_changes(state, result) if stale else ()), *seen.findings],
+        actions=_actions(state, live, result, stale),
     )
 
 
-def _instruction(state: CalibrationState, result: CalibrationResult) -> str:
+def _instruction(state: CalibrationState, result: CalibrationResult, stale: bool) -> str:
+    if stale:
+        return "The poses were changed. Solve again, or undo the change."
     if state.ended == "accepted":
         return "It is kept under Records. Scan with it, or calibrate anew."
     if result.verdict == "bad":
@@ -39,38 +47,27 @@ def _instruction(state: CalibrationState, result: CalibrationResult) -> str:
     return "Look at the numbers, then accept the calibration or repeat it."
 
 
-def _shown(state: CalibrationState, result: CalibrationResult, newest: Capture) -> Capture:
-    """The picture that the result's corners were found in."""
-    return next((one for one in state.pictures if one.number == result.shown_pose), newest)
+def _changes(state: CalibrationState, result: CalibrationResult) -> list[Finding]:
+    """Which poses were set aside or taken back since the result was solved."""
+    before = {row.number for row in result.poses}
+    now = {picture.number for picture in state.pictures}
+    told = [f"Pose {n} is set aside" for n in sorted(before - now)]
+    told += [f"Pose {n} is taken back" for n in sorted(now - before)]
+    return [
+        Finding("attention", f"{text}: the figures are of before.", "Solve again.") for text in told
+    ]
 
 
-def _picture(
-    state: CalibrationState,
-    live: Live,
-    seen: Outcome,
-    result: CalibrationResult,
-    picture: Capture,
-    block: Crenellated,
-) -> ResultPicture:
-    return ResultPicture(
-        result=result,
-        block=geometry(block),
-        points=live.touch.points if live.touch else (),
-        image_url=image_url(state.session_id, picture),
-        width_px=picture.width_px,
-        height_px=picture.height_px,
-        corners=seen.corners,
-        outline=seen.outline,
-        stripe=seen.stripe,
-    )
-
-
-def _actions(state: CalibrationState, live: Live, result: CalibrationResult) -> list[Action]:
+def _actions(
+    state: CalibrationState, live: Live, result: CalibrationResult, stale: bool
+) -> list[Action]:
     if state.ended:
         return [offer(state, live, "repeat", "Start a new calibration", primary=True)]
-    good = result.verdict != "bad"
+    good = result.verdict != "bad" or stale
     return [
-        offer(state, live, "accept", "Accept this calibration", primary=good),
+        offer(state, live, "solve", "Solve again", primary=True)
+        if stale
+        else offer(state, live, "accept", "Accept this calibration", primary=good),
         offer(
             state,
             live,

@@ -3,7 +3,7 @@
 from app.guide.body import Body, geometry, lost_devices, offer
 from app.guide.live import Live
 from app.guide.state import CalibrationState
-from app.guide.touching import TITLES, WANTED, TouchReport, face_progress, next_face
+from app.guide.touching import TITLES, TouchReport, face_progress, next_face
 from app.guide.view import Action, DevicesPicture, FaceProgress, LiveNumber, ObjectPicture
 from app.guide.view import StepProgress as Progress
 from app.station.findings import Finding, Quality
@@ -25,7 +25,7 @@ def touch_step(state: CalibrationState, live: Live) -> Body:
     done = sum(min(face.taken, face.wanted) for face in faces)
     wanted = sum(face.wanted for face in faces)
     return Body(
-        instruction=_instruction(faces, state.face, done >= wanted),
+        instruction=_instruction(faces, state.face, done >= wanted, touch),
         picture=ObjectPicture(geometry(block), faces, touch.points),
         number=_number(touch),
         progress=Progress(done, wanted, f"{done} of {wanted} points"),
@@ -49,9 +49,12 @@ def _actions(
     ]
 
 
-def _instruction(faces: list[FaceProgress], selected: str, complete: bool) -> str:
+def _instruction(
+    faces: list[FaceProgress], selected: str, complete: bool, touch: TouchReport
+) -> str:
     if complete:
-        return "All points are there. Go on, or add some on any face."
+        more = touch.advice.words if touch.advice is not None else ""
+        return f"All points are there. Go on, or add {more or 'some on any face'}."
     here = next(face for face in faces if face.face == selected)
     if here.wanted == 0:
         return f"{_place(selected)} Points here are welcome beside those on the other faces."
@@ -76,27 +79,28 @@ def _place(face: str) -> str:
 
 
 def _number(touch: TouchReport) -> LiveNumber:
-    rms_um = touch.rms_um
-    quality: Quality = "neutral"
-    note = "after three points on three faces"
-    if touch.alignment is not None:
-        sigma_um = touch.alignment.sigma_mm * 1e3
-        quality = "attention" if touch.suspects else "good"
-        note = f"one contact: {sigma_um:.0f} µm (k = 1)"
-    return LiveNumber("Points off their faces, rms", rms_um, "µm", 0, quality, note)
+    label = "Object's place (k = 1)"
+    if touch.alignment is None or touch.advice is None:
+        return LiveNumber(label, None, "µm", 0, "neutral", "after three points on three faces")
+    fine = touch.advice.now_um <= touch.target_um
+    quality: Quality = "attention" if touch.suspects else ("good" if fine else "neutral")
+    note = f"wanted: {touch.target_um:.0f} µm; points fit to {1e3 * touch.alignment.rms_mm:.0f} µm"
+    return LiveNumber(label, touch.advice.now_um, "µm", 0, quality, note)
 
 
 def _advice(touch: TouchReport, done: int, wanted: int) -> list[Finding]:
-    if touch.alignment is None:
+    """How many more points on which face, and what they bring."""
+    if touch.alignment is None or touch.advice is None:
         missing = touch.missing if not touch.findings else ""
         return [Finding("neutral", missing)] if missing else []
-    if done >= wanted:
-        return []
-    return [
-        Finding(
-            "neutral",
-            f"The object's position is known. {wanted - done} more of the {wanted} points make it "
-            "surer: the contacts are the largest share of the calibration's uncertainty.",
-            f"Take {WANTED} on each of three faces, spread wide and clear of the edges.",
-        )
-    ]
+    told = touch.advice
+    known = f"Object known to {told.now_um:.0f} µm (k = 1)"
+    if not told.more:
+        left = wanted - done
+        remedy = f"The {left} points still to take check it." if left > 0 else ""
+        return [Finding("good", f"{known}; wanted: {touch.target_um:.0f} µm.", remedy)]
+    bring = "brings" if sum(count for _, count in told.more) == 1 else "bring"
+    text = f"{known}; {told.words} {bring} {told.then_um:.0f} µm."
+    if not told.reaches:
+        text = f"{text[:-1]}, {touch.target_um:.0f} µm are wanted."
+    return [Finding("neutral", text, "Spread them wide, clear of the edges.")]

@@ -5,7 +5,8 @@ from collections.abc import Sequence
 from app.guide.advice import Advice
 from app.guide.body import Body, lost_devices, offer
 from app.guide.live import Live
-from app.guide.state import CalibrationState, Capture
+from app.guide.pose_pictures import pose_pictures
+from app.guide.state import CalibrationState
 from app.guide.touching import sentence
 from app.guide.view import Action, CameraPicture, LiveNumber, StillPicture
 from app.metrology.adjustment.pose_advice import Hold
@@ -89,7 +90,7 @@ def reached(left: Hold) -> bool:
 
 def solve_step(state: CalibrationState, live: Live) -> Body:
     """Take another pose, or compute the calibration from the points and the pictures."""
-    picture, advice = state.picture, live.advice
+    advice = live.advice
     findings = list(live.seen.findings) if live.seen else []
     refused = state.refused if state.refused and state.refused.inputs == state.inputs else None
     if refused is not None:
@@ -97,12 +98,12 @@ def solve_step(state: CalibrationState, live: Live) -> Body:
         remedy = refused.remedy or "Go back, and take the picture or the points again."
         findings.insert(0, Finding("bad", f"{refused.what.rstrip('.')}{why}.", remedy))
     unusable = refused is not None or any(finding.quality == "bad" for finding in findings)
-    if advice is not None:
-        findings.append(_advised(advice))
     more = advice is not None and advice.worth_it and not unusable
+    if advice is not None and not more:
+        findings.append(_advised(advice))
     return Body(
         instruction=_solve_instruction(state, live, refused is not None, more),
-        picture=still_picture(state.session_id, picture, live) if picture else CameraPicture(),
+        picture=_taken(state, live),
         number=_known(advice) if advice else None,
         findings=findings,
         actions=[
@@ -144,24 +145,11 @@ def _known(advice: Advice) -> LiveNumber:
     )
 
 
-def still_picture(session_id: str, picture: Capture, live: Live) -> StillPicture:
-    """The captured picture with what was found in it so far."""
-    seen = live.seen
-    return StillPicture(
-        image_url=image_url(session_id, picture),
-        width_px=picture.width_px,
-        height_px=picture.height_px,
-        corners=seen.corners if seen else (),
-        outline=seen.outline if seen else (),
-        stripe=seen.stripe if seen else (),
-        marks=seen.marks if seen else (),
-    )
-
-
-def image_url(session_id: str, picture: Capture) -> str:
-    """The captured picture's address; the session makes it one that may be cached."""
-    name = picture.ambient.rsplit("/", 1)[-1]
-    return f"/api/flow/image/{name}?session={session_id}"
+def _taken(state: CalibrationState, live: Live) -> StillPicture | CameraPicture:
+    """The poses taken so far, the newest shown first."""
+    if state.picture is None:
+        return CameraPicture()
+    return StillPicture(pose_pictures(state, live), state.picture.number)
 
 
 def _stillness(live: Live) -> LiveNumber:

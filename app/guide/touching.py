@@ -7,6 +7,7 @@ import numpy as np
 
 from app.guide.state import Contact
 from app.guide.view import FaceProgress, TouchedPoint, Vec3
+from app.metrology.adjustment.touch_advice import TouchAdvice, next_touches
 from app.metrology.alignment import Alignment, align, other_face
 from app.metrology.arm import Arm, tip_centres, tip_covariances
 from app.metrology.contacts import what_is_missing
@@ -43,10 +44,9 @@ class TouchReport:
     findings: tuple[Finding, ...]
     suspects: tuple[int, ...]
     """Indices of points that should be taken away."""
-
-    @property
-    def rms_um(self) -> float | None:
-        return None if self.alignment is None else self.alignment.rms_mm * 1e3
+    advice: TouchAdvice | None = None
+    """How many more, on which face, make the object known as well as is wanted."""
+    target_um: float = 0.0
 
     def face_rms_um(self, face: str) -> float | None:
         if self.alignment is None:
@@ -54,8 +54,13 @@ class TouchReport:
         return next((f.rms_mm * 1e3 for f in self.alignment.faces if f.face == face), None)
 
 
-def touch_report(contacts: Sequence[Contact], arm: Arm, block: Crenellated) -> TouchReport:
-    """Aligns the object with the points so far, as soon as that is possible."""
+def touch_report(
+    contacts: Sequence[Contact], arm: Arm, block: Crenellated, target_um: float
+) -> TouchReport:
+    """Aligns the object with the points so far, as soon as that is possible.
+
+    ``target_um`` is how well the object's place is wanted, k = 1.
+    """
     faces = [contact.face for contact in contacts]
     missing = what_is_missing(faces)
     unplaced = tuple(TouchedPoint(c.index, c.face, None, None, False) for c in contacts)
@@ -84,7 +89,8 @@ def touch_report(contacts: Sequence[Contact], arm: Arm, block: Crenellated) -> T
     findings = tuple(
         _outlier_finding(point, i, found, block) for i, point in enumerate(points) if point.outlier
     )
-    return TouchReport(points, found, "", findings, suspects)
+    advice = next_touches(found, faces, block, target_um) if found.sigma_mm > 0 else None
+    return TouchReport(points, found, "", findings, suspects, advice, target_um)
 
 
 def _outlier_finding(

@@ -122,17 +122,35 @@ class FaceResult:
 
 @dataclass(frozen=True)
 class WorstPoint:
+    """One of those that fit worst: ``point`` is the touched point's index, ``at_px`` the place
+    in the picture of ``pose``."""
+
     kind: Literal["contact", "corner", "stripe"]
     name: str
     value: float
     unit: str
+    point: int | None = None
+    pose: int | None = None
+    at_px: tuple[float, float] | None = None
+
+
+@dataclass(frozen=True)
+class MovedPoint:
+    """How far the point that a pixel shows moved between two calibrations."""
+
+    u: float
+    v: float
+    moved_um: float
 
 
 @dataclass(frozen=True)
 class Comparison:
+    """How far points of the measuring volume moved since another calibration."""
+
     with_name: str
     max_um: float
     rms_um: float
+    map: Sequence[MovedPoint] = ()
 
 
 @dataclass(frozen=True)
@@ -185,7 +203,10 @@ class CalibrationResult:
     map: Sequence[MapPoint] = ()
     poses: Sequence[PoseRow] = ()
     shown_pose: int = 0
-    """The pose whose picture is shown: its edges fit worst."""
+    """The pose whose picture is shown first: its edges fit worst."""
+    good_um: float | None = None
+    usable_um: float | None = None
+    """The limits that the verdict went by."""
 
 
 @dataclass(frozen=True)
@@ -218,30 +239,47 @@ class CameraPicture:
 
 
 @dataclass(frozen=True)
-class StillPicture:
-    """The captured picture, with what was found in it, or why nothing was (``marks``)."""
+class PosePicture:
+    """One pose: its picture with what was found in it, or why nothing was (``marks``).
 
+    ``note`` says why it does not count; the figures are those of the result, where there
+    is one. ``action`` sets the pose aside or takes it back.
+    """
+
+    number: int
+    state: Literal["taken", "used", "left_out", "aside"]
+    note: str
     image_url: str
     width_px: int
     height_px: int
     corners: Sequence[ImageCorner]
     outline: Sequence[Segment]
     stripe: Sequence[tuple[float, float]]
-    marks: Sequence[Mark] = ()
+    marks: Sequence[Mark]
+    edges_rms_px: float | None
+    stripe_rms_px: float | None
+    off_um: float | None
+    action: Action | None
+
+
+@dataclass(frozen=True)
+class StillPicture:
+    """The poses taken so far; the one to look at is ``shown``."""
+
+    poses: Sequence[PosePicture]
+    shown: int
     kind: Literal["still"] = "still"
 
 
 @dataclass(frozen=True)
 class ResultPicture:
+    """A result; ``stale`` once a pose was set aside or taken back since."""
+
     result: CalibrationResult
+    stale: bool
     block: BlockGeometry
     points: Sequence[TouchedPoint]
-    image_url: str
-    width_px: int
-    height_px: int
-    corners: Sequence[ImageCorner]
-    outline: Sequence[Segment]
-    stripe: Sequence[tuple[float, float]]
+    poses: Sequence[PosePicture]
     kind: Literal["result"] = "result"
 
 

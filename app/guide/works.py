@@ -42,10 +42,10 @@ def capture(guide: Guide, progress: Progress) -> None:
         guide.folder.keep_images(guide.state.pictures)
         guide.station.bus.event("step_done", f"Pose {number} is taken.", "good")
     progress("Working out which pose would help most", 0.7)
-    _advise(guide)
+    keep_advice(guide)
 
 
-def _advise(guide: Guide) -> None:
+def keep_advice(guide: Guide) -> None:
     """Keeps which pose to take next; nothing where the poses do not tell."""
     inputs = guide.state.inputs
     try:
@@ -63,8 +63,9 @@ def calibrate(guide: Guide, progress: Progress) -> None:
         guide.folder.keep_contacts(state.counted)
         guide.folder.keep_images(state.pictures)
         in_use = guide.calibrations.active()
+    known, points = guide.known_poses(), [contact.index for contact in state.counted]
     try:
-        outcome = solve(guide.folder, in_use, progress, guide.known_poses(), guide.limits)
+        outcome = solve(guide.folder, in_use, progress, known, guide.limits, points)
     except Refusal as refusal:
         guide.append(
             "solve_refused",

@@ -49,22 +49,33 @@ LIMITS = Limits()
 
 @dataclass(frozen=True)
 class Finding:
-    """One sentence with the number and the limit, and what to do about it (may be empty)."""
+    """One sentence with the number and the limit, and what to do about it (may be empty).
+
+    ``pose`` is the number of the pose that it is about, where it is about one.
+    """
 
     quality: Quality
     code: str
     text: str
     remedy: str = ""
+    pose: int | None = None
 
 
 @dataclass(frozen=True)
 class WorstPoint:
-    """One of the points that fit worst: ``value`` in ``unit`` (µm or px)."""
+    """One of the points that fit worst: ``value`` in ``unit`` (µm or px).
+
+    Its place: the row of a ``contact``, or the ``pose`` whose picture shows it and, on the
+    stripe, the pixel.
+    """
 
     kind: Literal["contact", "corner", "stripe"]
     name: str
     value: float
     unit: str
+    contact: int | None = None
+    pose: int | None = None
+    at_px: tuple[float, float] | None = None
 
 
 @dataclass(frozen=True)

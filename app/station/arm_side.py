@@ -4,8 +4,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from app.metrology.arm import Arm, tip_centres
-from app.metrology.frames import Floats
+from app.metrology.arm import Arm, flange_poses, tip_centres
+from app.metrology.frames import Floats, vector_from_rotation
 from app.metrology.refusal import Refusal
 from app.station.bus import Bus
 from app.station.device_state import DeviceState, device_state
@@ -17,6 +17,8 @@ from hardware.interfaces import ArmDriver, ArmInfo, ButtonEvent, JointSample
 
 # Packets may come late on a busy machine; their stamps are right nevertheless.
 LATE_S = 0.5
+# An arm this far from where it stood, at its flange, stands elsewhere: some pixels off.
+ELSEWHERE_MM, ELSEWHERE_RAD = 0.5, 0.003
 
 
 class ArmSide:
@@ -80,6 +82,20 @@ class ArmSide:
         first_ns = last_ns - int(WINDOW_S * 1e9)
         window = ring.between(first_ns, last_ns)
         return stillness(arm, window) if ring.covers(window, first_ns, last_ns) else UNKNOWN
+
+    def moved_since(self, stamp_ns: int) -> bool:
+        """Whether the arm stands elsewhere than at a stamp, so that a picture of then no
+        longer shows what its camera sees; False while the arm or its model is not there."""
+        arm, newest = self._model(), self.latest()
+        if arm is None or newest is None:
+            return False
+        q_rad = self.at(stamp_ns, 0.0)
+        if q_rad is None:
+            return stamp_ns < newest.stamp_ns
+        then, now = flange_poses(arm, np.array([q_rad, newest.joints_rad]))
+        moved_mm = np.linalg.norm(now[:3, 3] - then[:3, 3])
+        turned_rad = np.linalg.norm(vector_from_rotation(then[:3, :3].T @ now[:3, :3]))
+        return bool(moved_mm > ELSEWHERE_MM or turned_rad > ELSEWHERE_RAD)
 
     def average(self, window_s: float = 0.2, until_ns: int | None = None) -> JointMean:
         """The joints' mean over a window in which the arm was still.

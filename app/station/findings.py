@@ -8,8 +8,10 @@ Quality = Literal["good", "attention", "bad", "neutral"]
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """One sentence with the number and the limit, and what to do about it."""
+    """One sentence with the number and the limit, and what to do about it; ``pose`` names the
+    one of several poses that it is about."""
 
     quality: Quality
     text: str
     remedy: str = ""
+    pose: int | None = None

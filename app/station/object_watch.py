@@ -39,8 +39,9 @@ class SeenCorner:
 
 @dataclass(frozen=True)
 class Seen:
-    """What was found of the object in one frame."""
+    """What was found of the object in the frame exposed at ``stamp_ns``."""
 
+    stamp_ns: int = 0
     corners: tuple[SeenCorner, ...] = ()
     outline: tuple[Segment, ...] = ()
     finding: Finding | None = None
@@ -85,6 +86,13 @@ class ObjectWatch:
         with self._offered:
             return self._seen
 
+    def forget(self, seen: Seen) -> None:
+        """What was found is out of date: the next search begins at once."""
+        with self._offered:
+            if self._seen is seen:
+                self._seen = NOTHING
+                self._offered.notify()
+
     def offer(self, frame: Frame, stripe: Stripe | None) -> None:
         """Gives the newest frame, with its stripe where the laser is on; never waits."""
         with self._offered:
@@ -109,18 +117,19 @@ class ObjectWatch:
                     self._seen = seen
             rest_s = max(SHORTEST_REST_S, REST_SHARE * (time.monotonic() - started_s))
             with self._offered:
-                self._offered.wait_for(lambda: self._stopping, rest_s)
+                self._offered.wait_for(lambda: self._stopping or self._seen is NOTHING, rest_s)
 
 
 def _search(frame: Frame, stripe: Stripe | None, block: Crenellated) -> Seen:
+    stamp_ns = frame.mid_exposure_ns
     try:
         found = detect_object(frame.image, block, stripe)
     except Refusal as refusal:
-        return Seen(finding=refused(refusal))
+        return Seen(stamp_ns, finding=refused(refusal))
     except Exception:  # a preview must not end because a picture is odd
         log.exception("the search for the object failed")
-        return Seen(finding=Finding("attention", "The search for the object failed"))
-    return Seen(seen_corners(found, block), outline(found, block))
+        return Seen(stamp_ns, finding=Finding("attention", "The search for the object failed"))
+    return Seen(stamp_ns, seen_corners(found, block), outline(found, block))
 
 
 def seen_corners(found: ObjectDetection, block: Crenellated) -> tuple[SeenCorner, ...]:

@@ -20,9 +20,10 @@ from app.metrology.stripe import Stripe, extract_stripe, saturation_level
 from app.station.arm_side import ArmSide
 from app.station.bus import Bus
 from app.station.findings import Finding
-from app.station.object_watch import ObjectWatch, SeenCorner, Segment
+from app.station.object_watch import NOTHING, ObjectWatch, Seen, SeenCorner, Segment
 from app.station.picture_words import picture_words, saturated_percent, still_words
 from app.station.sensor_side import SensorSide
+from app.station.stillness import Stillness
 from hardware.clock import now_ns
 from hardware.interfaces import Frame
 
@@ -157,8 +158,8 @@ class Preview:
     def _picture(self, frame: Frame, sequence: int) -> PreviewImage:
         stripe = self._stripe(frame)
         self._objects.offer(frame, stripe)
-        seen = self._objects.seen
         stillness = self._arm.stillness()
+        seen = self._seen(stillness)
         findings = [*still_words(stillness), *self._picture_words(frame.image)]
         if seen.finding is not None:
             findings.append(seen.finding)
@@ -177,6 +178,15 @@ class Preview:
             findings=tuple(findings),
         )
         return PreviewImage(header, jpeg(frame.image))
+
+    def _seen(self, stillness: Stillness) -> Seen:
+        """What was found of the object, unless the camera has been moved since."""
+        seen = self._objects.seen
+        if seen is NOTHING or not self._arm.moved_since(seen.stamp_ns):
+            return seen
+        if stillness.still:
+            self._objects.forget(seen)
+        return NOTHING
 
     def _stripe(self, frame: Frame) -> Stripe | None:
         if not frame.laser_on:

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from app.metrology.findings import LIMITS, Limits
 from app.metrology.refusal import Refusal
 from app.settings import read_settings
 
@@ -18,6 +19,8 @@ url = "/dev/ttyUSB0"
 [sensor]
 driver = "opencv"
 source = 0
+[limits]
+good_um = 30
 """
 
 
@@ -37,12 +40,14 @@ def test_a_whole_file(tmp_path: Path) -> None:
         {"url": "/dev/ttyUSB0"},
     )
     assert (settings.sensor.driver, settings.sensor.options) == ("opencv", {"source": 0})
+    assert settings.limits == Limits(good_um=30.0, usable_um=LIMITS.usable_um)
 
 
 def test_only_the_devices_are_needed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "share"))
     settings = read_settings(write(tmp_path, '[arm]\ndriver="a"\n[sensor]\ndriver="b"\n'))
     assert settings.data == tmp_path / "share/crenel/station"
+    assert settings.limits == LIMITS
 
 
 @pytest.mark.parametrize(
@@ -56,6 +61,11 @@ def test_only_the_devices_are_needed(tmp_path: Path, monkeypatch: pytest.MonkeyP
         (('driver = "serial-encoder"', "driver = [1]"), "driver"),
         (("[sensor]", "[sensor"), "station.toml"),
         (("[sensor]", "[extra]\n[sensor]"), "extra"),
+        (("good_um = 30", "good_um = -1"), "good_um"),
+        (("good_um = 30", "good_um = nan"), "good_um"),
+        (("good_um = 30", 'good_um = "30"'), "good_um"),
+        (("good_um = 30", "good_um = 500"), "usable_um = 150 is below good_um = 500"),
+        (("good_um = 30", "good_mm = 0.03"), "good_mm"),
     ],
 )
 def test_what_is_wrong_is_named(tmp_path: Path, change: tuple[str, str], named: str) -> None:

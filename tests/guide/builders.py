@@ -10,6 +10,7 @@ from app.files.sensor import SensorSheet
 from app.guide.journal import fold
 from app.guide.library import Library
 from app.guide.live import Chosen, ConnectedArm, ConnectedSensor, Live
+from app.guide.outcome import from_payload
 from app.guide.state import CalibrationState, after
 from app.guide.touching import touch_report
 from app.metrology.arm import Arm, geometric_jacobian, tip_centres
@@ -90,7 +91,7 @@ def live_of(
     state: CalibrationState, arm: Arm | None, block: Crenellated | None, **changes: object
 ) -> Live:
     """A station on which all is well, changed where a test says so."""
-    report = touch_report(state.counted, arm, block) if arm and block else None
+    report = touch_report(state.counted, arm, block, 15.0) if arm and block else None
     live = Live(
         rev=state.rev,
         arm_link=CONNECTED,
@@ -105,6 +106,7 @@ def live_of(
         corners_seen=20,
         picture_findings=(),
         seen=None,
+        looked_at={c.number: from_payload(c.outcome) for c in state.captures},
         advice=None,
         to_move=None,
         scanning=False,

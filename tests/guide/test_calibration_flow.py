@@ -1,6 +1,7 @@
 """The view: every step says what to do, and every disabled action why."""
 
 import json
+import re
 from dataclasses import asdict, replace
 
 import numpy as np
@@ -11,7 +12,7 @@ from app.guide.live import Live
 from app.guide.outcome import Outcome, from_payload, to_payload
 from app.guide.permissions import why_not
 from app.guide.state import STEPS, CalibrationState
-from app.guide.touching import suggested_places
+from app.guide.touching import TouchReport, suggested_places, touch_report
 from app.guide.view import (
     Action,
     BudgetRow,
@@ -150,7 +151,9 @@ def test_the_touch_step_goes_on_only_once_the_object_is_fixed(
     assert view.progress is not None
     assert (view.progress.done, view.progress.of) == (27, 27)
     assert view.number is not None
-    assert view.number.value == pytest.approx(0.0, abs=0.01)
+    assert 0 < view.number.value < 15
+    assert view.findings[0].text.startswith("Object known to")
+    assert view.findings[0].quality == "good"
 
 
 def test_a_point_on_a_wrong_face_is_offered_for_removal_and_blocks(
@@ -231,6 +234,84 @@ def test_a_bad_calibration_cannot_be_accepted(
     assert action(view, "repeat").primary
     view = view_of(state, live_of(state, arm, block, seen=outcome("attention")))
     assert action(view, "accept").enabled
+
+
+def test_a_pose_set_aside_in_the_review_makes_the_result_of_before(
+    arm: Arm, block: Crenellated, contacts: list[tuple[str, dict[str, object]]]
+) -> None:
+    rows = [started("touch"), *contacts, captured(), ("another_pose", {}), captured()]
+    there = outcome()
+    assert there.result is not None
+    there = replace(
+        there,
+        result=replace(there.result, poses=[PoseRow(n, True, "", 0.1, 0.1, 3.0) for n in (1, 2)]),
+    )
+    inputs = state_after(*rows).inputs
+    rows.append(("solved", {"inputs": inputs, "outcome": to_payload(there)}))
+
+    def shown(*more: tuple[str, dict[str, object]]) -> tuple[FlowView, ResultPicture]:
+        state = state_after(*rows, *more)
+        view = view_of(state, live_of(state, arm, block, seen=there))
+        assert isinstance(view.picture, ResultPicture)
+        return view, view.picture
+
+    view, picture = shown()
+    assert not picture.stale
+    assert [pose.state for pose in picture.poses] == ["used", "used"]
+    offered = picture.poses[0].action
+    assert offered is not None
+    assert (offered.name, offered.args, offered.enabled) == ("void_pose", {"number": 1}, True)
+
+    view, picture = shown(("pose_voided", {"number": 1}))
+    assert picture.stale
+    assert [pose.state for pose in picture.poses] == ["aside", "used"]
+    assert view.findings[0].text.startswith("Pose 1 is set aside")
+    assert action(view, "solve").primary
+    assert action(view, "solve").enabled
+    assert not [a for a in view.actions if a.name == "accept"]
+    back, only = (pose.action for pose in picture.poses)
+    assert back is not None
+    assert (back.name, back.enabled) == ("restore_pose", True)
+    assert only is not None
+    assert "only pose" in only.why_not
+
+    _, picture = shown(("pose_voided", {"number": 1}), ("pose_restored", {"number": 1}))
+    assert not picture.stale
+
+
+def test_every_pose_is_listed_and_a_refused_one_says_why(
+    arm: Arm, block: Crenellated, contacts: list[tuple[str, dict[str, object]]]
+) -> None:
+    bad = to_payload(Outcome([], [], [], [Finding("bad", "It is blurred.")], None))
+    state = state_after(started("touch"), *contacts, captured(), captured(outcome=bad))
+    view = view_of(state, live_of(state, arm, block))
+    assert isinstance(view.picture, StillPicture)
+    assert view.picture.shown == 2
+    assert [pose.note for pose in view.picture.poses] == ["", "It is blurred."]
+    assert [pose.state for pose in view.picture.poses] == ["taken", "taken"]
+
+
+def test_few_points_are_told_how_many_more_help(
+    arm: Arm, block: Crenellated, contacts: list[tuple[str, dict[str, object]]]
+) -> None:
+    some = [*contacts[:5], *contacts[9:14], *contacts[18:23]]
+    state = state_after(started("touch"), *some)
+    live = live_of(state, arm, block)
+    assert live.touch is not None
+    known = place_um(live.touch)
+    live = replace(live, touch=touch_report(state.counted, arm, block, 0.6 * known))
+    view = view_of(state, live)
+    assert view.number is not None
+    assert view.number.value == pytest.approx(known)
+    told = view.findings[-1]
+    assert re.fullmatch(
+        r"Object known to \d+ µm \(k = 1\); \d+ more on the \w+ face.* brings? \d+ µm\.", told.text
+    )
+
+
+def place_um(touch: TouchReport) -> float:
+    assert touch.advice is not None
+    return touch.advice.now_um
 
 
 def test_an_ended_session_is_shown_and_takes_no_more_commands(

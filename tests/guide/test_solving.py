@@ -46,7 +46,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> SessionFolder:
 
 
 def test_a_session_is_solved_as_it_is_shown(folder: SessionFolder) -> None:
-    first = solve(folder, None, quiet, {}, LIMITS)
+    first = solve(folder, None, quiet, {}, LIMITS, range(45))
     assert first.result is not None
     assert first.result.verdict == "good"
     assert first.result.comparison is None
@@ -54,10 +54,34 @@ def test_a_session_is_solved_as_it_is_shown(folder: SessionFolder) -> None:
     assert first.result.total_um == pytest.approx(
         float(np.sqrt(np.sum([row.value_um**2 for row in first.result.budget])))
     )
-    assert len(first.corners) >= 8
-    assert all(corner.residual_px is not None for corner in first.corners)
-    assert first.outline
-    assert 50 < len(first.stripe) <= 400
+    assert (first.result.good_um, first.result.usable_um) == (LIMITS.good_um, LIMITS.usable_um)
+    (pose,) = first.poses
+    assert pose.number == first.result.shown_pose
+    assert len(pose.corners) >= 8
+    assert all(corner.residual_px is not None for corner in pose.corners)
+    assert pose.outline
+    assert 50 < len(pose.stripe) <= 300
+
+
+def test_the_worst_points_have_their_place(folder: SessionFolder) -> None:
+    """Contacts by the touched point's own index, the others in the picture of their pose."""
+    solved = solve(folder, None, quiet, {}, LIMITS, range(100, 145))
+    assert solved.result is not None
+    (pose,) = solved.poses
+    corners = {(corner.u, corner.v) for corner in pose.corners}
+    along = {round(u) for u, _ in pose.stripe}
+    for point in solved.result.worst:
+        if point.kind == "contact":
+            assert point.point is not None
+            assert point.name.endswith(f", point {point.point + 1}")
+            assert point.point >= 100
+        else:
+            assert point.pose == pose.number
+            assert point.at_px is not None
+            if point.kind == "corner":
+                assert point.at_px in corners
+            else:
+                assert min(along) <= point.at_px[0] <= max(along)
 
 
 def test_a_calibration_is_compared_with_the_one_in_use(
@@ -77,12 +101,14 @@ def test_a_calibration_is_compared_with_the_one_in_use(
     assert same is not None
     assert same.with_name == "the first"
     assert same.max_um == pytest.approx(0.0, abs=1e-6)
+    assert len(same.map) > 20
     moved = np.array(sheet.probe_matrix)
     moved[2, 3] += 0.1
     shifted = compared(probe_matrix=moved.tolist())
     assert shifted is not None
     assert shifted.rms_um == pytest.approx(100.0, rel=1e-6)
     assert shifted.max_um == pytest.approx(100.0, rel=1e-6)
+    assert {point.moved_um for point in shifted.map} == {100.0}
     other = {"arm": "A", "object": "B", "sensor": "another"}
     assert compared(serial_numbers=other) is None
     in_use.file.write_text("damaged")
@@ -98,7 +124,7 @@ def test_a_refused_solve_leaves_no_calibration_of_before(tmp_path: Path) -> None
     black = np.zeros((512, 640), np.uint8)
     write_png(session.poses[0].ambient, black)
     with pytest.raises(Refusal) as caught:
-        solve(folder, None, quiet, {}, LIMITS)
+        solve(folder, None, quiet, {}, LIMITS, range(45))
     assert caught.value.code == "image-dark"
     assert caught.value.remedy
     assert not folder.calibration.exists()

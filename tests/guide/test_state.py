@@ -111,6 +111,31 @@ def test_poses_add_up_and_one_can_be_set_aside() -> None:
     assert none.step == "place"
 
 
+def test_a_pose_taken_back_brings_its_result_back_with_it() -> None:
+    rows = [started("capture"), captured(), ("another_pose", {}), captured()]
+    inputs = state_after(*rows).inputs
+    rows += [("solved", {"inputs": inputs, "outcome": {"total_um": 1.0}})]
+    rows += [("pose_voided", {"number": 1})]
+    aside = state_after(*rows)
+    assert aside.step == "review"
+    assert aside.outcome is None
+    assert [picture.number for picture in aside.listed] == [1, 2]
+    back = state_after(*rows, ("pose_restored", {"number": 1}))
+    assert back.inputs == inputs
+    assert back.outcome == {"total_um": 1.0}
+    refused = {"inputs": aside.inputs, "code": "c", "what": "w", "why": "", "remedy": ""}
+    # that solve took the calibration's file with it
+    gone = state_after(*rows, ("solve_refused", refused), ("pose_restored", {"number": 1}))
+    assert gone.step == "solve"
+    assert gone.outcome is None
+
+
+def test_a_picture_taken_anew_is_not_offered_again() -> None:
+    rows = [started("capture"), captured(), ("retaken", {}), captured()]
+    state = state_after(*rows, ("pose_restored", {"number": 1}))
+    assert [picture.number for picture in state.listed] == [2]
+
+
 def test_a_row_of_an_unknown_kind_is_not_passed_over() -> None:
     with pytest.raises(ValueError, match="unknown kind: conjured"):
         state_after(started(), ("conjured", {}))
@@ -135,6 +160,7 @@ SOME_ROWS = st.sampled_from(
         ("retaken", {}),
         ("another_pose", {}),
         ("pose_voided", {"number": 1}),
+        ("pose_restored", {"number": 1}),
         ("solve_started", {}),
         ("capture_kept", {}),
         ("went_back", {"to": "touch"}),

@@ -73,7 +73,7 @@ def session(arm: Arm, block: Crenellated, faces: tuple[str, ...], count: int) ->
 def test_what_is_missing_is_said_until_an_alignment_is_possible(
     arm: Arm, block: Crenellated
 ) -> None:
-    report = touch_report(session(arm, block, ("crest", "front"), 9).counted, arm, block)
+    report = touch_report(session(arm, block, ("crest", "front"), 9).counted, arm, block, 15.0)
     assert report.alignment is None
     assert "left" in report.missing
     assert all(p.at_mm is None and p.residual_um is None for p in report.points)
@@ -82,9 +82,12 @@ def test_what_is_missing_is_said_until_an_alignment_is_possible(
 def test_points_that_agree_have_small_residuals_and_their_place(
     arm: Arm, block: Crenellated
 ) -> None:
-    report = touch_report(session(arm, block, ("crest", "front", "right"), 9).counted, arm, block)
+    report = touch_report(
+        session(arm, block, ("crest", "front", "right"), 9).counted, arm, block, 15.0
+    )
     assert report.missing == ""
-    assert report.rms_um == pytest.approx(0.0, abs=0.01)
+    assert report.alignment is not None
+    assert report.alignment.rms_mm == pytest.approx(0.0, abs=1e-5)
     assert report.suspects == ()
     places = [p.at_mm for p in report.points]
     expected = [q for f in ("crest", "front", "right") for q in suggested_places(block, f)]
@@ -99,7 +102,7 @@ def test_a_point_on_another_face_is_told_with_the_face_it_lies_on(
         for place in suggested_places(block, face):
             rows.append(point(face, touched(arm, block, face, place)))
     rows.append(point("crest", touched(arm, block, "front", (1.0, -12.0, 7.5))))
-    report = touch_report(state_after(*rows).counted, arm, block)
+    report = touch_report(state_after(*rows).counted, arm, block, 15.0)
     assert report.suspects == (27,)
     (finding,) = report.findings
     assert finding.quality == "bad"
@@ -115,7 +118,7 @@ def test_a_point_off_its_face_is_named_an_outlier(arm: Arm, block: Crenellated) 
         for i, place in enumerate(suggested_places(block, face)):
             off_mm = 0.2 if (face, i) == ("front", 4) else rng.normal(0.0, 0.005)
             rows.append(point(face, touched(arm, block, face, place + off_mm * normal)))
-    report = touch_report(state_after(*rows).counted, arm, block)
+    report = touch_report(state_after(*rows).counted, arm, block, 15.0)
     assert report.suspects == (13,)
     assert report.findings[0].quality == "attention"
     assert "µm" in report.findings[0].text
@@ -142,7 +145,7 @@ def test_either_end_and_either_long_side_will_do() -> None:
 
 
 def test_a_complete_face_gives_way_to_the_next(arm: Arm, block: Crenellated) -> None:
-    report = touch_report(session(arm, block, ("crest",), 9).counted, arm, block)
+    report = touch_report(session(arm, block, ("crest",), 9).counted, arm, block, 15.0)
     assert next_face(face_progress(report, "crest", block), "crest") == "front"
-    report = touch_report(session(arm, block, ("crest",), 8).counted, arm, block)
+    report = touch_report(session(arm, block, ("crest",), 8).counted, arm, block, 15.0)
     assert next_face(face_progress(report, "crest", block), "crest") == "crest"

@@ -3,6 +3,7 @@
 import asyncio
 import json
 import struct
+import time
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -123,6 +124,25 @@ def test_the_object_is_found_in_the_live_picture_and_lost_with_its_reason(
     preview.detect(None)
     with preview.watch():
         until(lambda: newest(preview).header.outline == ())
+
+
+def test_what_was_found_goes_with_the_hold_that_it_was_found_in(
+    preview: Preview, bench: Bench, samples: Path
+) -> None:
+    session = samples / "one-pose"
+    bench.picture = read_grey(session / "images/pose00_ambient.png")
+    preview.detect(read_block(session / "object.json"))
+    until(lambda: len(newest(preview).header.corners) > 8, 30)
+    began_s = time.monotonic()
+    # 0.05 rad a second: between a picture and its search's end the camera is elsewhere
+    bench.joints_at = lambda seconds: REST_RAD + 0.05 * (seconds + bench.start_s - began_s)
+    until(lambda: newest(preview).header.corners == (), 3)
+    passing = [newest(preview).header for _ in range(15)]
+    assert {(header.corners, header.outline) for header in passing} == {((), ())}
+    held_s = time.monotonic()
+    bench.joints_at = lambda seconds: REST_RAD + 0.05 * (held_s - began_s)
+    until(lambda: len(newest(preview).header.corners) > 8, 30)
+    preview.detect(None)
 
 
 def test_the_stripe_of_a_real_picture_is_drawn_on_it(samples: Path) -> None:

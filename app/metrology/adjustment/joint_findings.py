@@ -107,6 +107,7 @@ def _about_poses(evidence: JointEvidence) -> list[Finding]:
             "pose-left-out",
             f"Pose {pose.number} was left out: {pose.reason}.",
             "Check that picture and joint angles are of one moment, or take the pose again.",
+            pose.number,
         )
         for pose in out
     ]
@@ -121,6 +122,7 @@ def _about_poses(evidence: JointEvidence) -> list[Finding]:
             "poses",
             f"{len(used)} poses agree on the object's place to {np.median(off):.0f} µm; pose "
             f"{furthest.number} is furthest off, by {furthest.off_um:.0f} µm.",
+            pose=furthest.number,
         )
     )
     turn = largest_turn_deg(evidence.found.problem.motion.T_arm_flange)
@@ -200,6 +202,7 @@ def _about_pictures(evidence: JointEvidence) -> list[Finding]:
             f"worst in pose {worst.number} ({worst.edges_rms_px:.2f} px); the limit is "
             f"{EDGE_RMS_PX:.1f} px.",
             "" if good else "Clean the block's edges; check focus, lighting and certificate.",
+            worst.number,
         )
     ]
     told: set[str] = set()
@@ -208,7 +211,7 @@ def _about_pictures(evidence: JointEvidence) -> list[Finding]:
             if item.code not in told:
                 told.add(item.code)
                 text = f"Pose {pose.number}: {item.text}"
-                found.append(Finding("attention", item.code, text, item.remedy))
+                found.append(Finding("attention", item.code, text, item.remedy, pose.number))
     return found
 
 

@@ -91,17 +91,17 @@ def worst_of_all(
     """The few worst contacts, corners and stripe points over all poses."""
     contacts = 1e3 * np.abs(alignment.residuals_mm)
     worst = [
-        WorstPoint("contact", f"{features[i]} {i + 1}", float(contacts[i]), "µm")
+        WorstPoint("contact", f"{features[i]} {i + 1}", float(contacts[i]), "µm", contact=int(i))
         for i in np.argsort(-contacts)[:WORST_OF_A_KIND]
     ]
     at_corners = [
-        (float(np.hypot(u, v)), f"pose {pose.number} {name}")
+        (float(np.hypot(u, v)), pose.number, name)
         for pose in poses
         for name, u, v in pose.corners_px
     ]
     worst += [
-        WorstPoint("corner", name, off, "px")
-        for off, name in sorted(at_corners, reverse=True)[:WORST_OF_A_KIND]
+        WorstPoint("corner", f"pose {number} {name}", off, "px", pose=number)
+        for off, number, name in sorted(at_corners, reverse=True)[:WORST_OF_A_KIND]
     ]
     on_stripe = []
     for number, (_, rows), (_, judgement) in zip(
@@ -109,12 +109,12 @@ def worst_of_all(
     ):
         off_px = np.abs(rows.residuals) * judgement.kept
         on_stripe += [
-            (float(off_px[i]), f"pose {number} ({rows.places[i, 0]:.0f}, {rows.places[i, 1]:.0f})")
+            (float(off_px[i]), number, float(rows.places[i, 0]), float(rows.places[i, 1]))
             for i in np.argsort(-off_px)[:WORST_OF_A_KIND]
         ]
     worst += [
-        WorstPoint("stripe", name, off, "px")
-        for off, name in sorted(on_stripe, reverse=True)[:WORST_OF_A_KIND]
+        WorstPoint("stripe", f"pose {number} ({u:.0f}, {v:.0f})", off, "px", None, number, (u, v))
+        for off, number, u, v in sorted(on_stripe, reverse=True)[:WORST_OF_A_KIND]
     ]
     return tuple(worst)
 

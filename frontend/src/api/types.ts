@@ -21,6 +21,8 @@ export interface Finding {
   text: string;
   /** What to do; may be empty. */
   remedy: string;
+  /** The pose that it is about, where it is about one. */
+  pose: number | null;
 }
 
 /** One thing the operator may do now. The client posts `name` and `args` as they are. */
@@ -129,6 +131,18 @@ export interface WorstPoint {
   name: string;
   value: number;
   unit: string;
+  /** Index of the touched point. */
+  point: number | null;
+  /** The pose whose picture shows it, and where. */
+  pose: number | null;
+  at_px: [number, number] | null;
+}
+
+/** How far the point that a pixel shows moved between two calibrations. */
+export interface MovedPoint {
+  u: number;
+  v: number;
+  moved_um: number;
 }
 
 export interface Comparison {
@@ -137,6 +151,7 @@ export interface Comparison {
   /** Largest and rms shift of points of the measuring volume in the flange frame. */
   max_um: number;
   rms_um: number;
+  map: MovedPoint[];
 }
 
 export interface CalibrationResult {
@@ -157,8 +172,11 @@ export interface CalibrationResult {
   /** Over the picture; empty in calibrations of older versions. */
   map: MapPoint[];
   poses: PoseRow[];
-  /** The pose whose picture is shown: its edges fit worst. */
+  /** The pose whose picture is shown first: its edges fit worst. */
   shown_pose: number;
+  /** The limits that the verdict went by; null in calibrations of older versions. */
+  good_um: number | null;
+  usable_um: number | null;
 }
 
 /** Standard uncertainty of a plane swept straight across, k = 1. */
@@ -187,6 +205,28 @@ export interface PoseRow {
   off_um: number;
 }
 
+/** One pose: its picture with what was found in it, or why nothing was. */
+export interface PosePicture {
+  number: number;
+  state: "taken" | "used" | "left_out" | "aside";
+  /** Why it does not count; empty where it does. */
+  note: string;
+  /** GET address of the captured picture. */
+  image_url: string;
+  width_px: number;
+  height_px: number;
+  corners: ImageCorner[];
+  outline: [number, number, number, number][];
+  stripe: [number, number][];
+  marks: ImageMark[];
+  /** Of the result, where there is one. */
+  edges_rms_px: number | null;
+  stripe_rms_px: number | null;
+  off_um: number | null;
+  /** Sets it aside, or takes it back. */
+  action: Action | null;
+}
+
 /** What the large picture shows. */
 export type Picture =
   | { kind: "devices"; devices: DeviceLine[] }
@@ -199,18 +239,19 @@ export type Picture =
     }
   | {
       kind: "still";
-      /** GET address of the captured picture. */
-      image_url: string;
-      width_px: number;
-      height_px: number;
-      corners: ImageCorner[];
-      outline: [number, number, number, number][];
-      stripe: [number, number][];
-      marks: ImageMark[];
+      poses: PosePicture[];
+      /** The number of the pose to look at first. */
+      shown: number;
     }
-  | { kind: "result"; result: CalibrationResult; block: BlockGeometry; points: TouchedPoint[];
-      image_url: string; width_px: number; height_px: number; corners: ImageCorner[];
-      outline: [number, number, number, number][]; stripe: [number, number][] };
+  | {
+      kind: "result";
+      result: CalibrationResult;
+      /** A pose was set aside or taken back since. */
+      stale: boolean;
+      block: BlockGeometry;
+      points: TouchedPoint[];
+      poses: PosePicture[];
+    };
 
 /** The whole state of the guided flow, owned by the server. */
 export interface FlowView {

@@ -1,10 +1,10 @@
 import type { Picture } from "../api/types";
-import { StillImage } from "../image/StillImage";
 import { ResultPicture } from "../result/ResultPicture";
 import { CameraPicture } from "./CameraPicture";
 import { ChoicesPicture } from "./ChoicesPicture";
 import { DevicesPicture } from "./DevicesPicture";
 import { ObjectPicture } from "./ObjectPicture";
+import { StillPoses } from "./StillPoses";
 
 /** The large picture that the step asks for. */
 export function PictureView({ picture }: { picture: Picture }) {
@@ -18,7 +18,7 @@ export function PictureView({ picture }: { picture: Picture }) {
     case "camera":
       return <CameraPicture target={picture.target} />;
     case "still":
-      return <StillImage {...picture} />;
+      return <StillPoses picture={picture} />;
     case "result":
       return <ResultPicture picture={picture} />;
   }

@@ -38,7 +38,7 @@ function WhereWeAre({ page }: { page: Page }) {
       <span className={styles.count}>
         Step {index + 1} of {flow.steps.length}
       </span>
-      {flow.title}
+      <span className={styles.title}>{flow.title}</span>
     </div>
   );
 }

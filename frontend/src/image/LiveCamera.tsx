@@ -113,7 +113,7 @@ function Panel({ header, old_s }: { header: PreviewHeader; old_s: number | null 
         readouts={[
           old_s === null
             ? { label: "Picture", value: age(header.age_s), unit: "old" }
-            : { label: "No new picture", value: age(old_s), quality: "bad" },
+            : { label: "Picture", value: age(old_s), unit: "old", quality: "bad" },
           { label: "Laser", value: header.laser_on ? "on" : "off" },
           { label: "Arm", value: header.arm_still ? "still" : "moving", quality: header.arm_still ? "good" : "attention" },
           { label: "Corners", value: figures(header.corners.length) },

@@ -1,6 +1,6 @@
 import { useState } from "react";
 
-import type { ImageCorner, ImageMark } from "../api/types";
+import type { ImageCorner, ImageMark, WorstPoint } from "../api/types";
 import { figures } from "../parts/format";
 import { cornerWords } from "../result/names";
 import { COLOURS, type Overlay } from "./overlay";
@@ -14,6 +14,8 @@ interface StillImageProps extends Overlay {
   marks?: ImageMark[];
   /** Draws each corner's residual as a disc of that radius, enlarged. */
   residuals?: boolean;
+  /** Of the points that fit worst, those in this picture: named in place. */
+  worst?: WorstPoint[];
 }
 
 const MARKS: Record<ImageMark["kind"], { colour: string; words: string }> = {
@@ -33,7 +35,7 @@ function enlargement(corners: ImageCorner[], width_px: number): number {
 
 /** The captured picture with what was found in it. */
 export function StillImage(props: StillImageProps) {
-  const { image_url, width_px, height_px, corners, outline, stripe, marks = [], residuals = false } = props;
+  const { image_url, width_px, height_px, corners, outline, stripe, marks = [], residuals = false, worst = [] } = props;
   const times = residuals ? enlargement(corners, width_px) : 0;
   const [name, setName] = useState<string | null>(null);
   const corner = corners.find((c) => c.name === name);
@@ -76,11 +78,33 @@ export function StillImage(props: StillImageProps) {
             <circle r={residuals ? 2 : width_px / 160} className={styles.corner} stroke={COLOURS.corner} />
           </g>
         ))}
+        <Worst worst={worst} width_px={width_px} />
       </svg>
       <figcaption className={styles.caption}>
         {corner ? told(corner.name, corner.residual_px) : marks.length ? <Legend marks={marks} /> : summary(props, times)}
       </figcaption>
     </figure>
+  );
+}
+
+/** The points that fit worst, each with its residual beside it. */
+function Worst({ worst, width_px }: { worst: WorstPoint[]; width_px: number }) {
+  const size = width_px / 48;
+  return worst.map(
+    ({ kind, name, value, unit, at_px }) =>
+      at_px && (
+        <g key={kind + name} transform={`translate(${at_px[0]} ${at_px[1]})`} className={styles.worst}>
+          {kind === "stripe" && <path d={`M0 ${-size / 2}V${size / 2}`} className={styles.tick} />}
+          <text
+            x={at_px[0] > 0.85 * width_px ? -size * 0.7 : size * 0.7}
+            y={-size * 0.5}
+            fontSize={size}
+            textAnchor={at_px[0] > 0.85 * width_px ? "end" : "start"}
+          >
+            {figures(value, unit === "px" ? 2 : 0)} {unit}
+          </text>
+        </g>
+      ),
   );
 }
 
@@ -100,5 +124,5 @@ function told(name: string, residual_px: number | null): string {
 
 function summary({ corners, stripe }: Overlay, times: number): string {
   const found = `${figures(corners.length)} corners, ${figures(stripe.length)} stripe points`;
-  return times ? `${found}. Discs are the corners' residuals, ${times} times enlarged.` : found;
+  return times ? `${found}. Discs are the corners' residuals, ${times} times enlarged; the largest are named.` : found;
 }

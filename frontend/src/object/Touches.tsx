@@ -43,10 +43,12 @@ interface TouchesProps {
   scale_um: number;
   chosen: number | null;
   onPoint: (index: number) => void;
+  /** Points whose value stands beside them, as an outlier's does. */
+  named?: number[];
 }
 
 /** Touched points coloured by residual; an outlier is a diamond with its value beside it. */
-export function Touches({ view, block, points, scale_um, chosen, onPoint }: TouchesProps) {
+export function Touches({ view, block, points, scale_um, chosen, onPoint, named = [] }: TouchesProps) {
   return (
     <g>
       {placed(points)
@@ -60,6 +62,7 @@ export function Touches({ view, block, points, scale_um, chosen, onPoint }: Touc
             radius={dotRadius(view)}
             scale_um={scale_um}
             chosen={point.index === chosen}
+            named={named.includes(point.index)}
             onPoint={onPoint}
           />
         ))}
@@ -73,10 +76,11 @@ interface TouchProps {
   radius: number;
   scale_um: number;
   chosen: boolean;
+  named: boolean;
   onPoint: (index: number) => void;
 }
 
-function Touch({ point, at, radius, scale_um, chosen, onPoint }: TouchProps) {
+function Touch({ point, at, radius, scale_um, chosen, named, onPoint }: TouchProps) {
   const residual = point.residual_um;
   const words = residual === null ? "no residual yet" : `${signed(residual)} µm`;
   const fill = residual === null ? "var(--ink-3)" : rampColour(Math.abs(residual) / scale_um);
@@ -102,8 +106,8 @@ function Touch({ point, at, radius, scale_um, chosen, onPoint }: TouchProps) {
       ) : (
         <circle r={radius} className={styles.point} style={{ fill }} />
       )}
-      {point.outlier && (
-        <text x={radius * 2} y="6" className={styles.value}>
+      {(point.outlier || named) && (
+        <text x={radius * 2} y="6" className={styles.value} data-outlier={point.outlier || undefined}>
           {words}
         </text>
       )}

@@ -2,6 +2,7 @@ import { startFlow } from "../api/commands";
 import { FlowCard } from "../flow/FlowCard";
 import { PictureView } from "../flow/PictureView";
 import { Layout } from "../frame/Layout";
+import { MainAct } from "../parts/Actions";
 import { CardHead } from "../parts/CardHead";
 import { EmptyState } from "../parts/EmptyState";
 import { PressButton } from "../parts/PressButton";
@@ -24,16 +25,18 @@ function NotStarted() {
     <Layout
       picture={
         <EmptyState
-          title="One step from touches and one picture to a calibrated sensor"
-          text="You touch the faces of the crenellated object with the arm's tip, hold the sensor over it and take one picture. The station then shows how good the result is, in µm, before anything is replaced."
+          title="From touches and a few pictures to a calibrated sensor"
+          text="You touch the faces of the crenellated object with the arm's tip, then hold the sensor over it and take a picture in each of a few poses; the station says which. It shows how good the result is, in µm, before anything is replaced."
         />
       }
       card={
         <>
           <CardHead title="Calibrate the sensor" text="Have the object clamped and the tip clean. It takes a few minutes." />
-          <PressButton kind="primary" onPress={startFlow}>
-            Start calibration
-          </PressButton>
+          <MainAct>
+            <PressButton kind="primary" onPress={startFlow}>
+              Start calibration
+            </PressButton>
+          </MainAct>
         </>
       }
     />

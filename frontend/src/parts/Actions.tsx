@@ -33,9 +33,9 @@ export function Actions({ actions, onAct, busy = false, children }: ActionsProps
   return (
     <>
       {primary.map((action) => (
-        <div key={keyOf(action)} className={styles.primary}>
+        <MainAct key={keyOf(action)}>
           <ActionButton action={action} onAct={onAct} />
-        </div>
+        </MainAct>
       ))}
       <div className={styles.middle}>{children}</div>
       <div className={styles.foot} data-busy={busy || undefined}>
@@ -57,6 +57,11 @@ export function Actions({ actions, onAct, busy = false, children }: ActionsProps
       </div>
     </>
   );
+}
+
+/** The main act's place: under the thumb on a phone, however long the card. */
+export function MainAct({ children }: { children: ReactNode }) {
+  return <div className={styles.primary}>{children}</div>;
 }
 
 /** The main acts; beside one that can be done, one that cannot is left out. */

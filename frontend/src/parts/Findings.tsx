@@ -1,5 +1,6 @@
 import type { Finding } from "../api/types";
 import { bound } from "./format";
+import { lookAtPose, useLive } from "../state/store";
 import styles from "./Findings.module.css";
 import { QualityMark } from "./QualityMark";
 
@@ -14,9 +15,24 @@ export function Findings({ findings }: { findings: Finding[] }) {
           <div>
             <p className={styles.text}>{bound(finding.text)}</p>
             {finding.remedy && <p className={styles.remedy}>{bound(finding.remedy)}</p>}
+            {finding.pose !== null && <ShowPose pose={finding.pose} />}
           </div>
         </li>
       ))}
     </ul>
+  );
+}
+
+/** Leads to the pose that a finding is about, where its picture is at hand. */
+function ShowPose({ pose }: { pose: number }) {
+  const there = useLive(({ flow }) => {
+    const picture = flow?.picture;
+    return (picture?.kind === "still" || picture?.kind === "result") && picture.poses.some((p) => p.number === pose);
+  });
+  if (!there) return null;
+  return (
+    <button type="button" className={styles.show} onClick={() => lookAtPose(pose)}>
+      Show pose {pose}
+    </button>
   );
 }

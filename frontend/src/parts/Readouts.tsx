@@ -9,10 +9,11 @@ export interface Readout {
   quality?: Quality;
 }
 
-/** A row of small labelled figures, as an instrument's panel has them. */
-export function Readouts({ readouts }: { readouts: Readout[] }) {
+/** A row of small labelled figures, as an instrument's panel has them; in several rows (``wrap``)
+ *  where one has no room for six. */
+export function Readouts({ readouts, wrap = false }: { readouts: Readout[]; wrap?: boolean }) {
   return (
-    <dl className={styles.readouts}>
+    <dl className={styles.readouts} data-wrap={wrap || undefined}>
       {readouts.map(({ label, value, unit, quality }) => (
         <div key={label} className={styles.readout}>
           <dt>{label}</dt>

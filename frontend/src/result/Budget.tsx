@@ -15,6 +15,11 @@ export function Budget({ result }: { result: CalibrationResult }) {
         ))}
         <Row row={{ source: "Together", value_um: result.total_um }} largest={largest} total />
       </div>
+      {result.good_um !== null && result.usable_um !== null && (
+        <p className={styles.limits}>
+          Good up to {figures(result.good_um)} µm, usable up to {figures(result.usable_um)} µm.
+        </p>
+      )}
       <Compared result={result} />
     </div>
   );

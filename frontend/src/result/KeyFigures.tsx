@@ -7,6 +7,7 @@ export function KeyFigures({ result }: { result: CalibrationResult }) {
   const [near, far] = result.depth_range_mm;
   return (
     <Readouts
+      wrap
       readouts={[
         { label: "Edges, rms", value: figures(result.reprojection_rms_px, 3), unit: "px" },
         { label: "Laser plane, rms", value: figures(result.laser_plane_rms_um), unit: "µm" },
@@ -14,8 +15,8 @@ export function KeyFigures({ result }: { result: CalibrationResult }) {
         { label: "Depth range", value: `${figures(near, 1)} to ${figures(far, 1)}`, unit: "mm" },
         ...(result.plane
           ? [
-              { label: "A plane's angle (k = 1)", value: figures(result.plane.angle_arcsec), unit: "″" },
-              { label: "A plane's offset (k = 1)", value: figures(result.plane.offset_um, 1), unit: "µm" },
+              { label: "Plane's angle, k = 1", value: figures(result.plane.angle_arcsec), unit: "″" },
+              { label: "Plane's offset, k = 1", value: figures(result.plane.offset_um, 1), unit: "µm" },
             ]
           : []),
       ]}

@@ -1,10 +1,11 @@
-import type { CalibrationResult } from "../api/types";
+import type { CalibrationResult, PosePicture } from "../api/types";
 import { CopyCsv } from "../parts/CopyCsv";
 import { DataTable } from "../parts/DataTable";
 import styles from "./Numbers.module.css";
-import { tablesOf } from "./tables";
+import { PosesTable } from "./PosesTable";
+import { POSES, tablesOf } from "./tables";
 
-export function Numbers({ result }: { result: CalibrationResult }) {
+export function Numbers({ result, poses }: { result: CalibrationResult; poses: PosePicture[] }) {
   const tables = tablesOf(result);
   return (
     <div className={styles.numbers}>
@@ -14,7 +15,7 @@ export function Numbers({ result }: { result: CalibrationResult }) {
       <div className={styles.tables}>
         {tables.map((table) => (
           <div key={table.title} className={styles.table} data-wide={table.wide || undefined}>
-            <DataTable table={table} />
+            {table.title === POSES ? <PosesTable poses={poses} /> : <DataTable table={table} />}
           </div>
         ))}
       </div>

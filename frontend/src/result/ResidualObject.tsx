@@ -1,6 +1,6 @@
 import { useState } from "react";
 
-import type { BlockGeometry, TouchedPoint } from "../api/types";
+import type { BlockGeometry, TouchedPoint, WorstPoint } from "../api/types";
 import { PointPanel } from "../flow/PointPanel";
 import { ResidualLegend } from "../flow/ResidualLegend";
 import { BlockDrawing } from "../object/BlockDrawing";
@@ -8,8 +8,14 @@ import { scaleEnd } from "../object/residuals";
 import { ResidualSticks, Touches } from "../object/Touches";
 import styles from "../flow/ObjectPicture.module.css";
 
+interface ResidualObjectProps {
+  block: BlockGeometry;
+  points: TouchedPoint[];
+  worst: WorstPoint[];
+}
+
 /** How far each touch lies off its face; the block turns to the face that is tapped. */
-export function ResidualObject({ block, points }: { block: BlockGeometry; points: TouchedPoint[] }) {
+export function ResidualObject({ block, points, worst }: ResidualObjectProps) {
   const [face, setFace] = useState<string | null>(null);
   const [chosen, setChosen] = useState<number | null>(null);
   const scale_um = scaleEnd(points);
@@ -25,7 +31,15 @@ export function ResidualObject({ block, points }: { block: BlockGeometry; points
         {(view) => (
           <>
             <ResidualSticks view={view} block={block} points={points} scale_um={scale_um} />
-            <Touches view={view} block={block} points={points} scale_um={scale_um} chosen={chosen} onPoint={setChosen} />
+            <Touches
+              view={view}
+              block={block}
+              points={points}
+              scale_um={scale_um}
+              chosen={chosen}
+              onPoint={setChosen}
+              named={worst.flatMap((w) => (w.point === null ? [] : [w.point]))}
+            />
           </>
         )}
       </BlockDrawing>

@@ -1,8 +1,9 @@
 import { SegmentedControl } from "@mantine/core";
-import { useState } from "react";
+import { useRef, useState } from "react";
 
 import type { Picture } from "../api/types";
-import { StillImage } from "../image/StillImage";
+import { PoseView } from "../image/PoseView";
+import { useLook } from "../state/useLook";
 import { Budget } from "./Budget";
 import { KeyFigures } from "./KeyFigures";
 import { Numbers } from "./Numbers";
@@ -14,7 +15,7 @@ type ResultView = Extract<Picture, { kind: "result" }>;
 
 const TABS = [
   { value: "object", label: "Object" },
-  { value: "image", label: "Picture" },
+  { value: "image", label: "Poses" },
   { value: "map", label: "Map" },
   { value: "budget", label: "Error budget" },
   { value: "numbers", label: "Numbers" },
@@ -22,9 +23,17 @@ const TABS = [
 
 /** The result as pictures first; the table is one tap away. */
 export function ResultPicture({ picture }: { picture: ResultView }) {
+  const { result, poses } = picture;
+  const place = useRef<HTMLDivElement>(null);
   const [tab, setTab] = useState("object");
+  const [pose, setPose] = useState(result.shown_pose);
+  useLook((asked) => {
+    setPose(asked);
+    setTab("image");
+    place.current?.scrollIntoView({ block: "nearest" });
+  });
   return (
-    <div className={styles.picture}>
+    <div ref={place} className={styles.picture} data-stale={picture.stale || undefined}>
       <div className={styles.tabs}>
         <SegmentedControl
           value={tab}
@@ -37,19 +46,15 @@ export function ResultPicture({ picture }: { picture: ResultView }) {
         />
       </div>
       <div className={styles.shown}>
-        {tab === "object" && <ResidualObject block={picture.block} points={picture.points} />}
-        {tab === "image" && <StillImage {...picture} residuals />}
-        {tab === "map" && (
-          <UncertaintyMap
-            points={picture.result.map}
-            width_px={picture.width_px}
-            height_px={picture.height_px}
-          />
+        {tab === "object" && <ResidualObject block={picture.block} points={picture.points} worst={result.worst} />}
+        {tab === "image" && <PoseView poses={poses} shown={pose} onShow={setPose} residuals worst={result.worst} />}
+        {tab === "map" && poses[0] && (
+          <UncertaintyMap result={result} width_px={poses[0].width_px} height_px={poses[0].height_px} />
         )}
-        {tab === "budget" && <Budget result={picture.result} />}
-        {tab === "numbers" && <Numbers result={picture.result} />}
+        {tab === "budget" && <Budget result={result} />}
+        {tab === "numbers" && <Numbers result={result} poses={poses} />}
       </div>
-      <KeyFigures result={picture.result} />
+      <KeyFigures result={result} />
     </div>
   );
 }

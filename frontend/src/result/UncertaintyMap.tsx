@@ -1,35 +1,97 @@
-import type { MapPoint } from "../api/types";
+import { SegmentedControl } from "@mantine/core";
+import { useState } from "react";
+
+import type { CalibrationResult } from "../api/types";
 import { figures } from "../parts/format";
 import styles from "./UncertaintyMap.module.css";
 
 interface MapProps {
-  points: MapPoint[];
+  result: CalibrationResult;
   width_px: number;
   height_px: number;
+}
+
+interface Cell {
+  u: number;
+  v: number;
+  um: number;
+  inside: boolean;
 }
 
 /** Steps of one scale of blue, light where points are known well. */
 const SCALE = ["#d6e8fb", "#a9cff6", "#74b0ee", "#3f8be0", "#1f66bd", "#114688"];
 
-/** How well a scanned point is known, over the picture: the laser's light falls on one plane only. */
-export function UncertaintyMap({ points, width_px, height_px }: MapProps) {
-  if (points.length === 0) {
+/** How well a scanned point is known, and how far it moved since the last calibration, over the
+ *  picture: the laser's light falls on one plane only. */
+export function UncertaintyMap({ result, width_px, height_px }: MapProps) {
+  const [shown, setShown] = useState("known");
+  const { map, comparison } = result;
+  if (map.length === 0) {
     return <p className={styles.none}>Calibrations of older versions carry no map.</p>;
   }
-  const inside = points.filter((p) => p.inside).map((p) => p.u_um);
-  const low = Math.min(...inside);
-  const high = Math.max(low * 1.02, ...points.map((p) => p.u_um));
+  const inside = new Map(map.map((p) => [`${p.u} ${p.v}`, p.inside]));
+  const moved = comparison?.map ?? [];
+  const change = shown === "moved" && comparison && moved.length > 0;
+  return (
+    <div className={styles.view}>
+      {moved.length > 0 && (
+        <div className={styles.choice}>
+          <SegmentedControl
+            value={shown}
+            onChange={setShown}
+            data={[
+              { value: "known", label: "Uncertainty" },
+              { value: "moved", label: "Change" },
+            ]}
+            size="md"
+            radius="md"
+            aria-label="What the map shows"
+            classNames={{ root: styles.control ?? "", indicator: styles.indicator ?? "" }}
+          />
+        </div>
+      )}
+      <Field
+        cells={
+          change
+            ? moved.map((p) => ({ ...p, um: p.moved_um, inside: inside.get(`${p.u} ${p.v}`) ?? true }))
+            : map.map((p) => ({ ...p, um: p.u_um }))
+        }
+        words={
+          change
+            ? `How far a scanned point moved since ${comparison.with_name}: ${figures(comparison.rms_um)} µm rms, at most ${figures(comparison.max_um)} µm.`
+            : "Standard uncertainty of a scanned point, k = 1, over the picture."
+        }
+        width_px={width_px}
+        height_px={height_px}
+      />
+    </div>
+  );
+}
+
+interface FieldProps {
+  cells: Cell[];
+  words: string;
+  width_px: number;
+  height_px: number;
+}
+
+function Field({ cells, words, width_px, height_px }: FieldProps) {
+  const inside = cells.filter((cell) => cell.inside).map((cell) => cell.um);
+  const all = cells.map((cell) => cell.um);
+  const low = Math.min(...(inside.length > 0 ? inside : all));
+  const high = Math.max(low * 1.02, ...all);
   const colour = (value: number) =>
-    SCALE[Math.min(SCALE.length - 1, Math.max(0, Math.floor(((value - low) / (high - low)) * SCALE.length)))];
-  const wide = step(points.map((p) => p.u));
-  const tall = step(points.map((p) => p.v));
+    SCALE[Math.min(SCALE.length - 1, Math.max(0, Math.floor(((value - low) / (high - low || 1)) * SCALE.length)))];
+  const wide = step(cells.map((cell) => cell.u));
+  const tall = step(cells.map((cell) => cell.v));
+  const worst = cells.reduce((a, b) => (b.inside && (!a.inside || b.um > a.um) ? b : a));
   return (
     <figure className={styles.map}>
       <svg
         className={styles.picture}
         viewBox={`0 0 ${width_px} ${height_px}`}
         role="img"
-        aria-label={`Uncertainty over the picture, ${figures(low)} to ${figures(high)} micrometres`}
+        aria-label={`${words} ${figures(low)} to ${figures(high)} micrometres`}
       >
         <defs>
           <pattern id="extrapolated" width="14" height="14" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">
@@ -37,16 +99,19 @@ export function UncertaintyMap({ points, width_px, height_px }: MapProps) {
           </pattern>
         </defs>
         <rect width={width_px} height={height_px} className={styles.empty} />
-        {points.map((p) => (
-          <g key={`${p.u} ${p.v}`}>
-            <rect x={p.u - wide / 2} y={p.v - tall / 2} width={wide + 1} height={tall + 1} fill={colour(p.u_um)}>
-              <title>{`${figures(p.u_um, 1)} µm at ${figures(p.u)}, ${figures(p.v)} px`}</title>
+        {cells.map(({ u, v, um, inside: covered }) => (
+          <g key={`${u} ${v}`}>
+            <rect x={u - wide / 2} y={v - tall / 2} width={wide + 1} height={tall + 1} fill={colour(um)}>
+              <title>{`${figures(um, 1)} µm at ${figures(u)}, ${figures(v)} px`}</title>
             </rect>
-            {!p.inside && (
-              <rect x={p.u - wide / 2} y={p.v - tall / 2} width={wide + 1} height={tall + 1} fill="url(#extrapolated)" />
+            {!covered && (
+              <rect x={u - wide / 2} y={v - tall / 2} width={wide + 1} height={tall + 1} fill="url(#extrapolated)" />
             )}
           </g>
         ))}
+        <text x={worst.u} y={worst.v} className={styles.worst} fontSize={width_px / 36}>
+          {figures(worst.um, 1)} µm
+        </text>
       </svg>
       <figcaption className={styles.legend}>
         <span>{figures(low, 1)} µm</span>
@@ -57,8 +122,7 @@ export function UncertaintyMap({ points, width_px, height_px }: MapProps) {
         </span>
         <span>{figures(high, 1)} µm</span>
         <span className={styles.words}>
-          Standard uncertainty of a scanned point, k = 1, over the picture. Hatched: beyond the depths that the stripe
-          covered.
+          {words} Hatched: beyond the depths that the stripe covered. Named: the largest within them.
         </span>
       </figcaption>
     </figure>

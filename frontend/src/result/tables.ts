@@ -3,6 +3,7 @@ import type { TableData } from "../parts/DataTable";
 import { figures } from "../parts/format";
 import { cornerWords } from "./names";
 
+export const POSES = "Poses";
 const DISTORTION = ["k1", "k2", "p1", "p2", "k3"];
 
 export function tablesOf(result: CalibrationResult): TableData[] {
@@ -13,7 +14,7 @@ export function tablesOf(result: CalibrationResult): TableData[] {
       rows: result.faces.map((f) => [f.face, figures(f.points), figures(f.rms_um, 1), figures(f.form_um, 1)]),
     },
     {
-      title: "Poses",
+      title: POSES,
       head: ["Pose", "Edges, px", "Stripe, px", "Off, µm"],
       rows: result.poses.map((p) =>
         p.used

@@ -35,6 +35,8 @@ export interface LiveState {
   home: Home | null;
   arm: ArmView | null;
   event: StationEvent | null;
+  /** The pose that was last asked for, by a finding or a figure that names it. */
+  look: { pose: number } | null;
   notice: Notice | null;
 }
 
@@ -48,6 +50,7 @@ let state: LiveState = {
   home: null,
   arm: null,
   event: null,
+  look: null,
   notice: null,
 };
 
@@ -70,6 +73,11 @@ function subscribe(listener: () => void): () => void {
 /** One value of the live state; the component renders again only when it changes. */
 export function useLive<T>(select: (state: LiveState) => T): T {
   return useSyncExternalStore(subscribe, () => select(state));
+}
+
+/** Brings the picture of a pose up where it can be seen. */
+export function lookAtPose(pose: number): void {
+  setState({ look: { pose } });
 }
 
 /** Takes a newer view of the flow; an older one, come late by another road, is dropped. */

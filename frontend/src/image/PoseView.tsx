@@ -1,0 +1,74 @@
+import { sendFlow } from "../api/commands";
+import type { PosePicture, WorstPoint } from "../api/types";
+import { figures } from "../parts/format";
+import { PressButton } from "../parts/PressButton";
+import { QualityMark } from "../parts/QualityMark";
+import styles from "./PoseView.module.css";
+import { StillImage } from "./StillImage";
+
+interface PoseViewProps {
+  poses: PosePicture[];
+  /** Number of the pose whose picture is shown. */
+  shown: number;
+  onShow: (number: number) => void;
+  /** Draws each corner's residual, enlarged. */
+  residuals?: boolean;
+  worst?: WorstPoint[];
+}
+
+const WORDS = { taken: "", used: "", left_out: ", left out", aside: ", set aside" };
+
+/** The poses one beside the other, the picture of one of them, and the way to set it aside. */
+export function PoseView({ poses, shown, onShow, residuals = false, worst = [] }: PoseViewProps) {
+  const pose = poses.find(({ number }) => number === shown) ?? poses[poses.length - 1];
+  if (!pose) return null;
+  return (
+    <div className={styles.view}>
+      {poses.length > 1 && (
+        <div className={styles.strip}>
+          <div className={styles.poses} role="group" aria-label="Poses">
+            {poses.map(({ number, state, note }) => (
+              <button
+                key={number}
+                type="button"
+                className={styles.pose}
+                aria-pressed={number === pose.number}
+                aria-label={`Pose ${number}${WORDS[state]}`}
+                data-state={state}
+                onClick={() => onShow(number)}
+              >
+                {number}
+                {note !== "" && state !== "aside" && <QualityMark quality="attention" size="1rem" />}
+              </button>
+            ))}
+          </div>
+          <p className={styles.told}>{told(pose)}</p>
+          {pose.action && <SetAside pose={pose} />}
+        </div>
+      )}
+      <StillImage {...pose} residuals={residuals} worst={worst.filter((w) => w.pose === pose.number)} />
+    </div>
+  );
+}
+
+/** Set aside, or take back; why not, where it cannot be done. */
+export function SetAside({ pose }: { pose: PosePicture }) {
+  const { action } = pose;
+  if (!action) return null;
+  return (
+    <PressButton
+      key={action.name}
+      disabled={!action.enabled}
+      why={action.why_not}
+      onPress={() => sendFlow(action.name, action.args)}
+    >
+      {action.label}
+    </PressButton>
+  );
+}
+
+function told({ number, note, edges_rms_px, off_um }: PosePicture): string {
+  if (note) return `Pose ${number}. ${note}.`;
+  if (edges_rms_px === null || off_um === null) return `Pose ${number}`;
+  return `Pose ${number}: edges ${figures(edges_rms_px, 2)} px, ${figures(off_um)} µm off the others`;
+}

@@ -1,0 +1,59 @@
+import type { PosePicture } from "../api/types";
+import { SetAside } from "../image/PoseView";
+import { figures } from "../parts/format";
+import table from "../parts/DataTable.module.css";
+import { lookAtPose } from "../state/store";
+import styles from "./PosesTable.module.css";
+
+/** Every pose that was taken: how it fits, or why it does not count; to look at, or to set aside. */
+export function PosesTable({ poses }: { poses: PosePicture[] }) {
+  const acts = poses.some(({ action }) => action);
+  return (
+    <table className={table.table}>
+      <caption className={table.caption}>Poses</caption>
+      <thead>
+        <tr>
+          <th scope="col">Pose</th>
+          <th scope="col">Edges, px</th>
+          <th scope="col">Stripe, px</th>
+          <th scope="col">Off, µm</th>
+          {acts && <th scope="col" aria-label="Set aside" />}
+        </tr>
+      </thead>
+      <tbody>
+        {poses.map((pose) => (
+          <tr key={pose.number} data-aside={pose.state === "aside" || undefined} className={styles.row}>
+            <td>
+              <button type="button" className={styles.show} onClick={() => lookAtPose(pose.number)}>
+                Pose {pose.number}
+              </button>
+            </td>
+            <Figures pose={pose} />
+            {acts && (
+              <td className={styles.act}>
+                <SetAside pose={pose} />
+              </td>
+            )}
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+function Figures({ pose: { note, edges_rms_px, stripe_rms_px, off_um } }: { pose: PosePicture }) {
+  if (note || edges_rms_px === null || stripe_rms_px === null || off_um === null) {
+    return (
+      <td colSpan={3} className={styles.note}>
+        {note || "not solved yet"}
+      </td>
+    );
+  }
+  return (
+    <>
+      <td>{figures(edges_rms_px, 3)}</td>
+      <td>{figures(stripe_rms_px, 3)}</td>
+      <td>{figures(off_um)}</td>
+    </>
+  );
+}
