@@ -58,12 +58,17 @@ def cast_room(
 
 
 @kernel
-def _at_edge(codes: Codes, r: int, c: int) -> bool:
-    """Whether any of the eight neighbours shows another face, or one otherwise lit."""
+def _at_edge(codes: Codes, r: int, c: int, places: int) -> bool:
+    """Whether any of the eight neighbours shows another face, or one plainly otherwise lit.
+
+    In half shadow the light falls off place by place of the lamp, of which there are
+    ``places``; a ray a pixel draws that as well.
+    """
     own = codes[r, c]
     for dr in range(-1, 2):
         for dc in range(-1, 2):
-            if codes[r + dr, c + dc] != own:
+            other = codes[r + dr, c + dc]
+            if other // 16 != own // 16 or 8 * abs(other % 16 - own % 16) > places:
                 return True
     return False
 
@@ -85,7 +90,7 @@ def refine_room(
     """Averages many rays over each pixel that an edge may cross."""
     for r in range(1, out.shape[0] - 1):
         for c in range(1, out.shape[1] - 1):
-            if not _at_edge(codes, r, c):
+            if not _at_edge(codes, r, c, lamps.shape[0]):
                 continue
             x0, y0 = lines[r, c, 0], lines[r, c, 1]
             xu, yu = lines[r, c + 1, 0] - x0, lines[r, c + 1, 1] - y0

@@ -119,7 +119,7 @@ def detect_object(
             tried = _tried(grey, clipped if lit is None else clipped | lit, found, scale, block)
             tries.append(tried)
             if tried.good:
-                return _detection(_the_one(tried, block), block)
+                return _detection(_the_one(tried, findings, block), block)
             if _sure(tried):
                 break
         acceptance.refuse_bad_picture(findings, "the object was not found")
@@ -194,21 +194,23 @@ def _tried(
     return _Tried(found, [], *nearest)
 
 
-def _the_one(tried: _Tried, block: Crenellated) -> Survey:
+def _the_one(tried: _Tried, findings: list[PictureFinding], block: Crenellated) -> Survey:
     """The measured placing, if there is no other and it is fit to be used.
 
     Raises:
-        Refusal: ``object-ambiguous``, ``object-mirrored``, ``object-cut-off``, ``image-blurred``.
+        Refusal: ``image-blurred``, ``image-saturated``, ``object-ambiguous``,
+            ``object-mirrored``, ``object-cut-off``.
     """
     located, measured = tried.good[0]
+    acceptance.refuse_blurred(measured)
     share = acceptance.in_frame(measured)
     other_way = [one.support for one in tried.found.found if one.mirrored != located.mirrored]
     doubtful = max(other_way, default=0.0) > _DOUBTFUL * located.support
     if len(tried.good) > 1 or doubtful or acceptance.symmetric(block):
+        acceptance.refuse_bad_picture(findings, "it can be read in more than one way")
         raise acceptance.ambiguous(block, share)
     if located.mirrored:
         raise acceptance.mirror_refusal(block, share)
-    acceptance.refuse_blurred(measured)
     acceptance.refuse_cut_off(measured, block, share)
     return measured
 

@@ -1,0 +1,47 @@
+"""The benchmark of the detection judges as it says."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from app.bench.detection import (
+    DetectionBench,
+    certificate_of,
+    corner_errors,
+    deceive,
+    found_in,
+    search,
+)
+from hardware.twin.nuisances import Shot, draw_shot
+
+SEED = 3
+
+
+@pytest.fixture(scope="module")
+def shot() -> Shot:
+    return draw_shot(SEED)
+
+
+def test_a_found_block_is_right_and_one_elsewhere_is_wrong(shot: Shot) -> None:
+    assert search(shot, SEED).outcome == "right"
+    aside = replace(shot.optics, cx_px=shot.optics.cx_px + 2.0)
+    assert search(replace(shot, optics=aside), SEED).outcome == "wrong"
+
+
+def test_errors_are_those_of_the_corners(shot: Shot) -> None:
+    found = found_in(shot, certificate_of(shot.certificate))
+    errors, _ = corner_errors(found, shot)
+    aside = replace(shot.optics, cx_px=shot.optics.cx_px - 2.0)
+    moved, sigmas = corner_errors(found, replace(shot, optics=aside))
+    assert np.allclose(moved - errors, [2.0, 0.0])
+    assert sigmas.min() > 3.0
+
+
+def test_the_table_counts_every_picture(shot: Shot) -> None:
+    one = search(shot, SEED)
+    refused = replace(one, outcome="object-unclear")
+    bench = DetectionBench([one, refused, replace(one, outcome="wrong")], [deceive(shot, SEED)])
+    assert (bench.right, bench.wrong, bench.believed) == (1, 1, 0)
+    assert any(line.split()[:5] == ["all", "3", "33.3", "%", "1"] for line in bench.lines())
+    assert "refused as object-unclear: 1" in bench.lines()

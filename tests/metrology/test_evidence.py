@@ -1,0 +1,74 @@
+"""A refused picture says what is at fault, and marks it where it shows."""
+
+from dataclasses import replace
+
+import cv2
+import numpy as np
+import pytest
+
+from app.metrology.camera import project
+from app.metrology.crenellated import corners as corners_of
+from app.metrology.detection.corners import DetectionRefusal, detect_object
+from tests.metrology.rendered_block import Rendered, rendered
+
+
+def refused(image, block) -> DetectionRefusal:
+    with pytest.raises(DetectionRefusal) as caught:
+        detect_object(image, block)
+    return caught.value
+
+
+def marks_of(refusal: DetectionRefusal, kind: str) -> np.ndarray:
+    """(N, 4) the lines of one kind."""
+    lines = [(m.u0, m.v0, m.u1, m.v1) for m in refusal.marks if m.kind == kind]
+    return np.array(lines).reshape(-1, 4)
+
+
+@pytest.fixture(scope="module")
+def plain() -> Rendered:
+    return rendered(1, merlons=4)
+
+
+def test_overexposed_faces_are_framed(plain):
+    bright = np.clip(plain.image.astype(float) * 4, 0, 255).astype(np.uint8)
+    refusal = refused(bright, plain.block)
+    assert refusal.fault == "exposure"
+    boxes = marks_of(refusal, "clipped")
+    v, u = np.nonzero(bright == 255)
+    assert boxes[:, [0, 2]].min() == pytest.approx(u.min(), abs=8)
+    assert boxes[:, [1, 3]].max() == pytest.approx(v.max(), abs=8)
+
+
+def test_a_blurred_picture_is_the_focus_s_fault(plain):
+    assert refused(cv2.GaussianBlur(plain.image, (0, 0), 6.0), plain.block).fault == "focus"
+
+
+def test_a_wrong_size_is_marked_where_it_disagrees(plain):
+    edges = list(plain.block.edges_x_mm)
+    edges[3] += 1.0
+    claimed = replace(plain.block, edges_x_mm=tuple(edges))
+    refusal = refused(plain.image, claimed)
+    assert (refusal.code, refusal.fault) == ("object-does-not-match", "object")
+    wrong = marks_of(refusal, "disagrees")
+    assert len(wrong)
+    at = corners_of(claimed)
+    ends = project(plain.camera, np.array([at["crest:1:R:front"], at["crest:1:R:back"]]))
+    assert min(np.hypot(*(line.reshape(2, 2) - ends).T).max() for line in wrong) < 5.0
+    assert len(marks_of(refusal, "outline")) > 10
+
+
+@pytest.mark.parametrize("begin", [440, 480])
+def test_what_is_out_of_the_frame_is_marked(plain, begin):
+    # A window on the right of the picture shows one whole merlon.
+    refusal = refused(np.ascontiguousarray(plain.image[:, begin:]), plain.block)
+    assert (refusal.code, refusal.fault) == ("object-cut-off", "framing")
+    outside = marks_of(refusal, "outside")
+    assert len(outside)
+    assert (outside[:, [0, 2]] < 0).all()
+
+
+def test_straight_edges_are_shown_where_there_is_no_block(plain):
+    board = (np.indices(plain.image.shape) // 60).sum(axis=0) % 2 * 150 + 40
+    refusal = refused(board.astype(np.uint8), plain.block)
+    assert refusal.fault in ("framing", "object", "lighting")
+    assert refusal.marks
