@@ -49,6 +49,23 @@ def told_by(values: Floats, variances: Floats, scale: float, usual: float) -> fl
     return float(np.sqrt(squares / (determined + USUAL_COUNT)))
 
 
+def links_told(links: Floats, variances: Floats, scales: Scales) -> tuple[float, float]:
+    """The scales of turns (rad) and of shifts (mm), from all links' errors (6n,).
+
+    An arm that is poor in the one is taken to be poor in the other where that is not told:
+    what is usual for each follows from both, the two being in their usual proportion.
+    """
+    usual = np.array([USUAL_LINKS_RAD, USUAL_LINKS_MM])
+    now = np.array([scales.links_rad, scales.links_mm])
+    squares = (links**2).reshape(-1, 2, 3).sum(axis=(0, 2))
+    unknown = variances.reshape(-1, 2, 3).sum(axis=(0, 2))
+    determined = np.maximum(len(links) / 2 - unknown / now**2, 0.0)
+    common = (np.sum(squares / usual**2) + USUAL_COUNT) / (np.sum(determined) + USUAL_COUNT)
+    told = (squares + USUAL_COUNT * common * usual**2) / (determined + USUAL_COUNT)
+    rad, mm = np.sqrt(told)
+    return float(rad), float(mm)
+
+
 def touch_told(
     residuals_mm: Floats, noise_mm2: Floats, fitted_mm2: Floats, scales: Scales
 ) -> float:

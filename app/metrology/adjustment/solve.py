@@ -9,9 +9,8 @@ from numpy.typing import NDArray
 from app.metrology.adjustment.evidence import Problem
 from app.metrology.adjustment.linear import Judgements, Linear, Normal, linearise, normal
 from app.metrology.adjustment.scales import (
-    USUAL_LINKS_MM,
-    USUAL_LINKS_RAD,
     Scales,
+    links_told,
     settled,
     told_by,
     touch_told,
@@ -200,8 +199,6 @@ def _told(equations: Normal, free: NDArray[np.bool_], scales: Scales) -> Scales:
     covariance = embedded(np.sum(list(parts.values()), axis=0), free)
     step = -covariance @ g
     own = np.diag(covariance)
-    links, of_links = linear.state.links + step[at.links], own[at.links]
-    turning = np.arange(len(links)) % 6 < 3
     moves = linear.problem.motion
     sd = np.tile(moves.noise_sd, len(linear.problem.views))
     noise = (linear.state.noise.ravel() + step[at.noise]) / sd
@@ -217,8 +214,7 @@ def _told(equations: Normal, free: NDArray[np.bool_], scales: Scales) -> Scales:
         )
     factor = told_by(noise, own[at.noise] / sd**2, scales.noise, moves.usual_factor)
     return Scales(
-        told_by(links[turning], of_links[turning], scales.links_rad, USUAL_LINKS_RAD),
-        told_by(links[~turning], of_links[~turning], scales.links_mm, USUAL_LINKS_MM),
+        *links_told(linear.state.links + step[at.links], own[at.links], scales),
         max(factor, moves.least_factor),
         touch,
     )

@@ -1,0 +1,114 @@
+"""Eight poses of an arm whose model is off: Crenel beside OpenCV, session by session.
+
+    python -m tests.bench.many_poses [--sessions 12] [--arm-um 100]
+
+Sessions of random arms, sensors and blocks are rendered, each calibrated from the same
+pictures and contacts by Crenel and as a competent user of OpenCV would (`block_peers`).
+The truth's pixels are rebuilt and compared with where their light fell. How often Crenel
+is ahead of each way, and the median and rms over the sessions.
+"""
+
+import argparse
+import tempfile
+from collections import defaultdict
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+
+from app.files.calibrate import joint_inputs
+from app.files.images import read_grey
+from app.files.session import read_session
+from app.metrology.adjustment.joint import calibrate_joint
+from app.metrology.arm import flange_poses
+from app.metrology.crenellated import corners
+from app.metrology.frames import Floats
+from app.metrology.refusal import Refusal
+from hardware.twin.kinematics import UnreachableError
+from hardware.twin.session import SessionPlan, render_session
+from tests.bench.block_peers import by_opencv, clicked, errors_um
+from tests.bench.board_measures import Solved
+
+FIRST_SEED = 7000
+POSES = 8
+CLAIMED = "Crenel, as claimed"
+
+
+def drawn(count: int, arm_um: float, folder: Path) -> Iterator[Path]:
+    """``count`` random sessions, half of them with seven axes, any roll of the camera."""
+    seed = FIRST_SEED
+    while count:
+        seed += 1
+        rng = np.random.default_rng(seed)
+        plan = SessionPlan(
+            joints=int(rng.integers(6, 8)),
+            poses=POSES,
+            imperfection_um=arm_um,
+            roll_rad=float(rng.uniform(-np.pi, np.pi)),
+            distortion=(float(rng.uniform(-0.1, 0.05)), 0.0, 0.0, 0.0, 0.0),
+        )
+        try:
+            render_session(folder / str(seed), seed, plan)
+        except UnreachableError:
+            continue
+        count -= 1
+        yield folder / str(seed)
+
+
+def measured(folder: Path) -> dict[str, tuple[float, float]]:
+    """Sensor frame and flange frame, rms in um, by who calibrated.
+
+    Raises:
+        Refusal: Crenel does not calibrate this session.
+    """
+    session = read_session(folder)
+    inputs = joint_inputs(session)
+    found = calibrate_joint(inputs)
+    pictures = {pose.number: pose.ambient for pose in session.poses}
+    views = [
+        clicked(read_grey(pictures[seen.number]), seen, session, T)
+        for seen, T in zip(inputs.seen, flange_poses(session.arm, inputs.q_rad), strict=True)
+    ]
+    nominal = np.array(list(corners(session.block).values()))
+    crenel = Solved("Crenel", found.camera, found.T_flange_sensor, nominal, found.plane)
+    errors = {
+        solved.name: errors_um(solved, folder) for solved in (*by_opencv(session, views), crenel)
+    }
+    return errors | {CLAIMED: (float("nan"), found.known.total_um)}
+
+
+def rms(values: Floats) -> float:
+    return float(np.sqrt(np.mean(values**2)))
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--sessions", type=int, default=12)
+    parser.add_argument("--arm-um", type=float, default=100.0)
+    given = parser.parse_args()
+    columns: dict[str, list[tuple[float, float]]] = defaultdict(list)
+    refused = 0
+    with tempfile.TemporaryDirectory() as scratch:
+        for folder in drawn(given.sessions, given.arm_um, Path(scratch)):
+            try:
+                found = measured(folder)
+            except Refusal as refusal:
+                refused += 1
+                print(f"{folder.name}: refused: {refusal}")
+                continue
+            for name, errors in found.items():
+                columns[name].append(errors)
+    ours = np.array(columns["Crenel"])
+    head = ("sensor um", "flange um", "flange rms", "Crenel ahead")
+    print(f"{len(ours)} sessions, refused: {refused}")
+    print(f"{'median over the sessions':<32}" + "".join(f"{name:>14}" for name in head))
+    for name, rows in columns.items():
+        values = np.array(rows)
+        sensor, flange = np.median(values, axis=0)
+        ahead = int((ours[:, 1] < values[:, 1]).sum())
+        said = f"{ahead} of {len(ours)}" if name.startswith("OpenCV") else ""
+        print(f"{name:<32}{sensor:>14.2f}{flange:>14.1f}{rms(values[:, 1]):>14.1f}{said:>14}")
+
+
+if __name__ == "__main__":
+    main()
