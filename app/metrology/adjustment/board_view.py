@@ -99,6 +99,7 @@ class BoardView:
         every = np.arange(len(at))
         J[every, :, prints] = own[:, :, 0]
         J[every, :, prints + count] = own[:, :, 1]
+        J[every, :, prints + 2 * count] = by_point[:, :, 2]
         variances, axes = np.linalg.eigh(seen.covariance_px2)
         residuals = np.einsum("nik,ni->nk", axes, seen.uv_px - uv)
         turned = np.einsum("nik,nip->nkp", axes, J)

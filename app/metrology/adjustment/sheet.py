@@ -1,7 +1,8 @@
 """The sheet that carries a chessboard: its corners' true places, and how it bends.
 
 Its coordinates are the pattern's width and height (mm), the strengths (mm) of a few
-smooth shapes in which sheets bend, and what each corner is misprinted by (mm).
+smooth shapes in which sheets bend, what each corner is misprinted by (mm), and by how
+much each is lifted or dented by itself (mm): paper is not as smooth as the shapes.
 
 The bend is a smooth random surface, a Gaussian process that is as high as the board's
 flatness and alike over ``SMOOTH_SHARE`` of the pattern; its shapes are the principal ones
@@ -27,6 +28,8 @@ AROUND_SQUARES = 4.0
 SMOOTH_SHARE, NODES_PER_LENGTH = 0.5, 2.0
 # Shapes are kept until they make up this share of the variance.
 KEPT_SHARE = 0.995
+# Dents from corner to corner are as deep as this share of the smooth bend.
+DENTS_SHARE = 0.25
 
 
 @dataclass(frozen=True)
@@ -111,10 +114,12 @@ def board_papers(board: Chessboard) -> Papers:
     names = ("extent_x", "extent_y", *(f"bend:{k}" for k in range(bend.stop - bend.start)))
     names += tuple(f"print_x:{k}" for k in range(count))
     names += tuple(f"print_y:{k}" for k in range(count))
+    names += tuple(f"dent:{k}" for k in range(count))
     values = np.zeros(len(names))
     values[EXTENT] = board.extent_mm
     sd = np.full(len(names), max(board.standard_uncertainty_mm, LEAST_MM))
     sd[bend] = max(board.flatness_mm, LEAST_MM)
+    sd[-count:] = max(DENTS_SHARE * board.flatness_mm, LEAST_MM)
     return Papers(names, values, sd)
 
 
@@ -133,9 +138,9 @@ def height_of(board: Chessboard, coordinates: Floats, xy_mm: Floats) -> Floats:
 def corners_at(board: Chessboard, coordinates: Floats) -> Floats:
     """(N, 3) where every corner truly is, in the board's frame."""
     share = grid(board) / (np.array(board.inner_corners) - 1)
-    print_mm = coordinates[bend_of(board).stop :].reshape(2, len(share)).T
-    xy = share * coordinates[EXTENT] + print_mm
-    return np.column_stack([xy, height_of(board, coordinates, xy)])
+    print_x, print_y, dent = coordinates[bend_of(board).stop :].reshape(3, len(share))
+    xy = share * coordinates[EXTENT] + np.column_stack([print_x, print_y])
+    return np.column_stack([xy, height_of(board, coordinates, xy) + dent])
 
 
 def around_pattern(board: Chessboard, points_mm: Floats) -> NDArray[np.bool_]:
