@@ -18,6 +18,7 @@ from app.metrology.adjustment.mounting import Mounting, mounting_by_contacts
 from app.metrology.adjustment.pose_results import PoseResult, left_out, pose_results, worst_of_all
 from app.metrology.adjustment.solve import Adjusted, adjust
 from app.metrology.adjustment.state import State, pose_scene
+from app.metrology.adjustment.stray_poses import without_strays
 from app.metrology.adjustment.uncertainty import Known, known, sensor_of
 from app.metrology.alignment import Alignment, align, refuse_wrong_faces
 from app.metrology.arm import Arm, tip_centres, tip_covariances
@@ -121,6 +122,7 @@ def calibrate_joint(inputs: JointInputs, progress: Progress | None = None) -> Jo
     problem, start, mounting = _start(inputs, alignment)
     say("Adjusting all poses together", 0.3)
     found = _adjusted(problem, start)
+    found, mounting = without_strays(found, mounting, block_size_mm(inputs.block))
     say("Working out the uncertainty", 0.8)
     result = _assembled(inputs, alignment, found, mounting)
     say("Done", 1.0)

@@ -44,12 +44,12 @@ def mounting_by_contacts(
         reach_mm: the object's size, which turns angles into lengths.
     """
     each = inverse(T_arm_flange) @ T_arm_obj @ inverse(T_cam_obj)
-    off = np.array([_apart(T_arm_flange, T_cam_obj, X, T_arm_obj, reach_mm) for X in each])
+    off = np.array([off_place_mm(T_arm_flange, T_cam_obj, X, T_arm_obj, reach_mm) for X in each])
     best = each[int(np.argmin(np.median(off, axis=1)))]
-    off_mm = _apart(T_arm_flange, T_cam_obj, best, T_arm_obj, reach_mm)
+    off_mm = off_place_mm(T_arm_flange, T_cam_obj, best, T_arm_obj, reach_mm)
     contradicts = contradicting(off_mm)
     X = mean_of(each[~contradicts])
-    off_mm = _apart(T_arm_flange, T_cam_obj, X, T_arm_obj, reach_mm)
+    off_mm = off_place_mm(T_arm_flange, T_cam_obj, X, T_arm_obj, reach_mm)
     return Mounting(X, T_arm_obj, T_arm_flange, T_cam_obj, off_mm, contradicts)
 
 
@@ -71,14 +71,14 @@ def mounting_by_motion(T_arm_flange: Floats, T_cam_obj: Floats, reach_mm: float)
     best: Mounting | None = None
     for draw in draws:
         X, Z = _hand_eye(T_arm_flange[draw], T_cam_obj[draw])
-        off_mm = _apart(T_arm_flange, T_cam_obj, X, Z, reach_mm)
+        off_mm = off_place_mm(T_arm_flange, T_cam_obj, X, Z, reach_mm)
         if best is None or np.median(off_mm) < np.median(best.off_mm):
             best = Mounting(X, Z, T_arm_flange, T_cam_obj, off_mm, contradicting(off_mm))
     assert best is not None
     kept = ~best.contradicts
     if kept.sum() >= 3:
         X, Z = _hand_eye(T_arm_flange[kept], T_cam_obj[kept])
-        off_mm = _apart(T_arm_flange, T_cam_obj, X, Z, reach_mm)
+        off_mm = off_place_mm(T_arm_flange, T_cam_obj, X, Z, reach_mm)
         best = Mounting(X, Z, T_arm_flange, T_cam_obj, off_mm, contradicting(off_mm))
     return best
 
@@ -137,7 +137,7 @@ def contradicting(off_mm: Floats) -> NDArray[np.bool_]:
     return np.asarray(off_mm > max(CONTRADICTS_MM, CONTRADICTS_TIMES * usual))
 
 
-def _apart(
+def off_place_mm(
     T_arm_flange: Floats, T_cam_obj: Floats, X: Floats, Z: Floats, reach_mm: float
 ) -> Floats:
     """(P,) mm between the object as seen in each pose and its place ``Z``."""

@@ -18,7 +18,7 @@ from app.metrology.frames import Floats, inverse
 from app.metrology.scene import Rows, with_coordinates
 
 # A pose that contradicts the others fits another's joint angles if it then lies so near.
-FITS_SHARE = 0.2
+FITS_SHARE, FITS_MM = 0.2, 1.0
 
 
 @dataclass(frozen=True)
@@ -71,12 +71,14 @@ def left_out(
     T_arm_flange = flange_poses(arm, q_rad)
     results = []
     for p in map(int, np.flatnonzero(mounting.contradicts)):
-        reason = f"it puts the object {mounting.off_mm[p]:.1f} mm from where the others put it"
+        off_mm = mounting.off_mm[p]
+        off = f"{off_mm:.1f} mm" if off_mm >= 1 else f"{1e3 * off_mm:.0f} µm"
+        reason = f"it puts the object {off} from where the others put it"
         # the flange at which this pose's picture would agree with the others
         wanted = T_arm_flange[p] @ _correction(mounting, p)
         apart = np.linalg.norm(T_arm_flange[:, :3, 3] - wanted[:3, 3], axis=1)
         other = int(np.argmin(apart))
-        if other != p and apart[other] < FITS_SHARE * apart[p] + 1.0:
+        if apart[other] < min(FITS_SHARE * apart[p] + FITS_MM, apart[p] / 2):
             reason += f"; it fits the joint angles of pose {seen[other].number}"
         results.append(PoseResult(seen[p].number, False, reason))
     return results

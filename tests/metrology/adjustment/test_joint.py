@@ -59,6 +59,18 @@ def test_poses_whose_joints_were_swapped_are_left_out_and_told_whose_they_are(
     assert "pose-left-out" in codes(result)
 
 
+def test_a_pose_that_is_slightly_astray_is_left_out_too(
+    inputs: JointInputs, found: JointCalibration
+) -> None:
+    q = inputs.q_rad.copy()
+    q[2, 2] += np.radians(0.05)
+    result = calibrate_joint(replace(inputs, q_rad=q))
+    (out,) = [pose for pose in result.poses if not pose.used]
+    assert out.number == 2
+    assert "fits the joint angles" not in out.reason
+    assert result.known.total_um < 1.2 * found.known.total_um
+
+
 def test_poses_that_agree_with_none_are_refused(inputs: JointInputs) -> None:
     rng = np.random.default_rng(1)
     q = inputs.q_rad + rng.uniform(-0.05, 0.05, inputs.q_rad.shape)

@@ -1,0 +1,66 @@
+"""Poses off by less than a blunder and by more than the arm's noise: seen after the adjustment."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from app.metrology.adjustment.mounting import Mounting, off_place_mm
+from app.metrology.adjustment.solve import Adjusted, adjust
+from app.metrology.frames import Floats
+
+# A pose is astray beyond so many times the noise of the others, and of the encoders' papers.
+ASTRAY_TIMES, ASTRAY_AT_LEAST = 5.0, 4.0
+FEWEST_POSES = 4
+# Of a pose's readings, the share that its own picture must tell for it to be judged.
+LEAST_TOLD = 0.05
+
+
+def without_strays(
+    found: Adjusted, mounting: Mounting, reach_mm: float
+) -> tuple[Adjusted, Mounting]:
+    """Adjusted without the poses that are astray, worst first; they are marked in ``mounting``.
+
+    Fewer than half of all poses are set aside.
+    """
+    total = len(mounting.contradicts)
+    while (stray := stray_pose(found)) is not None:
+        place = np.flatnonzero(~mounting.contradicts)[stray]
+        contradicts = mounting.contradicts.copy()
+        contradicts[place] = True
+        if 2 * contradicts.sum() >= total:
+            break
+        out = np.arange(len(found.problem.views)) == stray
+        start = replace(found.state, noise=found.state.noise[~out])
+        found = adjust(found.problem.without_poses(out), start)
+        X, T_arm_obj = found.state.T_flange_cam, found.state.T_arm_obj
+        off_mm = off_place_mm(mounting.T_arm_flange, mounting.T_cam_obj, X, T_arm_obj, reach_mm)
+        mounting = replace(
+            mounting, T_flange_cam=X, T_arm_obj=T_arm_obj, off_mm=off_mm, contradicts=contradicts
+        )
+    return found, mounting
+
+
+def stray_pose(found: Adjusted) -> int | None:
+    """The pose whose readings are furthest off, where no noise explains that, or None.
+
+    A pose's noise is the rms of its readings' errors against their standard deviation,
+    counted by how many of them the data determined; the others' is their median, which
+    one stray does not move.
+    """
+    noise = pose_noise(found)
+    if len(noise) < FEWEST_POSES:
+        return None
+    worst = int(np.argmax(noise))
+    usual = float(np.median(np.delete(noise, worst)))
+    limit = max(ASTRAY_TIMES * usual, ASTRAY_AT_LEAST * found.problem.motion.usual_factor)
+    return worst if noise[worst] > limit else None
+
+
+def pose_noise(found: Adjusted) -> Floats:
+    """(P,) noise of each pose's readings, in standard deviations of one reading."""
+    sd = found.problem.motion.noise_sd
+    values = found.state.noise / sd
+    poses, count = values.shape
+    variance = np.diag(found.covariance)[found.layout.noise].reshape(poses, count) / sd**2
+    told = np.maximum(count - (variance / found.scales.noise**2).sum(axis=1), LEAST_TOLD * count)
+    return np.asarray(np.sqrt((values**2).sum(axis=1) / told))
