@@ -7,14 +7,13 @@ from app.guide import works
 from app.guide.confirming import confirm
 from app.guide.guide import Guide
 from app.guide.hand import Hand
-from app.guide.steps_picture import FEWEST_CORNERS
 from app.guide.touching import TITLES, wanted_on
 from app.metrology.crenellated import FACES
 from app.metrology.refusal import Refusal
 from app.station.jobs import Progress
 
 TIMEOUT_S = 4.0
-VIEW_TIMEOUT_S = 10.0
+SENSOR_TIMEOUT_S = 10.0
 ATTEMPTS = 3
 POSES = 5
 
@@ -110,17 +109,21 @@ def _place(guide: Guide, hand: Hand, progress: Progress) -> None:
         there = hand.hold_at(advice.q_rad)
     if there:
         progress("The hand holds still", 0.8)
-        _await(guide, lambda: _object_in_view(guide), VIEW_TIMEOUT_S)
+        _await(guide, lambda: _ready_to_capture(guide), SENSOR_TIMEOUT_S)
         _confirm(guide, "confirm_place")
 
 
 def _capture(guide: Guide, hand: Hand, progress: Progress) -> None:
-    _await(guide, lambda: _ready_to_capture(guide), TIMEOUT_S)
-    works.capture(guide, progress)
-
-
-def _object_in_view(guide: Guide) -> bool:
-    return _ready_to_capture(guide) and guide.live().corners_seen >= FEWEST_CORNERS
+    """Takes the picture, again where the arm or the camera was not ready for it."""
+    for attempt in range(ATTEMPTS):
+        _await(guide, lambda: _ready_to_capture(guide), SENSOR_TIMEOUT_S)
+        try:
+            works.capture(guide, progress)
+        except Refusal:
+            if attempt == ATTEMPTS - 1 or not guide.hand_running:
+                raise
+        else:
+            break
 
 
 def _ready_to_capture(guide: Guide) -> bool:

@@ -32,7 +32,7 @@ def review_step(state: CalibrationState, live: Live) -> Body:
             "neutral" if stale else result.verdict,
             "Of before: the poses were changed since." if stale else result.verdict_text,
         ),
-        findings=[*(_changes(state, result) if stale else ()), *seen.findings],
+        findings=[*_changes(state, result), *seen.findings[1:]] if stale else seen.findings,
         actions=_actions(state, live, result, stale),
     )
 

@@ -29,7 +29,7 @@ def touch_step(state: CalibrationState, live: Live) -> Body:
         picture=ObjectPicture(geometry(block), faces, touch.points),
         number=_number(touch),
         progress=Progress(done, wanted, f"{done} of {wanted} points"),
-        findings=[*lost_devices(live)[:1], *touch.findings, *_advice(touch, done, wanted)],
+        findings=[*lost_devices(live)[:1], *touch.findings, *_advice(touch)],
         actions=_actions(state, live, touch, done >= wanted),
     )
 
@@ -88,7 +88,7 @@ def _number(touch: TouchReport) -> LiveNumber:
     return LiveNumber(label, touch.advice.now_um, "µm", 0, quality, note)
 
 
-def _advice(touch: TouchReport, done: int, wanted: int) -> list[Finding]:
+def _advice(touch: TouchReport) -> list[Finding]:
     """How many more points on which face, and what they bring."""
     if touch.alignment is None or touch.advice is None:
         missing = touch.missing if not touch.findings else ""
@@ -96,9 +96,7 @@ def _advice(touch: TouchReport, done: int, wanted: int) -> list[Finding]:
     told = touch.advice
     known = f"Object known to {told.now_um:.0f} µm (k = 1)"
     if not told.more:
-        left = wanted - done
-        remedy = f"The {left} points still to take check it." if left > 0 else ""
-        return [Finding("good", f"{known}; wanted: {touch.target_um:.0f} µm.", remedy)]
+        return []
     bring = "brings" if sum(count for _, count in told.more) == 1 else "bring"
     text = f"{known}; {told.words} {bring} {told.then_um:.0f} µm."
     if not told.reaches:

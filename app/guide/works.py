@@ -20,7 +20,8 @@ def capture(guide: Guide, progress: Progress) -> None:
     taken = guide.station.rig.capture_pair()
     progress("Looking for the object in the picture", 0.4)
     number = len(guide.state.captures) + 1
-    outcome, seen = look_at(taken, chosen, number)
+    with guide.station.preview.resting():  # this picture is what counts now
+        outcome, seen = look_at(taken, chosen, number)
     height, width = taken.ambient.image.shape
     with guide.lock:
         names = guide.folder.keep_capture(number, taken)

@@ -58,6 +58,7 @@ class ObjectWatch:
         self._block: Crenellated | None = None
         self._frame: tuple[Frame, Stripe | None] | None = None
         self._seen = NOTHING
+        self._resting = False
         self._stopping = False
         self._thread: threading.Thread | None = None
 
@@ -86,6 +87,11 @@ class ObjectWatch:
         with self._offered:
             return self._seen
 
+    def rest(self, resting: bool) -> None:
+        """While resting, no new search begins."""
+        with self._offered:
+            self._resting = resting
+
     def forget(self, seen: Seen) -> None:
         """What was found is out of date: the next search begins at once."""
         with self._offered:
@@ -96,7 +102,7 @@ class ObjectWatch:
     def offer(self, frame: Frame, stripe: Stripe | None) -> None:
         """Gives the newest frame, with its stripe where the laser is on; never waits."""
         with self._offered:
-            if self._block is not None:
+            if self._block is not None and not self._resting:
                 self._frame = (frame, stripe)
                 self._offered.notify()
 

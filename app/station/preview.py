@@ -125,6 +125,15 @@ class Preview:
             self._detecting = block is not None
             self._watched.notify()
 
+    @contextmanager
+    def resting(self) -> Iterator[None]:
+        """The search for the object rests while such a block is open."""
+        self._objects.rest(True)
+        try:
+            yield
+        finally:
+            self._objects.rest(False)
+
     def set_stripe_axis(self, axis: Literal["u", "v"]) -> None:
         self._axis = axis
 

@@ -1,6 +1,6 @@
 import { sendFlow } from "../api/commands";
 import type { PosePicture, WorstPoint } from "../api/types";
-import { figures } from "../parts/format";
+import { bound, figures } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
 import styles from "./PoseView.module.css";
@@ -68,7 +68,7 @@ export function SetAside({ pose }: { pose: PosePicture }) {
 }
 
 function told({ number, note, edges_rms_px, off_um }: PosePicture): string {
-  if (note) return `Pose ${number}. ${note}.`;
+  if (note) return bound(`${note}.`);
   if (edges_rms_px === null || off_um === null) return `Pose ${number}`;
-  return `Pose ${number}: edges ${figures(edges_rms_px, 2)} px, ${figures(off_um)} µm off the others`;
+  return bound(`Edges ${figures(edges_rms_px, 2)} px rms, ${figures(off_um)} µm off the others`);
 }

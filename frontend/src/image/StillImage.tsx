@@ -124,5 +124,5 @@ function told(name: string, residual_px: number | null): string {
 
 function summary({ corners, stripe }: Overlay, times: number): string {
   const found = `${figures(corners.length)} corners, ${figures(stripe.length)} stripe points`;
-  return times ? `${found}. Discs are the corners' residuals, ${times} times enlarged; the largest are named.` : found;
+  return times ? `${found}. Discs: the corners' residuals, ${times} times enlarged.` : found;
 }

@@ -49,26 +49,47 @@ interface TouchesProps {
 
 /** Touched points coloured by residual; an outlier is a diamond with its value beside it. */
 export function Touches({ view, block, points, scale_um, chosen, onPoint, named = [] }: TouchesProps) {
+  const seen = placed(points)
+    .sort((a, b) => Number(a.outlier) - Number(b.outlier))
+    .filter(({ at_mm, face }) => isSeen(block, at_mm, normalOf(face), view.to));
+  const sides = sidesOf(view, seen.filter(({ index, outlier }) => outlier || named.includes(index)));
   return (
     <g>
-      {placed(points)
-        .sort((a, b) => Number(a.outlier) - Number(b.outlier))
-        .filter(({ at_mm, face }) => isSeen(block, at_mm, normalOf(face), view.to))
-        .map((point) => (
-          <Touch
-            key={point.index}
-            point={point}
-            at={project(view, point.at_mm)}
-            radius={dotRadius(view)}
-            scale_um={scale_um}
-            chosen={point.index === chosen}
-            named={named.includes(point.index)}
-            onPoint={onPoint}
-          />
-        ))}
+      {seen.map((point) => (
+        <Touch
+          key={point.index}
+          point={point}
+          at={project(view, point.at_mm)}
+          radius={dotRadius(view)}
+          scale_um={scale_um}
+          chosen={point.index === chosen}
+          side={sides.get(point.index)}
+          onPoint={onPoint}
+        />
+      ))}
     </g>
   );
 }
+
+const LABEL_PX = { wide: 84, tall: 22 };
+
+/** On which side of its point each label stands, so that no two cover each other. */
+function sidesOf(view: View, labelled: Placed[]): Map<number, Side> {
+  const taken: [number, number][] = [];
+  const sides = new Map<number, Side>();
+  const spots = labelled.map(({ index, at_mm }) => ({ index, at: project(view, at_mm) }));
+  for (const { index, at } of spots.sort((a, b) => b.at[0] - a.at[0])) {
+    const [x, y] = at;
+    const free = (left: number) =>
+      taken.every(([u, v]) => Math.abs(u - left) > LABEL_PX.wide || Math.abs(v - y) > LABEL_PX.tall);
+    const side = free(x) || !free(x - LABEL_PX.wide) ? "right" : "left";
+    taken.push([side === "right" ? x : x - LABEL_PX.wide, y]);
+    sides.set(index, side);
+  }
+  return sides;
+}
+
+type Side = "left" | "right";
 
 interface TouchProps {
   point: TouchedPoint;
@@ -76,11 +97,12 @@ interface TouchProps {
   radius: number;
   scale_um: number;
   chosen: boolean;
-  named: boolean;
+  /** Where its value stands; without one it is not named. */
+  side: Side | undefined;
   onPoint: (index: number) => void;
 }
 
-function Touch({ point, at, radius, scale_um, chosen, named, onPoint }: TouchProps) {
+function Touch({ point, at, radius, scale_um, chosen, side, onPoint }: TouchProps) {
   const residual = point.residual_um;
   const words = residual === null ? "no residual yet" : `${signed(residual)} µm`;
   const fill = residual === null ? "var(--ink-3)" : rampColour(Math.abs(residual) / scale_um);
@@ -106,8 +128,14 @@ function Touch({ point, at, radius, scale_um, chosen, named, onPoint }: TouchPro
       ) : (
         <circle r={radius} className={styles.point} style={{ fill }} />
       )}
-      {(point.outlier || named) && (
-        <text x={radius * 2} y="6" className={styles.value} data-outlier={point.outlier || undefined}>
+      {side && (
+        <text
+          x={side === "right" ? radius * 2 : -radius * 2}
+          y="6"
+          textAnchor={side === "right" ? "start" : "end"}
+          className={styles.value}
+          data-outlier={point.outlier || undefined}
+        >
           {words}
         </text>
       )}

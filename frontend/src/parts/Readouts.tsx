@@ -12,7 +12,7 @@ export interface Readout {
 /** A row of small labelled figures, as an instrument's panel has them; in several rows (``wrap``)
  *  where one has no room for six. */
 export function Readouts({ readouts, wrap = false }: { readouts: Readout[]; wrap?: boolean }) {
-  return (
+  const row = (
     <dl className={styles.readouts} data-wrap={wrap || undefined}>
       {readouts.map(({ label, value, unit, quality }) => (
         <div key={label} className={styles.readout}>
@@ -26,4 +26,5 @@ export function Readouts({ readouts, wrap = false }: { readouts: Readout[]; wrap
       ))}
     </dl>
   );
+  return wrap ? <div className={styles.wrap}>{row}</div> : row;
 }

@@ -98,18 +98,28 @@ function Field({ cells, words, width_px, height_px }: FieldProps) {
             <line x1="0" y1="0" x2="0" y2="14" className={styles.hatch} />
           </pattern>
         </defs>
+        <clipPath id="frame">
+          <rect width={width_px} height={height_px} />
+        </clipPath>
         <rect width={width_px} height={height_px} className={styles.empty} />
-        {cells.map(({ u, v, um, inside: covered }) => (
-          <g key={`${u} ${v}`}>
-            <rect x={u - wide / 2} y={v - tall / 2} width={wide + 1} height={tall + 1} fill={colour(um)}>
-              <title>{`${figures(um, 1)} µm at ${figures(u)}, ${figures(v)} px`}</title>
-            </rect>
-            {!covered && (
-              <rect x={u - wide / 2} y={v - tall / 2} width={wide + 1} height={tall + 1} fill="url(#extrapolated)" />
-            )}
-          </g>
-        ))}
-        <text x={worst.u} y={worst.v} className={styles.worst} fontSize={width_px / 36}>
+        <g clipPath="url(#frame)">
+          {cells.map(({ u, v, um, inside: covered }) => (
+            <g key={`${u} ${v}`}>
+              <rect x={u - wide / 2} y={v - tall / 2} width={wide + 1} height={tall + 1} fill={colour(um)}>
+                <title>{`${figures(um, 1)} µm at ${figures(u)}, ${figures(v)} px`}</title>
+              </rect>
+              {!covered && (
+                <rect x={u - wide / 2} y={v - tall / 2} width={wide + 1} height={tall + 1} fill="url(#extrapolated)" />
+              )}
+            </g>
+          ))}
+        </g>
+        <text
+          x={Math.min(Math.max(worst.u, 0.07 * width_px), 0.93 * width_px)}
+          y={worst.v}
+          className={styles.worst}
+          fontSize={width_px / 36}
+        >
           {figures(worst.um, 1)} µm
         </text>
       </svg>
