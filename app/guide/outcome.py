@@ -24,7 +24,8 @@ class PoseDrawing:
 class Outcome:
     """The object and the stripe in a fresh picture; or a solve's result, and each pose's.
 
-    ``marks``: in a picture that was declined, what shows why.
+    Of a picture that was declined, ``fault`` names what of it is at fault (exposure, focus,
+    framing, object or lighting) and ``marks`` shows it.
     """
 
     corners: Sequence[ImageCorner]
@@ -34,6 +35,7 @@ class Outcome:
     result: CalibrationResult | None
     marks: tuple[Mark, ...] = ()
     poses: tuple[PoseDrawing, ...] = ()
+    fault: str = ""
 
 
 _ADAPTER = TypeAdapter(Outcome)

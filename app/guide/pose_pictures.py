@@ -78,8 +78,10 @@ def _note(capture: Capture, row: PoseRow | None, looked_at: Outcome | None) -> s
         return "Set aside"
     if row is not None and not row.used:
         return f"Left out: {row.reason}"
-    bad = [f.text for f in looked_at.findings if f.quality == "bad"] if looked_at else []
-    return bad[0] if bad and row is None else ""
+    bad = looked_at is not None and any(f.quality == "bad" for f in looked_at.findings)
+    if row is not None or looked_at is None or not bad:
+        return ""
+    return f"Not usable: {looked_at.fault}" if looked_at.fault else "Not usable"
 
 
 def _action(state: CalibrationState, live: Live, capture: Capture) -> Action:

@@ -13,6 +13,7 @@ from app.guide.journal import Calibration
 from app.guide.live import Chosen
 from app.guide.outcome import Outcome, PoseDrawing
 from app.guide.session_folder import SessionFolder
+from app.guide.touching import sentence
 from app.guide.view import (
     BudgetRow,
     CalibrationResult,
@@ -56,7 +57,7 @@ def look_at(taken: Capture, chosen: Chosen, number: int) -> tuple[Outcome, SeenP
     assert chosen.sensor is not None
     ambient = taken.ambient.image
     laser = None if taken.laser is None else taken.laser.image
-    findings = picture_words(ambient)
+    findings = [_told(finding) for finding in picture_words(ambient)]
     stripe = extract_stripe(ambient if laser is None else laser, chosen.sensor.stripe_axis)
     if len(stripe.u) == 0:
         findings.append(
@@ -69,10 +70,7 @@ def look_at(taken: Capture, chosen: Chosen, number: int) -> tuple[Outcome, SeenP
     try:
         seen = see_pose(number, chosen.block, ambient, laser, chosen.sensor.stripe_axis)
     except Refusal as refusal:
-        told = refused(refusal)
-        findings.insert(0, Finding("bad", told.text, told.remedy))
-        marks = refusal.marks if isinstance(refusal, DetectionRefusal) else ()
-        return Outcome((), (), _shown(stripe), findings, None, marks), refusal
+        return _unusable(refusal, stripe, findings), refusal
     corners = [
         ImageCorner(corner.name, corner.u, corner.v, corner.residual_px)
         for corner in seen_corners(seen.detection, chosen.block)
@@ -81,6 +79,31 @@ def look_at(taken: Capture, chosen: Chosen, number: int) -> tuple[Outcome, SeenP
         corners, outline(seen.detection, chosen.block), _shown(stripe), findings, None
     )
     return outcome, seen
+
+
+def _told(finding: Finding) -> Finding:
+    return Finding(finding.quality, sentence(finding.text), sentence(finding.remedy))
+
+
+def _unusable(refusal: Refusal, stripe: Stripe, findings: Sequence[Finding]) -> Outcome:
+    """A picture that was declined: which of exposure, focus, framing, object or lighting is at
+    fault, and what shows it."""
+    told = _told(refused(refusal))
+    if not isinstance(refusal, DetectionRefusal):
+        first = Finding("bad", told.text, told.remedy)
+        return Outcome((), (), _shown(stripe), [first, *findings], None)
+    named = f"{refusal.fault.capitalize()} is at fault. {told.text}"
+    # the picture's own words say the same again
+    others = [] if refusal.fault in ("exposure", "focus") else findings
+    return Outcome(
+        corners=(),
+        outline=(),
+        stripe=_shown(stripe),
+        findings=[Finding("bad", named, told.remedy), *others],
+        result=None,
+        marks=refusal.marks,
+        fault=refusal.fault,
+    )
 
 
 def solve(

@@ -99,10 +99,10 @@ def solve_step(state: CalibrationState, live: Live) -> Body:
         findings.insert(0, Finding("bad", f"{refused.what.rstrip('.')}{why}.", remedy))
     unusable = refused is not None or any(finding.quality == "bad" for finding in findings)
     more = advice is not None and advice.worth_it and not unusable
-    if advice is not None and not more:
+    if advice is not None and not (more or unusable):
         findings.append(_advised(advice))
     return Body(
-        instruction=_solve_instruction(state, live, refused is not None, more),
+        instruction=_solve_instruction(state, live, refused is not None, unusable, more),
         picture=_taken(state, live),
         number=_known(advice) if advice else None,
         findings=findings,
@@ -115,9 +115,14 @@ def solve_step(state: CalibrationState, live: Live) -> Body:
     )
 
 
-def _solve_instruction(state: CalibrationState, live: Live, refused: bool, more: bool) -> str:
+def _solve_instruction(
+    state: CalibrationState, live: Live, refused: bool, unusable: bool, more: bool
+) -> str:
     if refused:
         return "This could not be solved. What was taken is kept."
+    if unusable:
+        others = " or go on without it" if len(state.pictures) > 1 else ""
+        return f"This picture cannot be used. Take it anew{others}."
     count = len(state.pictures)
     taken = f"{count} pose{'s are' if count != 1 else ' is'} taken."
     if more and live.advice is not None:

@@ -282,13 +282,17 @@ def test_a_pose_set_aside_in_the_review_makes_the_result_of_before(
 def test_every_pose_is_listed_and_a_refused_one_says_why(
     arm: Arm, block: Crenellated, contacts: list[tuple[str, dict[str, object]]]
 ) -> None:
-    bad = to_payload(Outcome([], [], [], [Finding("bad", "It is blurred.")], None))
+    blurred = Outcome([], [], [], [Finding("bad", "It is blurred.")], None, fault="focus")
+    bad = to_payload(blurred)
     state = state_after(started("touch"), *contacts, captured(), captured(outcome=bad))
     view = view_of(state, live_of(state, arm, block))
     assert isinstance(view.picture, StillPicture)
     assert view.picture.shown == 2
-    assert [pose.note for pose in view.picture.poses] == ["", "It is blurred."]
+    assert [pose.note for pose in view.picture.poses] == ["", "Not usable: focus"]
     assert [pose.state for pose in view.picture.poses] == ["taken", "taken"]
+    told = view_of(state, live_of(state, arm, block, seen=blurred))
+    assert "cannot be used" in told.instruction
+    assert action(told, "retake").primary
 
 
 def test_few_points_are_told_how_many_more_help(

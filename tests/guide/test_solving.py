@@ -155,4 +155,6 @@ def test_a_fresh_picture_is_looked_at_at_once(folder: SessionFolder) -> None:
     assert isinstance(unseen, Refusal)
     assert seen.corners == ()
     assert seen.findings[0].quality == "bad"
-    assert seen.findings[0].remedy
+    assert seen.findings[0].remedy.endswith(".")
+    assert seen.fault == "exposure"
+    assert "Exposure is at fault." in seen.findings[0].text

@@ -68,7 +68,7 @@ export function SetAside({ pose }: { pose: PosePicture }) {
 }
 
 function told({ number, note, edges_rms_px, off_um }: PosePicture): string {
-  if (note) return bound(`${note}.`);
+  if (note) return bound(`${note.replace(/\.$/, "")}.`);
   if (edges_rms_px === null || off_um === null) return `Pose ${number}`;
   return bound(`Edges ${figures(edges_rms_px, 2)} px rms, ${figures(off_um)} µm off the others`);
 }

@@ -25,12 +25,26 @@ const MARKS: Record<ImageMark["kind"], { colour: string; words: string }> = {
   outline: { colour: COLOURS.outline, words: "the object as it was nearest found" },
   segment: { colour: "#9aa7b4", words: "straight edges" },
 };
+/** So much of the picture's size is shown beyond it at most, where the object reaches out. */
+const BEYOND = 0.35;
 const KINDS = Object.keys(MARKS) as ImageMark["kind"][];
 
 /** How much residuals are enlarged, so that the largest is well seen and covers little. */
 function enlargement(corners: ImageCorner[], width_px: number): number {
   const largest = Math.max(1e-6, ...corners.map((c) => c.residual_px ?? 0));
   return [1000, 500, 200, 100, 50, 20, 10].find((times) => largest * times <= width_px / 30) ?? 5;
+}
+
+/** The picture's frame, widened to what of the object lies beyond it. */
+function frameOf(marks: ImageMark[], width_px: number, height_px: number): string {
+  const beyond = marks.filter(({ kind }) => kind !== "segment" && kind !== "clipped");
+  const range = (ends: number[], size: number): [number, number] => [
+    Math.max(-BEYOND * size, Math.min(-0.5, ...ends)),
+    Math.min((1 + BEYOND) * size, Math.max(size - 0.5, ...ends)),
+  ];
+  const [left, right] = range(beyond.flatMap(({ u0, u1 }) => [u0, u1]), width_px);
+  const [top, low] = range(beyond.flatMap(({ v0, v1 }) => [v0, v1]), height_px);
+  return `${left} ${top} ${right - left} ${low - top}`;
 }
 
 /** The captured picture with what was found in it. */
@@ -43,7 +57,7 @@ export function StillImage(props: StillImageProps) {
     <figure className={styles.figure}>
       <svg
         className={styles.picture}
-        viewBox={`-0.5 -0.5 ${width_px} ${height_px}`}
+        viewBox={frameOf(marks, width_px, height_px)}
         role="img"
         aria-label="The captured picture with corners, outline and stripe"
       >
@@ -58,10 +72,13 @@ export function StillImage(props: StillImageProps) {
           stroke={COLOURS.stripe}
           d={stripe.map(([u, v]) => `M${u} ${v}h0`).join("")}
         />
+        {marks.length > 0 && (
+          <rect x="-0.5" y="-0.5" width={width_px} height={height_px} className={styles.frame} />
+        )}
         {KINDS.toReversed().map((kind) => (
           <path
             key={kind}
-            className={styles.line}
+            className={styles.mark}
             stroke={MARKS[kind].colour}
             d={marks
               .filter((mark) => mark.kind === kind)

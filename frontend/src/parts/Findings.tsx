@@ -10,7 +10,7 @@ export function Findings({ findings }: { findings: Finding[] }) {
   return (
     <ul className={styles.list} aria-label="Findings">
       {findings.map((finding) => (
-        <li key={finding.text} className={styles.finding} data-quality={finding.quality}>
+        <li key={finding.quality + finding.text} className={styles.finding} data-quality={finding.quality}>
           <QualityMark quality={finding.quality} size="1.25rem" />
           <div>
             <p className={styles.text}>{bound(finding.text)}</p>
