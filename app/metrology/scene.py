@@ -54,7 +54,8 @@ class Rows:
 
     ``places`` (N, 2) are the pixels they were observed at, ``line`` (N,) numbers the
     straight line that each belongs to (one number for all corners); ``shared_px`` is
-    the standard deviation of an error that all points of one line have in common.
+    the standard deviation of an error that all points of one line have in common, and
+    ``shared`` (N, S) how points follow S more such errors, each of deviation 1.
     """
 
     residuals: Floats
@@ -63,6 +64,7 @@ class Rows:
     places: Floats
     line: NDArray[np.int64]
     shared_px: float = 0.0
+    shared: Floats | None = None
 
 
 def coordinates(block: Crenellated) -> Floats:

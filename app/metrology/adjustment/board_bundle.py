@@ -29,12 +29,14 @@ LEAST_SCATTER_PX, OUTLIER_SIGMAS = 0.02, 4.5
 
 @dataclass(frozen=True)
 class Bundle:
-    """The camera in each of P poses, board frame as sensor frame; the sheet's coordinates; and
-    how corners scatter (px, rms of one coordinate)."""
+    """The camera in each of P poses, board frame as sensor frame; the sheet's coordinates; by
+    how much corners scatter in each picture (P,), as rms of one coordinate; and the covariance
+    (6P, 6P) of the left twists (rad, mm) of ``T_cam_obj``."""
 
     cameras: tuple[Camera, ...]
     coordinates: Floats
-    scatter_px: float
+    scatter_px: Floats
+    covariance: Floats
 
 
 def bundle(views: Sequence[BoardView], cameras: Sequence[Camera]) -> Bundle:
@@ -44,52 +46,64 @@ def bundle(views: Sequence[BoardView], cameras: Sequence[Camera]) -> Bundle:
         cameras: a start, one for each view, alike but for their places.
     """
     papers = board_papers(views[0].board)
-    found = Bundle(tuple(cameras), papers.coordinates, np.inf)
+    none = np.zeros(len(views))
+    found = Bundle(tuple(cameras), papers.coordinates, none + np.inf, np.diag(np.tile(none, 6)))
     for _ in range(ROUNDS):
         before, found = found, _stepped(views, found, papers.coordinates, papers.sd)
-        if abs(found.scatter_px - before.scatter_px) < SETTLED_PX:
+        if np.max(np.abs(found.scatter_px - before.scatter_px)) < SETTLED_PX:
             break
     return found
 
 
 def _stepped(views: Sequence[BoardView], at: Bundle, certified: Floats, sd: Floats) -> Bundle:
     """One round of Gauss-Newton."""
-    shared = len(COMMON) + len(certified)
+    shared, common = len(COMMON) + len(certified), np.arange(len(COMMON))
+    sheet = np.arange(len(COMMON), shared)
     count = shared + len(OWN) * len(views)
-    blocks, residuals = [], []
+    N, g = np.zeros((count, count)), np.zeros(count)
+    normed, scatter = [], np.zeros(len(views))
     for p, (view, camera) in enumerate(zip(views, at.cameras, strict=True)):
         rows = view.corner_rows(camera, at.coordinates)
-        J = np.zeros((len(rows.residuals), count))
+        J, r = np.zeros((len(rows.residuals), count)), rows.residuals
         J[:, : len(COMMON)] = rows.jacobian[:, COMMON]
         J[:, len(COMMON) : shared] = rows.jacobian[:, BLOCK]
-        own = slice(shared + len(OWN) * p, shared + len(OWN) * (p + 1))
-        J[:, own] = rows.jacobian[:, OWN]
-        blocks.append(J)
-        residuals.append(rows.residuals)
-    J, r = np.concatenate(blocks), np.concatenate(residuals)
-    scatter = max(float(np.median(np.abs(r))) / 0.6745, LEAST_SCATTER_PX)
-    kept = np.abs(r) < OUTLIER_SIGMAS * scatter
-    N = J[kept].T @ J[kept] / scatter**2
-    g = J[kept].T @ r[kept] / scatter**2
+        J[:, _own(shared, p)] = rows.jacobian[:, OWN]
+        scatter[p] = max(float(np.median(np.abs(r))) / 0.6745, LEAST_SCATTER_PX)
+        kept = np.abs(r) < OUTLIER_SIGMAS * scatter[p]
+        N += J[kept].T @ J[kept] / scatter[p] ** 2
+        g += J[kept].T @ r[kept] / scatter[p] ** 2
+        normed.append(r[kept] / scatter[p])
     prior, pull = usual_camera(at.cameras[0])
-    common = np.arange(len(COMMON))
     N[np.ix_(common, common)] += prior[np.ix_(OF_PRIOR, OF_PRIOR)]
     g[common] += pull[OF_PRIOR]
-    sheet = np.arange(len(COMMON), shared)
     N[sheet, sheet] += sd**-2.0
     g[sheet] += (at.coordinates - certified) / sd**2
     scale = np.diag(N) ** -0.5
-    step = -scale * np.linalg.solve(N * np.outer(scale, scale), scale * g)
-    cameras = []
-    for p, camera in enumerate(at.cameras):
-        own_step = np.zeros(COUNT)
-        own_step[COMMON] = step[common]
-        own_step[OWN] = step[shared + len(OWN) * p : shared + len(OWN) * (p + 1)]
-        cameras.append(stepped(camera, own_step))
-    # all unknowns were free, the sheet's within its certificate
-    degrees = max(int(kept.sum()) - len(COMMON) - len(OWN) * len(views), 1)
-    rms = float(np.sqrt(r[kept] @ r[kept] / degrees))
-    return Bundle(tuple(cameras), at.coordinates + step[sheet], max(rms, LEAST_SCATTER_PX))
+    C = np.linalg.inv(N * np.outer(scale, scale)) * np.outer(scale, scale)
+    step = -C @ g
+    # of the sheet's unknowns, what the pictures and not its certificate determined
+    told = float(np.sum(1 - np.diag(C)[sheet] / sd**2))
+    r = np.concatenate(normed)
+    degrees = max(len(r) - len(COMMON) - len(OWN) * len(views) - told, 1)
+    factor = float(np.sqrt(r @ r / degrees))
+    return Bundle(
+        tuple(_moved(camera, step, shared, p) for p, camera in enumerate(at.cameras)),
+        at.coordinates + step[sheet],
+        np.maximum(factor * scatter, LEAST_SCATTER_PX),
+        factor**2 * C[shared:, shared:],
+    )
+
+
+def _own(shared: int, pose: int) -> slice:
+    """Where the unknowns of one pose stand, after those that all share."""
+    return slice(shared + len(OWN) * pose, shared + len(OWN) * (pose + 1))
+
+
+def _moved(camera: Camera, step: Floats, shared: int, pose: int) -> Camera:
+    own_step = np.zeros(COUNT)
+    own_step[COMMON] = step[: len(COMMON)]
+    own_step[OWN] = step[_own(shared, pose)]
+    return stepped(camera, own_step)
 
 
 def unplaced(camera: Camera) -> Camera:

@@ -8,9 +8,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from app.metrology.adjustment.arm_motion import FlangeMotion
 from app.metrology.adjustment.board_bundle import Bundle, bundle, unplaced
 from app.metrology.adjustment.board_findings import BoardEvidence, board_findings
-from app.metrology.adjustment.board_lines import lines_of
+from app.metrology.adjustment.board_lines import lines_of, scatter_told
 from app.metrology.adjustment.board_results import (
     BoardContacts,
     board_contacts,
@@ -29,6 +30,7 @@ from app.metrology.adjustment.joint import NotSeen, sorted_anew, stripe_rms_mm
 from app.metrology.adjustment.mounting import Mounting, mounting_by_motion, refuse_alike
 from app.metrology.adjustment.pose_results import PoseResult
 from app.metrology.adjustment.readings import motion_of, plane_touches
+from app.metrology.adjustment.robot_noise import robot_noise, with_noise
 from app.metrology.adjustment.sheet import bend_of, board_papers, shapes
 from app.metrology.adjustment.solve import Adjusted, adjust
 from app.metrology.adjustment.state import State
@@ -53,8 +55,6 @@ FEATURE = "board"
 # Contacts may lie so far off the board of the pictures before these have been adjusted, and
 # single ones so far off the others.
 CONTACTS_OFF_MM, CONTACT_STRAY_MM = 3.0, 1.0
-# The lines are sorted anew after adjusting, which is repeated where that changes more of them.
-SAME_SHARE = 0.02
 
 
 @dataclass(frozen=True)
@@ -143,7 +143,7 @@ def calibrate_board(inputs: BoardInputs, progress: Progress | None = None) -> Bo
     say("Finding a start", 0.0)
     start = _start(inputs)
     say("Adjusting all poses together", 0.3)
-    found = _adjusted(start.problem, start.state)
+    found = _adjusted(start)
     say("Working out the uncertainty", 0.8)
     result = _assembled(inputs, found, start)
     say("Done", 1.0)
@@ -163,13 +163,21 @@ def _start(inputs: BoardInputs) -> _Start:
         views,
         [replace(camera, rotation=T[:3, :3], translation_mm=T[:3, 3]) for T in T_cam_obj],
     )
-    views = [replace(view, scatter_px=found.scatter_px) for view in views]
+    views = [
+        replace(view, scatter_px=float(px))
+        for view, px in zip(views, found.scatter_px, strict=True)
+    ]
     T_cam_obj = np.array([rigid(one.rotation, one.translation_mm) for one in found.cameras])
     mounting = mounting_by_motion(moves.T_arm_flange, T_cam_obj, board.size_mm)
     refuse_other_size(mounting, board)
     _refuse_contradictions(mounting, numbers)
     lines = lines_of(views, found, numbers)
-    views = [replace(view, line_scatter_mm=lines.scatter_mm) for view in views]
+    views = [
+        replace(view, line_off_mm=lines.scatter_mm, line_off_rad=lines.scatter_rad)
+        for view in views
+    ]
+    if isinstance(arm, RobotArm):
+        moves = _with_noise(moves, found, mounting, board)
     papers = board_papers(board)
     problem = Problem(
         numbers,
@@ -194,6 +202,24 @@ def _start(inputs: BoardInputs) -> _Start:
     lines_out = {numbers[p]: float(abs(lines.off_mm[p])) for p in lines.left_out}
     apart = {numbers[p]: float(abs(lines.off_mm[p])) for p in lines.apart}
     return _Start(problem, start, mounting, lines_out, apart)
+
+
+def _with_noise(
+    moves: FlangeMotion, found: Bundle, mounting: Mounting, board: Chessboard
+) -> FlangeMotion:
+    """A robot's motion, its noise told by the poses that do not contradict."""
+    agree = np.flatnonzero(~mounting.contradicts)
+    own = (6 * agree[:, None] + np.arange(6)).ravel()
+    middle = np.array([*(board.extent_mm / 2), 0.0])
+    noise = robot_noise(
+        mounting.T_arm_flange[agree],
+        mounting.T_cam_obj[agree],
+        found.covariance[np.ix_(own, own)],
+        mounting.T_flange_cam,
+        mounting.T_arm_obj,
+        middle,
+    )
+    return with_noise(moves, noise, mounting.T_arm_obj, middle)
 
 
 def _touches(inputs: BoardInputs, T_arm_obj: Floats, coordinates: int) -> Touches | None:
@@ -247,14 +273,20 @@ def _refuse_contradictions(mounting: Mounting, numbers: Sequence[int]) -> None:
     )
 
 
-def _adjusted(problem: Problem, start: State) -> Adjusted:
-    """Adjusted, the lines sorted by the result, and adjusted again where that differs."""
-    found = adjust(problem, start)
+def _adjusted(start: _Start) -> Adjusted:
+    """Adjusted twice: the lines' points and how much they count, all weights and the lens terms
+    that are significant are chosen anew by the first result, as the start was too coarse."""
+    found = adjust(start.problem, start.state)
     again = sorted_anew(found)
-    before, after = (sum(len(v.stripe_px()) for v in p.views) for p in (found.problem, again))
-    if abs(after - before) > SAME_SHARE * before:
-        found = adjust(again, found.state)
-    return found
+    if not start.apart:
+        off_mm, off_rad = scatter_told(found)
+        views = [
+            replace(view, line_off_mm=float(off_mm), line_off_rad=float(off_rad))
+            for view in again.views
+            if isinstance(view, BoardView)
+        ]
+        again = replace(again, views=tuple(views))
+    return adjust(again, found.state)
 
 
 def _assembled(inputs: BoardInputs, found: Adjusted, start: _Start) -> BoardCalibration:

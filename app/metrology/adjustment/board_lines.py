@@ -9,8 +9,9 @@ import numpy as np
 from app.metrology.adjustment.board_bundle import Bundle
 from app.metrology.adjustment.board_view import BoardView, on_sheet
 from app.metrology.adjustment.sheet import around_pattern
+from app.metrology.adjustment.solve import Adjusted
 from app.metrology.frames import Floats
-from app.metrology.laser_plane import LaserPlane
+from app.metrology.laser_plane import LaserPlane, tangents
 from app.metrology.refusal import Refusal
 
 FEWEST_STRIPE_POINTS = 20
@@ -19,7 +20,10 @@ FEWEST_STRIPE_POINTS = 20
 OFF_MM, OFF_FLATNESSES, OFF_TIMES = 0.5, 3.0, 5.0
 # A larger share of the lines than this that contradict the others are no mistakes.
 MISTAKES_SHARE = 0.2
-LEAST_SCATTER_MM = 0.01
+# By how much whole lines are off their plane (mm) and turned out of it (rad): where few
+# tell, and at least.
+USUAL_SCATTER, LEAST_SCATTER = np.array([0.05, 1e-3]), np.array([0.005, 1e-4])
+THROUGH_ROUNDS = 15
 PLANE_DRAWS, DRAWN_POINTS = 400, 60
 AGREEING_TIMES = 4.0
 # Angle between the laser's plane and the board below which their line is not to be trusted.
@@ -35,8 +39,9 @@ class Lines:
     ``off_mm`` (P,) is how far each line lies off the plane of most (NaN where there is no
     line). Of those further off than the others explain, ``left_out`` are too few to be more
     than mistakes; ``apart`` are more: the laser moved, nobody knows which of them are right,
-    and all count. ``plane`` is that of all that count, in the camera's frame, and
-    ``scatter_mm`` the standard deviation by which whole lines lie off it.
+    and all count. ``plane`` is that of all that count, in the camera's frame; ``scatter_mm``
+    and ``scatter_rad`` are the standard deviations by which whole lines lie off it and are
+    turned out of it.
     """
 
     plane: LaserPlane
@@ -44,6 +49,7 @@ class Lines:
     left_out: tuple[int, ...]
     apart: tuple[int, ...]
     scatter_mm: float
+    scatter_rad: float
 
 
 def lines_of(views: Sequence[BoardView], found: Bundle, numbers: Sequence[int]) -> Lines:
@@ -78,10 +84,8 @@ def lines_of(views: Sequence[BoardView], found: Bundle, numbers: Sequence[int]) 
         )
     out, apart = _contradicting(off, views[0].board.flatness_mm)
     counting = [p for p in enough if p not in out]
-    plane = _through([in_cam[p] for p in counting])
-    again = _offsets(in_cam, counting, plane)[counting]
-    scatter = float(np.sqrt(np.sum(again**2) / max(len(again) - 3, 1)))
-    return Lines(plane, off, out, apart, max(scatter, LEAST_SCATTER_MM))
+    plane, (scatter_mm, scatter_rad) = _through([in_cam[p] for p in counting], bool(apart))
+    return Lines(plane, off, out, apart, scatter_mm, scatter_rad)
 
 
 def _offsets(in_cam: Sequence[Floats], poses: Sequence[int], plane: LaserPlane) -> Floats:
@@ -109,8 +113,74 @@ def _points(view: BoardView, found: Bundle, pose: int) -> Floats:
     return np.asarray(points @ camera.rotation.T + camera.translation_mm)
 
 
-def _through(per_pose: Sequence[Floats]) -> LaserPlane:
-    """The plane of least squares; each picture counts alike."""
+def _through(per_pose: Sequence[Floats], moved: bool) -> tuple[LaserPlane, Floats]:
+    """The plane that suits all lines best, each with an offset and a turn of its own, and the
+    standard deviations of these (mm, rad), which the lines themselves tell.
+
+    A laser that ``moved`` turned as well, by so much that its lines' ends are off like their
+    middles: no direction is then trusted more than the places.
+    """
+    plane = _of_least_squares(per_pose)
+    scatter = USUAL_SCATTER
+    half_mm = float(np.median([_half_length(points) for points in per_pose]))
+    for _ in range(THROUGH_ROUNDS):
+        off, by_plane = _off_plane(per_pose, plane)  # (L, 2), (L, 2, 3)
+        weight = scatter**-2.0
+        C = np.linalg.inv(np.einsum("lki,k,lkj->ij", by_plane, weight, by_plane))
+        step = -C @ np.einsum("lki,k,lk->i", by_plane, weight, off)
+        left = off + by_plane @ step
+        fitted = np.einsum("lki,ij,lkj->k", by_plane, C, by_plane) * weight
+        told = np.sum(left**2, axis=0) + USUAL_SCATTER**2
+        scatter = np.maximum(np.sqrt(told / (len(off) - fitted + 1)), LEAST_SCATTER)
+        if moved:
+            scatter[1] = max(scatter[1], scatter[0] / half_mm)
+        normal = plane.normal + step[:2] @ tangents(plane.normal)
+        length = float(np.linalg.norm(normal))
+        plane = LaserPlane(normal / length, (plane.offset_mm + float(step[2])) / length)
+    return plane, scatter
+
+
+def scatter_told(found: Adjusted) -> Floats:
+    """The same two deviations (mm, rad) after an adjustment, in which the lines also had a say
+    in how the sheet bends: what each line's offset and turn left over, against what of them
+    the adjustment did not determine (Foerstner)."""
+    state = next(view for view in found.problem.views if isinstance(view, BoardView))
+    now = np.array([state.line_off_mm, state.line_off_rad])
+    square, free = (USUAL_SCATTER / now) ** 2, np.ones(2)
+    for scene, (_, rows), (_, judgement) in zip(
+        found.linear.scenes, found.linear.rows, found.judgements, strict=True
+    ):
+        if rows.shared is None:
+            continue
+        kept = judgement.kept
+        own = np.linalg.pinv(rows.shared[kept])  # each line's offset and turn, in deviations
+        J = own @ rows.jacobian[kept] @ scene.by_unknowns
+        square += (own @ rows.residuals[kept]) ** 2
+        free += 1 - np.einsum("ku,uw,kw->k", J, found.covariance, J)
+    return np.asarray(np.maximum(now * np.sqrt(square / free), LEAST_SCATTER))
+
+
+def _half_length(points_mm: Floats) -> float:
+    """Of a line (N, 3), from its middle to where its points weigh as much as all together."""
+    away = points_mm - points_mm.mean(axis=0)
+    return float(np.sqrt(np.mean(np.sum(away**2, axis=1))))
+
+
+def _off_plane(per_pose: Sequence[Floats], plane: LaserPlane) -> tuple[Floats, Floats]:
+    """How far (mm) each line's middle lies off a plane and by how much (rad) the line is turned
+    out of it (L, 2), and how these follow the plane's tilts and offset (L, 2, 3)."""
+    off, by_plane = [], []
+    for points in per_pose:
+        middle = points.mean(axis=0)
+        along = np.linalg.svd(points - middle, full_matrices=False)[2][0]
+        off.append([middle @ plane.normal - plane.offset_mm, along @ plane.normal])
+        across = tangents(plane.normal)
+        by_plane.append([[*(across @ middle), -1.0], [*(across @ along), 0.0]])
+    return np.array(off), np.array(by_plane)
+
+
+def _of_least_squares(per_pose: Sequence[Floats]) -> LaserPlane:
+    """Each picture counts alike."""
     centre = np.mean([points.mean(axis=0) for points in per_pose], axis=0)
     spread = np.sum([(p - centre).T @ (p - centre) / len(p) for p in per_pose], axis=0)
     normal = np.asarray(np.linalg.eigh(spread)[1][:, 0], dtype=np.float64)

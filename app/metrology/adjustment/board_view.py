@@ -14,7 +14,7 @@ from app.metrology.adjustment.sheet import (
 )
 from app.metrology.adjustment.weighing import Judgement, as_they_are, merged_points
 from app.metrology.camera import Camera, rays
-from app.metrology.chessboard.board import Chessboard, corner_points, grid
+from app.metrology.chessboard.board import Chessboard, grid
 from app.metrology.chessboard.corners import BoardDetection
 from app.metrology.frames import Floats
 from app.metrology.laser_plane import LaserPlane, tangents
@@ -34,9 +34,10 @@ class BoardView:
     """The board in the picture of one pose; ``used`` (N,) marks the stripe's points in use.
 
     ``scatter_px`` is by what corners scatter over all pictures: beside the noise of each,
-    blur and print differ from corner to corner. ``line_scatter_mm``
-    is by how much the line lies off the laser's plane as a whole: the sheet bends, and the
-    laser may have moved, by more than its points show.
+    blur and print differ from corner to corner. ``line_off_mm``
+    and ``line_off_rad`` are by how much the line lies off the laser's plane as a whole, and by
+    how much it is turned out of it: the sheet bends, and the laser may have moved, by more than
+    its points show.
     """
 
     board: Chessboard
@@ -44,7 +45,8 @@ class BoardView:
     stripe: Stripe
     used: NDArray[np.bool_]
     scatter_px: float = 0.0
-    line_scatter_mm: float = 0.0
+    line_off_mm: float = 0.0
+    line_off_rad: float = 0.0
 
     def rows(self, camera: Camera, plane: LaserPlane, coordinates: Floats) -> tuple[Rows, Rows]:
         return (
@@ -147,17 +149,17 @@ class BoardView:
             -J,
             uv,
             np.zeros(len(uv), dtype=np.int64),
-            self.line_scatter_mm * self.px_per_mm,
+            shared=self._shared(on, by_offset),
         )
 
-    @property
-    def px_per_mm(self) -> float:
-        """How large the pattern is seen."""
-        flat = corner_points(self.board)[self.detection.number]
-        px, mm = (
-            float(np.linalg.norm(np.std(places, axis=0))) for places in (self.detection.uv_px, flat)
-        )
-        return px / mm
+    def _shared(self, on_mm: Floats, px_per_mm: Floats) -> Floats | None:
+        """(N, 2) by how much points follow the line's own offset and turn, each one deviation."""
+        if not len(on_mm) or not self.line_off_mm:
+            return None
+        away = on_mm - on_mm.mean(axis=0)
+        along = away @ np.linalg.svd(away, full_matrices=False)[2][0]
+        ways = [np.full(len(on_mm), self.line_off_mm), along * self.line_off_rad]
+        return np.asarray(px_per_mm[:, None] * np.column_stack(ways))
 
 
 def without_line(view: BoardView) -> BoardView:

@@ -36,6 +36,9 @@ def judged(rows: Rows) -> Judgement:
             continue
         # what all points of a line share is an error of its own, no scatter
         scatter = off[own] - (np.mean(off[own]) if rows.shared_px else 0.0)
+        if rows.shared is not None:
+            ways = rows.shared[own] / rows.sigma[own][:, None]
+            scatter = scatter - ways @ (np.linalg.pinv(ways) @ scatter)
         variance = max(float(np.mean(scatter**2)), 1.0)
         variance *= neighbours_alike(rows.places[own], off[own])
         inflation[rows.line == number] = np.sqrt(variance)
@@ -87,13 +90,23 @@ def normal_equations(rows: Rows, judgement: Judgement) -> tuple[Floats, Floats]:
     """``J' W J`` (K, K) and ``J' W r`` (K,) of rows whose lines have an error in common.
 
     Each line's covariance is that of its points plus ``shared_px`` squared for every
-    pair of them; its inverse takes one row from the sum (Sherman-Morrison).
+    pair of them, or plus that of its ``shared`` errors; its inverse takes a row for each
+    of these from the sum (Sherman-Morrison, Woodbury).
     """
     kept = judgement.kept
     J, r = rows.jacobian[kept], rows.residuals[kept]
     weight = (rows.sigma * judgement.inflation)[kept] ** -2.0
     WJ = J * weight[:, None]
     N, g = WJ.T @ J, WJ.T @ r
+    if rows.shared is not None:
+        line, ways = rows.line[kept], rows.shared[kept]
+        for number in np.unique(line):
+            own = line == number
+            WU = weight[own, None] * ways[own]
+            inner = np.linalg.inv(np.eye(ways.shape[1]) + WU.T @ ways[own])
+            along = WU.T @ J[own]
+            N, g = N - along.T @ inner @ along, g - along.T @ inner @ (WU.T @ r[own])
+        return N, g
     if rows.shared_px == 0.0 or not len(r):
         return N, g
     line = rows.line[kept]
