@@ -65,22 +65,28 @@ def _surface(hit: Hit, rows: Floats, texture: float, grain: NDArray[np.float32])
 
 
 @kernel
-def _from_lamp(
-    hit: Hit, kinds: Ints, rows: Floats, eye: Floats, lamp: Floats, away_mm: float
-) -> tuple[float, float]:
-    """Diffuse and mirrored light of one place (K, 16) on the lamp; nothing where in shadow."""
+def _in_shadow(hit: Hit, kinds: Ints, rows: Floats, lamp: Floats) -> bool:
+    """Whether a place (K, 16) on the lamp does not reach a point, or only from behind."""
     _, k, _, nx, ny, nz, x, y, z = hit
     lx, ly, lz = lamp[k, 9] - x, lamp[k, 10] - y, lamp[k, 11] - z
-    far = np.sqrt(lx * lx + ly * ly + lz * lz)
-    cosine = (nx * lx + ny * ly + nz * lz) / far
-    if cosine <= 0.0:
-        return 0.0, 0.0
+    if nx * lx + ny * ly + nz * lz <= 0.0:
+        return True
     # From the lamp to the point, turned into the frame that rays are traced in.
     dx = -(lamp[k, 0] * lx + lamp[k, 3] * ly + lamp[k, 6] * lz)
     dy = -(lamp[k, 1] * lx + lamp[k, 4] * ly + lamp[k, 7] * lz)
     dz = -(lamp[k, 2] * lx + lamp[k, 5] * ly + lamp[k, 8] * lz)
-    if trace(kinds, rows, lamp, dx, dy, dz)[0] < 1.0 - ON_SURFACE:
-        return 0.0, 0.0
+    return bool(trace(kinds, rows, lamp, dx, dy, dz)[0] < 1.0 - ON_SURFACE)
+
+
+@kernel
+def _from_lamp(
+    hit: Hit, rows: Floats, eye: Floats, lamp: Floats, away_mm: float
+) -> tuple[float, float]:
+    """Diffuse and mirrored light of one place (K, 16) on the lamp that reaches a point."""
+    _, k, _, nx, ny, nz, x, y, z = hit
+    lx, ly, lz = lamp[k, 9] - x, lamp[k, 10] - y, lamp[k, 11] - z
+    far = np.sqrt(lx * lx + ly * ly + lz * lz)
+    cosine = max(nx * lx + ny * ly + nz * lz, 0.0) / far
     strength = (away_mm / far) ** 2
     if rows[k, 48] <= 0.0:
         return cosine * strength, 0.0
@@ -89,6 +95,36 @@ def _from_lamp(
     hx, hy, hz = lx / far + vx / near, ly / far + vy / near, lz / far + vz / near
     half = (nx * hx + ny * hy + nz * hz) / np.sqrt(hx * hx + hy * hy + hz * hz)
     return cosine * strength, strength * rows[k, 48] * max(half, 0.0) ** rows[k, 49]
+
+
+@kernel
+def _from_lamps(
+    hit: Hit, kinds: Ints, rows: Floats, eye: Floats, lamps: Floats, away_mm: float
+) -> tuple[float, float, int]:
+    """Diffuse and mirrored light of the whole lamp (M, K, 16), and how many places reach.
+
+    The middle and three places at the rim are tried first; where they agree, so do the rest.
+    """
+    count = lamps.shape[0]
+    tried = min(count, 4)
+    dark = 0
+    diffuse, mirrored, lit = 0.0, 0.0, 0
+    for m in range(count):
+        # 0, then from the rim inwards.
+        place = 0 if m == 0 else count - m
+        if m < tried or 0 < dark < tried:
+            shadowed = _in_shadow(hit, kinds, rows, lamps[place])
+            if m < tried and shadowed:
+                dark += 1
+        else:
+            shadowed = dark == tried
+        if shadowed:
+            continue
+        one, glint = _from_lamp(hit, rows, eye, lamps[place], away_mm)
+        diffuse += one / count
+        mirrored += glint / count
+        lit += 1
+    return diffuse, mirrored, lit
 
 
 @kernel
@@ -112,11 +148,8 @@ def radiance(
     directed, mirrored, lit = 0.0, 0.0, 0
     if lamps.shape[0] == 0:
         directed = max(0.0, nx * lights[k, 0] + ny * lights[k, 1] + nz * lights[k, 2])
-    for m in range(lamps.shape[0]):
-        diffuse, glint = _from_lamp(hit, kinds, rows, eyes, lamps[m], look[4])
-        directed += diffuse / lamps.shape[0]
-        mirrored += glint / lamps.shape[0]
-        lit += 1 if diffuse > 0.0 else 0
+    else:
+        directed, mirrored, lit = _from_lamps(hit, kinds, rows, eyes, lamps, look[4])
     sky = _sky(hit, kinds[k], rows, look[2])
     matt = rows[k, 4] * (look[0] * directed + look[1]) * sky * _surface(hit, rows, look[3], grain)
     return float(matt + look[0] * mirrored), lit
