@@ -47,11 +47,13 @@ def capture(guide: Guide, progress: Progress) -> None:
 
 
 def keep_advice(guide: Guide) -> None:
-    """Keeps which pose to take next; nothing where the poses do not tell."""
+    """Keeps which pose to take next; where the poses cannot be solved, why."""
     inputs = guide.state.inputs
     try:
         advice = advise(guide.folder, guide.known_poses(), guide.limits)
-    except Refusal:
+    except Refusal as refusal:
+        if not any(isinstance(seen, Refusal) for seen in guide.known_poses().values()):
+            _refused(guide, inputs, refusal)
         return
     if advice is not None:
         guide.append("advised", {"inputs": inputs, "advice": to_advice(advice)})
@@ -68,17 +70,21 @@ def calibrate(guide: Guide, progress: Progress) -> None:
     try:
         outcome = solve(guide.folder, in_use, progress, known, guide.limits, points)
     except Refusal as refusal:
-        guide.append(
-            "solve_refused",
-            {
-                "inputs": state.inputs,
-                "code": refusal.code,
-                "what": refusal.what,
-                "why": refusal.why,
-                "remedy": refusal.remedy,
-            },
-        )
-        guide.station.bus.event("refused", refusal.line, "bad")
+        _refused(guide, state.inputs, refusal)
         return
     guide.append("solved", {"inputs": state.inputs, "outcome": to_payload(outcome)})
     guide.station.bus.event("step_done", "The calibration is computed.", "good")
+
+
+def _refused(guide: Guide, inputs: str, refusal: Refusal) -> None:
+    guide.append(
+        "solve_refused",
+        {
+            "inputs": inputs,
+            "code": refusal.code,
+            "what": refusal.what,
+            "why": refusal.why,
+            "remedy": refusal.remedy,
+        },
+    )
+    guide.station.bus.event("refused", refusal.line, "bad")

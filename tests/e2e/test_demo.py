@@ -89,16 +89,39 @@ def calibrate(visit: Visit) -> None:
     take_poses(visit)
     page.wait_for_timeout(500)
     visit.look("review")
-    for tab in ("Picture", "Map", "Error budget", "Numbers"):
+    for tab in ("Poses", "Map", "Error budget", "Numbers"):
         page.get_by_role("tab", name=tab).or_(page.get_by_text(tab, exact=True)).first.click()
         page.wait_for_timeout(300)
         visit.look(f"review-{tab.lower().replace(' ', '-')}")
+    set_aside_and_back(visit)
     result = visit.ask("/api/flow")["picture"]["result"]
     assert result["verdict"] == "good"
     assert 0 < result["total_um"] < 50
     page.get_by_role("button", name="Accept this calibration").click()
     page.wait_for_timeout(500)
     assert visit.ask("/api/home")["calibration"]["active"]
+
+
+def set_aside_and_back(visit: Visit) -> None:
+    """In the table of poses: the result is of before until it is solved again, or undone."""
+    page = visit.page
+    page.get_by_role("button", name="Set aside").first.click()
+    expect(page.get_by_role("button", name="Solve again")).to_be_visible()
+    page.wait_for_timeout(500)
+    visit.look("set-aside")
+    assert visit.ask("/api/flow")["picture"]["stale"]
+    page.get_by_role("button", name="Solve again").click()
+    visit.wait_until("solving again", "/api/flow", lambda view: not view["picture"]["stale"])
+    visit.wait_until("the review", "/api/flow", lambda view: view["busy"] is None)
+    states = [pose["state"] for pose in visit.ask("/api/flow")["picture"]["poses"]]
+    assert states[0] == "aside"
+    page.get_by_role("button", name="Take it back").click()
+    page.wait_for_timeout(500)
+    page.get_by_role("button", name="Solve again").click()
+    visit.wait_until("solving again", "/api/flow", lambda view: not view["picture"]["stale"])
+    page.get_by_role("button", name="Show pose").first.click()
+    expect(page.get_by_role("group", name="Poses")).to_be_visible()
+    visit.look("a-pose-that-a-finding-names")
 
 
 def lost_devices(view: dict[str, Any]) -> bool:

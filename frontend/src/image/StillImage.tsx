@@ -20,7 +20,7 @@ interface StillImageProps extends Overlay {
 
 const MARKS: Record<ImageMark["kind"], { colour: string; words: string }> = {
   disagrees: { colour: "#ff9f43", words: "edges that do not lie where they should" },
-  outside: { colour: "#ff9f43", words: "out of the frame" },
+  outside: { colour: "#d0a2ff", words: "out of the frame" },
   clipped: { colour: "#ff5a5f", words: "overexposed" },
   outline: { colour: COLOURS.outline, words: "the object as it was nearest found" },
   segment: { colour: "#9aa7b4", words: "straight edges" },
