@@ -1,6 +1,6 @@
 """What a calibration shows about itself, in words: findings, and the worst points."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -119,8 +119,16 @@ REMEDIES = {
 }
 
 
-def verdict(total_um: float, rows: Sequence[BudgetRow], limits: Limits = LIMITS) -> Finding:
-    """Good, usable or not, by the uncertainty of a point against the user's limits."""
+def verdict(
+    total_um: float,
+    rows: Sequence[BudgetRow],
+    limits: Limits = LIMITS,
+    remedies: Mapping[str, str] = REMEDIES,
+) -> Finding:
+    """Good, usable or not, by the uncertainty of a point against the user's limits.
+
+    ``remedies`` are by the names of the rows.
+    """
     known = f"A scanned point is known to {total_um:.0f} µm (k = 1) in the flange frame"
     if total_um <= limits.good_um:
         return Finding("good", "uncertainty", f"{known}; up to {limits.good_um:.0f} µm is good.")
@@ -132,7 +140,7 @@ def verdict(total_um: float, rows: Sequence[BudgetRow], limits: Limits = LIMITS)
         "attention" if usable else "bad",
         "uncertainty",
         f"{known}, {because}; the limit is {limit:.0f} µm.",
-        REMEDIES[largest.source],
+        remedies[largest.source],
     )
 
 

@@ -5,20 +5,39 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.metrology.adjustment.board_start import SeenBoard
+from app.metrology.adjustment.board_results import BoardContacts
+from app.metrology.adjustment.board_start import SeenBoard, SizeByMotion
 from app.metrology.adjustment.joint_findings import ALIKE_DEG, about_tip, largest_turn_deg
 from app.metrology.adjustment.pose_results import PoseResult
-from app.metrology.adjustment.sheet import EXTENT, surface
+from app.metrology.adjustment.sheet import surface
 from app.metrology.adjustment.solve import Adjusted
 from app.metrology.adjustment.uncertainty import Known
 from app.metrology.chessboard.board import Chessboard, corner_points
 from app.metrology.findings import Finding, Limits, about_pixels, verdict
 
-# The pattern is another size beyond this many deviations of what is known of it.
-SIZE_SIGMAS = 3.0
+# What a budget calls a robot's share.
+ROBOT_ROW = "robot's poses"
+REMEDIES = {
+    "contact points": "Touch more points, spread wide over the board.",
+    "arm encoders": "Take more pictures, from all sides; hold the arm in a compact posture.",
+    "arm geometry": "Take more pictures, from all sides; have the arm's model identified anew.",
+    "object certificate": "Measure the pattern's width and height, and fix it to a flat plate.",
+    "edges and corners": "Light the board evenly, sharp and large in the picture.",
+    "stripe": "Take more pictures, with the laser's line on the flat of the board.",
+    "distortion": "Take more pictures, with the board in all corners of the picture.",
+}
+# Poses tell the same of everything: this many at most are asked for.
+MOST_ASKED = 60
+# The pattern is another size beyond this many deviations of what is known of it, and by
+# this much.
+SIZE_SIGMAS, SIZE_SHARE = 4.0, 0.002
+# Robot and pictures disagree in the board's tilt by more than this, and more than in turn.
+ROCKING_RAD, ROCKING_TIMES = 1e-3, 3.0
 # A sheet that bends by more than this times its flatness does not lie as it should.
 BENT_TIMES, FLATTEST_MM = 2.0, 0.01
 FEW_POSES = 6
+# Of a robot's noise: three turns, three shifts, two tilts.
+TURNS_SHIFTS_TILTS = 8
 
 
 @dataclass(frozen=True)
@@ -31,18 +50,22 @@ class BoardEvidence:
     known: Known
     poses: Sequence[PoseResult]
     limits: Limits
+    size: SizeByMotion
     lines_apart: dict[int, float]  # mm by pose number
+    contacts: BoardContacts | None
 
 
 def board_findings(evidence: BoardEvidence) -> tuple[Finding, ...]:
     """The verdict first, then every reason for or against it."""
     found = evidence.found
     return (
-        verdict(evidence.known.total_um, evidence.known.rows, evidence.limits),
+        _verdict(evidence),
+        *_about_contacts(evidence.contacts),
         *_about_size(evidence),
         _about_bend(evidence),
         *about_tip(found),
         *_about_poses(evidence),
+        *_about_rocking(found),
         *_about_pictures(evidence.seen),
         *about_pixels(found.state.camera, found.covariance[:2, :2]),
         *_about_lines(evidence.lines_apart),
@@ -50,21 +73,57 @@ def board_findings(evidence: BoardEvidence) -> tuple[Finding, ...]:
     )
 
 
-def _about_size(evidence: BoardEvidence) -> list[Finding]:
-    found, board = evidence.found, evidence.board
-    off = found.state.coordinates[EXTENT] - board.extent_mm
-    sd = np.maximum(found.problem.papers.sd[EXTENT], 1e-6)
-    if np.max(np.abs(off) / sd) < SIZE_SIGMAS:
+def _verdict(evidence: BoardEvidence) -> Finding:
+    """By the user's limits; what helps is more pictures, or a laser that stays."""
+    known, limits = evidence.known, evidence.limits
+    poses = len(evidence.found.problem.views)
+    limit = limits.good_um if known.total_um <= limits.usable_um else limits.usable_um
+    asked = int(np.ceil(poses * (known.total_um / limit) ** 2))
+    more = "Take more pictures, tilted to all sides"
+    if asked <= MOST_ASKED:
+        more += f": about {asked} like these, in all, would do"
+    else:
+        more += "; so far off, the robot's own accuracy is at fault"
+    remedies = REMEDIES | {
+        ROBOT_ROW: f"{more}. If that is all the robot can do, set the limits to what the scans need"
+        " (--good-um, --usable-um).",
+    }
+    if evidence.lines_apart:
+        remedies["stripe"] = "Let the laser come to rest, and take the pictures again."
+    return verdict(known.total_um, known.rows, limits, remedies)
+
+
+def _about_contacts(contacts: BoardContacts | None) -> list[Finding]:
+    if contacts is None:
         return []
-    width, height = found.state.coordinates[EXTENT]
-    given = board.extent_mm
+    out, count = int(contacts.left_out.sum()), len(contacts.left_out)
+    text = f"{count - out} contacts lie on the board to {contacts.rms_um:.0f} µm rms."
+    if not out:
+        return [Finding("good", "contacts", text)]
     return [
         Finding(
             "attention",
+            "contact-outliers",
+            f"{text} {out} of {count} disagree with the others and were left out.",
+            "Take these points again.",
+        )
+    ]
+
+
+def _about_size(evidence: BoardEvidence) -> list[Finding]:
+    """By the arm's motion, which tells it apart from the pictures."""
+    board, size = evidence.board, evidence.size
+    certified = board.standard_uncertainty_mm / float(np.max(board.extent_mm))
+    if abs(size.scale - 1) < max(SIZE_SIGMAS * float(np.hypot(size.sd, certified)), SIZE_SHARE):
+        return []
+    return [
+        Finding(
+            "bad",
             "board-size",
-            f"Poses and pictures agree better with a pattern of {width:.2f} x {height:.2f} mm "
-            f"than with {given[0]:.2f} x {given[1]:.2f} mm of the certificate.",
-            "Measure the pattern, and correct square_mm or its standard uncertainty.",
+            f"By the arm's motion the squares are {size.scale * board.square_mm:.3f} mm wide (± "
+            f"{2 * size.sd * board.square_mm:.3f}), by the certificate {board.square_mm:g} mm: all "
+            "lengths would be off by as much.",
+            "Measure the pattern over all its squares, and correct square_mm.",
         )
     ]
 
@@ -123,11 +182,35 @@ def _about_poses(evidence: BoardEvidence) -> list[Finding]:
     return said
 
 
+def _about_rocking(found: Adjusted) -> list[Finding]:
+    """A robot's poses that agree on the board's place better than on its tilt."""
+    sd = found.scales.noise * found.problem.motion.noise_sd
+    if len(sd) != TURNS_SHIFTS_TILTS or len(found.problem.views) < FEW_POSES:
+        return []
+    turn, tilt = float(sd[0]), float(sd[-1])
+    if tilt < max(ROCKING_RAD, ROCKING_TIMES * turn):
+        return []
+    return [
+        Finding(
+            "attention",
+            "board-rocks",
+            f"Robot and pictures agree on the board's place, but on its tilt only to "
+            f"{1e3 * tilt:.1f} mrad (the robot's own turns: {1e3 * turn:.1f} mrad).",
+            "Fix the board so that it cannot rock or warp, and lock the camera's lens.",
+        )
+    ]
+
+
 def _about_pictures(seen: Sequence[SeenBoard]) -> list[Finding]:
     """What a single picture suffers from, each kind once, by the first pose that shows it."""
     first = {item.code: (pose.number, item) for pose in reversed(seen) for item in pose.picture}
     return [
-        Finding("attention", code, f"Pose {number}: {item.text}", item.remedy)
+        Finding(
+            "attention",
+            code,
+            f"Pose {number}: {item.text}.",
+            f"{item.remedy[:1].upper()}{item.remedy[1:]}.",
+        )
         for code, (number, item) in first.items()
     ]
 

@@ -8,9 +8,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from app.metrology.adjustment.arm_motion import FlangeMotion
 from app.metrology.adjustment.board_bundle import Bundle, bundle, unplaced
-from app.metrology.adjustment.board_findings import BoardEvidence, board_findings
+from app.metrology.adjustment.board_findings import ROBOT_ROW, BoardEvidence, board_findings
 from app.metrology.adjustment.board_lines import lines_of, scatter_told
 from app.metrology.adjustment.board_results import (
     BoardContacts,
@@ -20,24 +19,26 @@ from app.metrology.adjustment.board_results import (
 )
 from app.metrology.adjustment.board_start import (
     SeenBoard,
+    SizeByMotion,
     board_camera,
     numbered,
-    refuse_other_size,
+    size_by_motion,
 )
 from app.metrology.adjustment.board_view import BoardView, without_line
 from app.metrology.adjustment.evidence import Problem, Touches
 from app.metrology.adjustment.joint import NotSeen, sorted_anew, stripe_rms_mm
 from app.metrology.adjustment.mounting import Mounting, mounting_by_motion, refuse_alike
-from app.metrology.adjustment.pose_results import PoseResult
+from app.metrology.adjustment.pose_results import PoseResult, left_out
 from app.metrology.adjustment.readings import motion_of, plane_touches
-from app.metrology.adjustment.robot_noise import robot_noise, with_noise
+from app.metrology.adjustment.robot_noise import RobotNoise, robot_noise, with_noise
 from app.metrology.adjustment.sheet import bend_of, board_papers, shapes
 from app.metrology.adjustment.solve import Adjusted, adjust
 from app.metrology.adjustment.state import State
+from app.metrology.adjustment.stray_poses import without_strays
 from app.metrology.adjustment.uncertainty import Known, known, sensor_of
 from app.metrology.arm import Arm, RobotArm
 from app.metrology.camera import Camera
-from app.metrology.chessboard.board import Chessboard
+from app.metrology.chessboard.board import Chessboard, middle_of
 from app.metrology.chessboard.corners import detect_board, outshining
 from app.metrology.detection.picture import picture_findings
 from app.metrology.findings import LIMITS, Finding, Limits, WorstPoint
@@ -83,6 +84,7 @@ class _Start:
     problem: Problem
     state: State
     mounting: Mounting
+    size: SizeByMotion
     lines_out: dict[int, float]
     apart: dict[int, float]
 
@@ -143,9 +145,9 @@ def calibrate_board(inputs: BoardInputs, progress: Progress | None = None) -> Bo
     say("Finding a start", 0.0)
     start = _start(inputs)
     say("Adjusting all poses together", 0.3)
-    found = _adjusted(start)
+    found, mounting = _adjusted(inputs, start)
     say("Working out the uncertainty", 0.8)
-    result = _assembled(inputs, found, start)
+    result = _assembled(inputs, found, replace(start, mounting=mounting))
     say("Done", 1.0)
     return result
 
@@ -169,15 +171,16 @@ def _start(inputs: BoardInputs) -> _Start:
     ]
     T_cam_obj = np.array([rigid(one.rotation, one.translation_mm) for one in found.cameras])
     mounting = mounting_by_motion(moves.T_arm_flange, T_cam_obj, board.size_mm)
-    refuse_other_size(mounting, board)
+    size = size_by_motion(mounting, board)
     _refuse_contradictions(mounting, numbers)
     lines = lines_of(views, found, numbers)
     views = [
         replace(view, line_off_mm=lines.scatter_mm, line_off_rad=lines.scatter_rad)
         for view in views
     ]
-    if isinstance(arm, RobotArm):
-        moves = _with_noise(moves, found, mounting, board)
+    noise = _robot_noise(found, mounting, board) if isinstance(arm, RobotArm) else None
+    if noise is not None:
+        moves = with_noise(moves, noise, mounting.T_arm_obj, middle_of(board))
     papers = board_papers(board)
     problem = Problem(
         numbers,
@@ -186,7 +189,7 @@ def _start(inputs: BoardInputs) -> _Start:
             for p, view in enumerate(views)
         ),
         moves,
-        _touches(inputs, mounting.T_arm_obj, len(papers.names)),
+        _touches(inputs, mounting.T_arm_obj, len(papers.names), noise),
         papers,
         *inputs.size_px,
     ).without_poses(mounting.contradicts)
@@ -201,36 +204,37 @@ def _start(inputs: BoardInputs) -> _Start:
     )
     lines_out = {numbers[p]: float(abs(lines.off_mm[p])) for p in lines.left_out}
     apart = {numbers[p]: float(abs(lines.off_mm[p])) for p in lines.apart}
-    return _Start(problem, start, mounting, lines_out, apart)
+    return _Start(problem, start, mounting, size, lines_out, apart)
 
 
-def _with_noise(
-    moves: FlangeMotion, found: Bundle, mounting: Mounting, board: Chessboard
-) -> FlangeMotion:
-    """A robot's motion, its noise told by the poses that do not contradict."""
+def _robot_noise(found: Bundle, mounting: Mounting, board: Chessboard) -> RobotNoise:
+    """Told by the poses that do not contradict."""
     agree = np.flatnonzero(~mounting.contradicts)
     own = (6 * agree[:, None] + np.arange(6)).ravel()
-    middle = np.array([*(board.extent_mm / 2), 0.0])
-    noise = robot_noise(
+    return robot_noise(
         mounting.T_arm_flange[agree],
         mounting.T_cam_obj[agree],
         found.covariance[np.ix_(own, own)],
         mounting.T_flange_cam,
         mounting.T_arm_obj,
-        middle,
+        middle_of(board),
     )
-    return with_noise(moves, noise, mounting.T_arm_obj, middle)
 
 
-def _touches(inputs: BoardInputs, T_arm_obj: Floats, coordinates: int) -> Touches | None:
+def _touches(
+    inputs: BoardInputs, T_arm_obj: Floats, coordinates: int, noise: RobotNoise | None
+) -> Touches | None:
     """Contacts on the bent sheet, where the pictures put it.
+
+    Args:
+        noise: of a robot; an arm with joints has its own.
 
     Raises:
         Refusal: they do not lie on it.
     """
     if inputs.contact_readings is None or not len(inputs.contact_readings):
         return None
-    touches = plane_touches(inputs.arm, FEATURE, inputs.contact_readings, coordinates)
+    touches = plane_touches(inputs.arm, FEATURE, inputs.contact_readings, coordinates, noise)
     in_obj = apply(inverse(T_arm_obj), touches.tips_mm)
     off_mm = in_obj[:, 2] - touches.radius_mm
     usual = float(np.median(off_mm))
@@ -273,10 +277,12 @@ def _refuse_contradictions(mounting: Mounting, numbers: Sequence[int]) -> None:
     )
 
 
-def _adjusted(start: _Start) -> Adjusted:
-    """Adjusted twice: the lines' points and how much they count, all weights and the lens terms
-    that are significant are chosen anew by the first result, as the start was too coarse."""
+def _adjusted(inputs: BoardInputs, start: _Start) -> tuple[Adjusted, Mounting]:
+    """Adjusted twice: poses that are astray, the lines' points and how much they count, all
+    weights and the lens terms that are significant are told by the first result, as the start
+    was too coarse."""
     found = adjust(start.problem, start.state)
+    found, mounting = without_strays(found, start.mounting, inputs.board.size_mm)
     again = sorted_anew(found)
     if not start.apart:
         off_mm, off_rad = scatter_told(found)
@@ -286,14 +292,14 @@ def _adjusted(start: _Start) -> Adjusted:
             if isinstance(view, BoardView)
         ]
         again = replace(again, views=tuple(views))
-    return adjust(again, found.state)
+    return adjust(again, found.state), mounting
 
 
 def _assembled(inputs: BoardInputs, found: Adjusted, start: _Start) -> BoardCalibration:
     state = found.state
     T_cam_sensor = inverse(found.problem.motion.T_arm_flange[0] @ state.T_flange_cam)
     T_cam_sensor = T_cam_sensor @ state.T_arm_obj
-    worth = known(found, T_cam_sensor)
+    worth = _named_for(inputs.arm, known(found, T_cam_sensor))
     camera, plane, T_flange_sensor = sensor_of(state, T_cam_sensor)
     poses = _pose_results(inputs, found, start)
     contacts = board_contacts(found)
@@ -301,7 +307,15 @@ def _assembled(inputs: BoardInputs, found: Adjusted, start: _Start) -> BoardCali
     points = sensor_points(state.camera, state.plane, stripe)
     distance = np.linalg.norm(points[np.isfinite(points).all(axis=1)], axis=1)
     evidence = BoardEvidence(
-        inputs.board, inputs.seen, found, worth, poses, inputs.limits, start.apart
+        inputs.board,
+        inputs.seen,
+        found,
+        worth,
+        poses,
+        inputs.limits,
+        start.size,
+        start.apart,
+        contacts,
     )
     return BoardCalibration(
         found,
@@ -319,12 +333,24 @@ def _assembled(inputs: BoardInputs, found: Adjusted, start: _Start) -> BoardCali
     )
 
 
+def _named_for(arm: Arm | RobotArm, worth: Known) -> Known:
+    """The budget with a robot's own share by its name."""
+    if isinstance(arm, Arm):
+        return worth
+    rows = tuple(
+        replace(row, source=ROBOT_ROW) if row.source == "arm encoders" else row
+        for row in worth.rows
+        if row.source != "arm geometry"
+    )
+    return replace(worth, rows=rows)
+
+
 def _pose_results(inputs: BoardInputs, found: Adjusted, start: _Start) -> tuple[PoseResult, ...]:
     """Of the poses used, of those that contradict, and of those that show no board."""
     results = [PoseResult(one.number, False, str(one.refusal).rstrip(".")) for one in inputs.unseen]
-    for out in map(int, np.flatnonzero(start.mounting.contradicts)):
-        off = f"it puts the board {start.mounting.off_mm[out]:.1f} mm from where the others do"
-        results.append(PoseResult(inputs.seen[out].number, False, off))
+    numbers = [pose.number for pose in inputs.seen]
+    readings = "joint angles" if isinstance(inputs.arm, Arm) else "robot's pose"
+    results += left_out(numbers, start.mounting, readings)
     for pose in board_pose_results(found, inputs.seen, inputs.board):
         off_mm = start.lines_out.get(pose.number)
         line_out = (

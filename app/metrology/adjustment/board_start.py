@@ -21,8 +21,8 @@ from app.metrology.stripe import Stripe
 FEWEST_POSES = 3
 # Pictures of a flat board tell the focal length only where they are tilted so much.
 LEAST_TILT_DEG = 5.0
-# The arm's motion against the squares' size: relative, and in standard deviations.
-SIZE_SHARE, SIZE_SIGMAS = 0.05, 5.0
+# The arm's motion against the squares' size, refused: relative, and in standard deviations.
+SIZE_SHARE, SIZE_SIGMAS = 0.03, 5.0
 # Turning angles of the board and of the flange agree so well where a numbering is right.
 TURN_DEG = 3.0
 
@@ -130,8 +130,17 @@ def _angle_deg(T: Floats) -> float:
     return float(np.degrees(np.linalg.norm(Rotation.from_matrix(T[:3, :3]).as_rotvec())))
 
 
-def refuse_other_size(mounting: Mounting, board: Chessboard) -> float:
-    """How much larger the squares are by the arm's motion than by the certificate.
+@dataclass(frozen=True)
+class SizeByMotion:
+    """How much larger the squares are by the arm's motion than by the certificate, and the
+    standard deviation of that."""
+
+    scale: float
+    sd: float
+
+
+def size_by_motion(mounting: Mounting, board: Chessboard) -> SizeByMotion:
+    """The squares' size that suits the arm's motion best.
 
     With the turns known, shifts and the one scale of all distances follow linearly.
 
@@ -164,4 +173,4 @@ def refuse_other_size(mounting: Mounting, board: Chessboard) -> float:
             "measure the squares, and correct square_mm; or check that every picture has its"
             " own pose, in mm",
         )
-    return scale
+    return SizeByMotion(scale, sd)

@@ -229,7 +229,7 @@ def _assembled(
     worth = known(found, T_cam_sensor)
     camera, plane, T_flange_sensor = sensor_of(state, T_cam_sensor)
     used = pose_results(found, inputs.seen, inputs.block)
-    out = left_out(inputs.seen, mounting, inputs.q_rad, inputs.arm)
+    out = left_out([pose.number for pose in inputs.seen], mounting)
     unseen = tuple(PoseResult(one.number, False, str(one.refusal)) for one in inputs.unseen)
     poses = tuple(sorted((*used, *out, *unseen), key=lambda pose: pose.number))
     evidence = JointEvidence(

@@ -10,15 +10,15 @@ from app.metrology.adjustment.mounting import Mounting
 from app.metrology.adjustment.solve import Adjusted
 from app.metrology.adjustment.state import pose_scene
 from app.metrology.alignment import Alignment
-from app.metrology.arm import Arm, flange_poses
 from app.metrology.camera import project
 from app.metrology.crenellated import Crenellated, corners
 from app.metrology.findings import WORST_OF_A_KIND, WorstPoint
 from app.metrology.frames import Floats, inverse
 from app.metrology.scene import Rows, with_coordinates
 
-# A pose that contradicts the others fits another's joint angles if it then lies so near.
-FITS_SHARE, FITS_MM = 0.2, 1.0
+# A pose that contradicts the others fits another's readings if it then lies so near: this
+# many times what is usual among all poses, and this.
+FITS_TIMES, FITS_MM = 5.0, 1.0
 
 
 @dataclass(frozen=True)
@@ -65,10 +65,11 @@ def pose_results(found: Adjusted, seen: Sequence[SeenPose], block: Crenellated) 
 
 
 def left_out(
-    seen: Sequence[SeenPose], mounting: Mounting, q_rad: Floats, arm: Arm
+    numbers: Sequence[int], mounting: Mounting, readings: str = "joint angles"
 ) -> list[PoseResult]:
-    """Of the poses that contradict the others, each with the pose whose joints would fit it."""
-    T_arm_flange = flange_poses(arm, q_rad)
+    """Of the poses that contradict the others, each with the pose whose readings would fit it."""
+    T_arm_flange = mounting.T_arm_flange
+    usual_mm = float(np.median(mounting.off_mm))
     results = []
     for p in map(int, np.flatnonzero(mounting.contradicts)):
         off_mm = mounting.off_mm[p]
@@ -78,9 +79,9 @@ def left_out(
         wanted = T_arm_flange[p] @ _correction(mounting, p)
         apart = np.linalg.norm(T_arm_flange[:, :3, 3] - wanted[:3, 3], axis=1)
         other = int(np.argmin(apart))
-        if apart[other] < min(FITS_SHARE * apart[p] + FITS_MM, apart[p] / 2):
-            reason += f"; it fits the joint angles of pose {seen[other].number}"
-        results.append(PoseResult(seen[p].number, False, reason))
+        if apart[other] < min(FITS_TIMES * usual_mm + FITS_MM, apart[p] / 2):
+            reason += f"; it fits the {readings} of pose {numbers[other]}"
+        results.append(PoseResult(numbers[p], False, reason))
     return results
 
 

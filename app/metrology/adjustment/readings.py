@@ -8,6 +8,7 @@ import numpy as np
 
 from app.metrology.adjustment.arm_motion import FlangeMotion, arm_motion, robot_motion, tip_shift
 from app.metrology.adjustment.evidence import Touches
+from app.metrology.adjustment.robot_noise import RobotNoise, with_flange_noise
 from app.metrology.arm import Arm, RobotArm, tip_covariances
 from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
@@ -32,13 +33,25 @@ def motion_of(arm: Arm | RobotArm, readings: Floats) -> FlangeMotion:
     return arm_motion(arm, readings) if isinstance(arm, Arm) else robot_motion(readings)
 
 
-def plane_touches(arm: Arm | RobotArm, feature: str, readings: Floats, coordinates: int) -> Touches:
-    """Contacts (N) on a plane z = 0 of the object, which has so many coordinates."""
+def plane_touches(
+    arm: Arm | RobotArm,
+    feature: str,
+    readings: Floats,
+    coordinates: int,
+    noise: RobotNoise | None = None,
+) -> Touches:
+    """Contacts (N) on a plane z = 0 of the object, which has so many coordinates.
+
+    Args:
+        noise: of a robot, of its flange's turn and shift.
+    """
     moves = motion_of(arm, readings)
+    if noise is not None:
+        moves = with_flange_noise(moves, noise)
     T, count = moves.T_arm_flange, len(readings)
     shifts = np.array([tip_shift(one, arm.tip.centre_mm) for one in T]).reshape(count, 3, 6)
     by_noise = shifts @ moves.by_noise * moves.noise_sd
-    noise = (
+    noise_mm2 = (
         tip_covariances(arm, readings)
         if isinstance(arm, Arm)
         else by_noise @ by_noise.transpose(0, 2, 1)
@@ -50,6 +63,6 @@ def plane_touches(arm: Arm | RobotArm, feature: str, readings: Floats, coordinat
         arm.tip.radius_mm,
         T[:, :3, :3] @ arm.tip.centre_mm + T[:, :3, 3],
         shifts @ moves.by_links,
-        noise,
+        noise_mm2,
         np.ones(count, dtype=np.bool_),
     )

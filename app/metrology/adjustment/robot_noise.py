@@ -37,11 +37,6 @@ class RobotNoise:
     shift_mm: float
     tilt_rad: float
 
-    @property
-    def of_flange(self) -> Floats:
-        """(6,) of a twist of the flange."""
-        return np.repeat([self.turn_rad, self.shift_mm], 3)
-
 
 def robot_noise(
     T_arm_flange: Floats,
@@ -119,16 +114,25 @@ def _unlikely(
     return 0.5 * (square + size + float(off @ off))
 
 
+def with_flange_noise(moves: FlangeMotion, noise: RobotNoise) -> FlangeMotion:
+    """The robot's motion with its flange's noise in these proportions."""
+    return replace(
+        moves,
+        by_noise=np.array([carried(T) for T in moves.T_arm_flange]).reshape(-1, 6, 6),
+        noise_sd=np.repeat([noise.turn_rad, noise.shift_mm], 3),
+        usual_factor=USUAL_FACTOR,
+        least_factor=LEAST_FACTOR,
+    )
+
+
 def with_noise(
     moves: FlangeMotion, noise: RobotNoise, T_arm_obj: Floats, middle_mm: Floats
 ) -> FlangeMotion:
-    """The robot's motion with its noise in these proportions: turn and shift of the flange, and
-    the tilt of the object at ``T_arm_obj`` about its middle."""
+    """The same, and with the tilt of the object at ``T_arm_obj`` about its middle."""
+    own = with_flange_noise(moves, noise)
     tilts = _tilts(T_arm_obj, apply(T_arm_obj, middle_mm[None])[0])
     return replace(
-        moves,
-        by_noise=np.array([np.hstack([carried(T), tilts]) for T in moves.T_arm_flange]),
-        noise_sd=np.concatenate([noise.of_flange, np.full(2, noise.tilt_rad)]),
-        usual_factor=USUAL_FACTOR,
-        least_factor=LEAST_FACTOR,
+        own,
+        by_noise=np.array([np.hstack([one, tilts]) for one in own.by_noise]),
+        noise_sd=np.concatenate([own.noise_sd, np.full(2, noise.tilt_rad)]),
     )

@@ -53,6 +53,11 @@ def corner_points(board: Chessboard) -> Floats:
     return np.column_stack([flat, np.zeros(len(flat))])
 
 
+def middle_of(board: Chessboard) -> Floats:
+    """(3,) the middle of the pattern."""
+    return np.array([*(board.extent_mm / 2), 0.0])
+
+
 def ways_to_number(board: Chessboard) -> int:
     """In how many ways (1, 2 or 4) the board can lie so that its colours look the same."""
     columns, rows = board.inner_corners
