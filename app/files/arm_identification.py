@@ -72,11 +72,34 @@ def read_seats(path: Path, arm: Arm) -> tuple[Seat, ...]:
     return tuple(Seat(name, q_rad) for name, (_, q_rad) in rows.items())
 
 
-def write_seats(path: Path, seats: Sequence[Seat]) -> None:
-    """Writes ``articulation.csv`` atomically; at least one seat."""
-    rows = ((seat.name, *np.rad2deg(q_rad).tolist()) for seat in seats for q_rad in seat.q_rad)
-    columns = ("set", *joint_columns(seats[0].q_rad.shape[1]))
-    write_atomically(path, table_text(columns, rows).encode())
+def write_observations(folder: Path, found: Observations) -> None:
+    """Brings a folder's tables up to date, each atomically; one without points is removed."""
+    _write(folder / ARTICULATION, ("set",), [((s.name,), s.q_rad) for s in found.seats])
+    _write(
+        folder / SPHERES,
+        ("sphere", "diameter_mm"),
+        [((s.name, s.diameter_mm), s.q_rad) for s in found.spheres],
+    )
+    _write(
+        folder / BALLBARS,
+        ("bar", "position", "length_mm", "standard_uncertainty_mm", "end"),
+        [
+            ((bar.name, bar.position, bar.length_mm, bar.standard_uncertainty_mm, end), q_rad)
+            for bar in found.bars
+            for end, q_rad in zip(bar.ends, bar.q_rad, strict=True)
+        ],
+    )
+
+
+def _write(
+    path: Path, columns: Sequence[str], places: Sequence[tuple[Sequence[str | float], Floats]]
+) -> None:
+    if not places:
+        path.unlink(missing_ok=True)
+        return
+    joints = joint_columns(places[0][1].shape[1])
+    rows = [(*label, *np.rad2deg(one).tolist()) for label, q_rad in places for one in q_rad]
+    write_atomically(path, table_text((*columns, *joints), rows).encode())
 
 
 def read_spheres(path: Path, arm: Arm) -> tuple[Sphere, ...]:

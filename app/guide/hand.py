@@ -33,6 +33,20 @@ class Hand(Protocol):
         Another ``posture``: the elbow on another side, the wrist turned over.
         """
 
+    @property
+    def bar_mm(self) -> float:
+        """The length of the ball bar that ``go_to_bar`` goes to."""
+
+    @property
+    def ball_mm(self) -> float:
+        """The diameter of the sphere that ``touch_ball`` touches."""
+
+    def go_to_bar(self, position: int, end: int, posture: int = 0) -> bool:
+        """Puts the tip into an end (0 or 1) of the ball bar, for its ``position``-th place."""
+
+    def touch_ball(self, ball: int, index: int) -> bool:
+        """Touches the sphere in its ``ball``-th place and presses the primary button."""
+
     def swing_in_seat(self) -> bool:
         """Swings the arm about the tip, which stays where it is."""
 

@@ -23,7 +23,17 @@ from hardware.twin.kinematics import (
     translation,
 )
 from hardware.twin.motion import HALT_S, JointPath, Motion, path_over, reaching_path, smooth
-from hardware.twin.swinging import LIFT_MM, LIFT_S, swing_path, way_into_seat
+from hardware.twin.swinging import (
+    BALL_MM,
+    BAR_MM,
+    LIFT_MM,
+    LIFT_S,
+    bar_end,
+    seat_centre,
+    swing_path,
+    way_into_seat,
+    way_onto_ball,
+)
 from hardware.twin.world import Ball, Box, Comb, Scene, Shell, Thing
 
 LEAD_NS = 4_000_000
@@ -102,6 +112,16 @@ class Hand:
     @property
     def state(self) -> HandState:
         return self._state
+
+    @property
+    def bar_mm(self) -> float:
+        """The ball bar's length."""
+        return BAR_MM
+
+    @property
+    def ball_mm(self) -> float:
+        """The sphere's diameter."""
+        return BALL_MM
 
     def cancel(self) -> None:
         """Makes the move under way stop smoothly and end; later moves are not affected."""
@@ -183,10 +203,41 @@ class Hand:
 
         A ``posture`` other than 0: with the elbow or the wrist turned over.
         """
-        with self._move(f"going to seat {seat + 1}"):
+        return self._go_into(f"seat {seat + 1}", seat_centre(self._arm, seat), posture)
+
+    def go_to_bar(self, position: int, end: int, posture: int = 0) -> bool:
+        """Puts the tip into an end (0 or 1) of the ball bar; False when cancelled."""
+        return self._go_into("the bar", bar_end(self._arm, position, end), posture)
+
+    def touch_ball(self, ball: int, index: int) -> bool:
+        """Touches the sphere in its ``ball``-th place and presses the primary button."""
+        with self._move("touching the sphere"):
+            gap = self._arm.tip_diameter_mm / 2 + float(self._rng.normal(0.0, self._contact_sd_mm))
+            onto = way_onto_ball(
+                self._arm,
+                seat_centre(self._arm, ball),
+                BALL_MM / 2 + gap,
+                index,
+                self._now(),
+                self._rng,
+            )
+            self._run(self._turned_to(onto.q_rad[0]), 0.0, 0.5)
+            self._run(JointPath(onto.times_s / self._pace, onto.q_rad), 0.5, 0.6)
+            self._pause(SETTLE_S)
+            pressed_ns = now_ns()
+            self._press(Button.PRIMARY, True, pressed_ns)
+            self._press(Button.PRIMARY, False, pressed_ns + round(PRESS_S * 0.8e9))
+            self._pause(PRESS_S)
+            self._run(JointPath(onto.times_s / self._pace, onto.q_rad[::-1].copy()), 0.9, 1.0)
+            self._touched = None
+            return True
+        return False
+
+    def _go_into(self, name: str, centre_mm: Floats, posture: int) -> bool:
+        with self._move(f"going to {name}"):
             limits = self._arm.limits_rad
             start = 0.8 * self._rng.uniform(limits[:, 0], limits[:, 1]) if posture else self._now()
-            into = way_into_seat(self._arm, seat, start, self._rng, self._pace)
+            into = way_into_seat(self._arm, centre_mm, start, self._rng, self._pace)
             up = translation(0.0, 0.0, LIFT_MM) @ flange_pose(self._arm, self._now())
             with suppress(UnreachableError):
                 self._run(self._straight(up, LIFT_S), 0.0, 0.1)

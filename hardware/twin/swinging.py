@@ -26,6 +26,12 @@ SEATS = (
     (-0.60, 0.75, -0.12),
 )
 """Bearing in rad, share of the reach, and rise in rad from the shoulder, of each seat."""
+BARS = ((1, 1.5, 0.1), (2, 0.2, 0.5), (0, -0.9, 0.2), (4, 1.2, -0.3))
+"""At which of the seats the bar's middle lies, its turn from there and its rise, in rad."""
+BAR_MM = 300.0
+BALL_MM = 25.0
+"""The simulated ball bar's length and the sphere's diameter, as their papers have them."""
+CLEAR_MM, TOUCH_S, TOUCH_STEP = 8.0, 0.4, 0.618
 SWING_RAD, LEAN_RAD, TWIST_RAD = 0.75, 0.55, 1.5
 SWING_S = 11.0
 KNOTS = 300
@@ -51,10 +57,19 @@ def seat_centre(arm: ArmModel, seat: int) -> Floats:
     )
 
 
+def bar_end(arm: ArmModel, position: int, end: int) -> Floats:
+    """(3,) where an end of the ball bar holds the tip's centre, for its ``position``-th place."""
+    place, turn, rise = BARS[position % len(BARS)]
+    middle = seat_centre(arm, place)
+    bearing = float(np.arctan2(middle[1], middle[0])) + turn
+    along = np.array([np.cos(rise) * np.cos(bearing), np.cos(rise) * np.sin(bearing), np.sin(rise)])
+    return np.asarray(middle + (end - 0.5) * BAR_MM * along)
+
+
 def way_into_seat(
-    arm: ArmModel, seat: int, q_rad: Floats, rng: np.random.Generator, pace: float
+    arm: ArmModel, centre_mm: Floats, q_rad: Floats, rng: np.random.Generator, pace: float
 ) -> JointPath:
-    """From above the ``seat``-th seat straight down into it, where the arm can swing.
+    """From above a seat straight down into it, where the arm can swing.
 
     Raises:
         UnreachableError: the arm cannot do that with any posture tried.
@@ -62,14 +77,52 @@ def way_into_seat(
     tip, still = np.array(arm.tip_mm), np.zeros(3)
     for _ in range(WAYS):
         with suppress(UnreachableError):
-            goal = seated(arm, seat_centre(arm, seat), q_rad, rng)
+            goal = seated(arm, centre_mm, q_rad, rng)
             target = flange_pose(arm, goal)
             above = reach(arm, translation(0.0, 0.0, LIFT_MM) @ target, goal, rng, attempts=1)
             path = reaching_path(arm, above, target, tip, (still, still), LIFT_S / pace)
             swing_path(arm, path.q_rad[-1], rng)
             return path
         q_rad = rng.uniform(0.8 * arm.limits_rad[:, 0], 0.8 * arm.limits_rad[:, 1])
-    raise UnreachableError(f"the arm cannot swing in seat {seat + 1}")
+    raise UnreachableError(f"the arm cannot swing at {np.round(centre_mm).tolist()} mm")
+
+
+def way_onto_ball(
+    arm: ArmModel,
+    ball_mm: Floats,
+    radius_mm: float,
+    index: int,
+    q_rad: Floats,
+    rng: np.random.Generator,
+) -> JointPath:
+    """From outside a ball straight onto it, at the ``index``-th of places all over its top.
+
+    Args:
+        radius_mm: of the ball and the tip together, with the error of this contact.
+
+    Raises:
+        UnreachableError: the arm cannot do that with any posture tried.
+    """
+    height = 1.0 - 1.1 * ((index * TOUCH_STEP) % 1.0)
+    round_z = 2.4 * index
+    flat = np.sqrt(1.0 - height**2)
+    outward = np.array([flat * np.cos(round_z), flat * np.sin(round_z), height])
+    still = np.zeros(3)
+    tip = np.array(arm.tip_mm)
+    for _ in range(TRIES):
+        T = rotation_about("z", float(rng.uniform(-np.pi, np.pi)))
+        T = T @ rotation_about("y", float(rng.uniform(1.6, np.pi)))
+        T = T @ rotation_about("z", float(rng.uniform(-np.pi, np.pi)))
+        stylus = T[:3, :3] @ tip
+        if float(stylus @ outward) > -0.4 * float(np.linalg.norm(tip)):
+            continue  # it would come through the ball
+        T[:3, 3] = ball_mm + radius_mm * outward - stylus
+        with suppress(UnreachableError):
+            goal = reach(arm, T, q_rad, rng, attempts=2)
+            clear = translation(*(CLEAR_MM * outward).tolist()) @ flange_pose(arm, goal)
+            outside = reach(arm, clear, goal, rng, attempts=1)
+            return reaching_path(arm, outside, flange_pose(arm, goal), tip, (still, still), TOUCH_S)
+    raise UnreachableError("the arm cannot touch the ball there")
 
 
 def seated(arm: ArmModel, centre_mm: Floats, q_rad: Floats, rng: np.random.Generator) -> Floats:

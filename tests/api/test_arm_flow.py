@@ -9,6 +9,7 @@ import httpx
 import pytest
 
 from app.files.arm import ArmFile, read_arm
+from app.files.arm_identification import read_observations
 from app.files.articulation import check_table
 from app.metrology.arm_model.articulation import ArticulationLimits
 from tests.api.conftest import Server
@@ -119,6 +120,42 @@ def test_stop_ends_the_hand(server: Server, session: Callable[[str], View]) -> N
     assert server.http.post("/api/stop").status_code == 204
     view = wait(server, lambda view: view["busy"] is None)
     assert view["step"] == "swing"
+
+
+def test_a_ball_bar_and_a_sphere_are_taken_by_the_hand(
+    server: Server, session: Callable[[str], View], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(server.twin.hand, "_pace", 12.0)
+    view = session("identify")
+    chosen = do(server, "choose_artefact", kind="sphere")
+    assert chosen["artefact"] == {
+        "kind": "sphere",
+        "size_mm": server.twin.hand.ball_mm,
+        "standard_uncertainty_mm": 0.0,
+    }
+    do(server, "let_hand")
+    view = wait(server, lambda view: view["busy"] is None, 60.0)
+    assert len(view["picture"]["seats"]) == 1, view["findings"]
+    (sphere,) = view["picture"]["seats"]
+    assert (sphere["name"], sphere["points"]) == ("Sphere 1", 15)
+    do(server, "choose_artefact", kind="bar")
+    do(server, "let_hand")
+    view = wait(
+        server, lambda view: view["step"] == "swing" and len(view["picture"]["seats"]) == 4, 150.0
+    )
+    do(server, "stop_hand")
+    view = wait(server, lambda view: view["busy"] is None)
+    names = [seat["name"] for seat in view["picture"]["seats"]]
+    assert names == ["Sphere 1", "Bar 1, end A", "Bar 1, end B", "Bar 2, end A"]
+    # an arm that its papers do not know to 45 µm reads the bar's length wrong, but not by much
+    assert abs(float(view["picture"]["seats"][2]["note"].split()[1])) < 500
+    do(server, "drop_swing")
+    folder = server.data / "sessions" / view["session_id"]
+    arm = read_arm(folder / "arm.json")
+    found = read_observations(folder, arm)
+    assert (len(found.seats), len(found.spheres), len(found.bars)) == (0, 1, 1)
+    assert found.bars[0].length_mm == server.twin.hand.bar_mm
+    do(server, "end")
 
 
 def test_several_seats_identify_the_arm_and_the_old_one_is_kept(

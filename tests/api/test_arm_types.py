@@ -2,11 +2,12 @@
 
 import pytest
 
-from app.guide.arm import view
+from app.guide.arm import state, view
 from tests.api import test_types
 
 SHAPES: dict[str, type] = {
     "JointSwing": view.JointSwing,
+    "Artefact": state.Artefact,
     "SeatLine": view.SeatLine,
     "Before": view.Before,
     "ParameterLine": view.ParameterLine,

@@ -2,18 +2,23 @@
 
 import json
 from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
+from app.files.arm_identification import read_bars, write_observations
 from app.guide.arm.flow import view_of
+from app.guide.arm.guide import observations_of
 from app.guide.arm.live import ArmLive
 from app.guide.arm.rules import LEAST, why_not
 from app.guide.arm.sampling import HOLD_NS, TURN_RAD, pick
 from app.guide.arm.state import ArmState, after
+from app.guide.arm.view import ArmView
 from app.guide.journal import fold
 from app.guide.library import Library
-from app.guide.view import Busy
+from app.guide.view import Action, Busy
 from app.metrology.arm import Arm, tip_centres
 from app.station.joints import JointWindow
 from tests.guide.builders import CONNECTED, REST_RAD, Row, reach_tip
@@ -150,6 +155,78 @@ def test_commands_belong_to_their_step(arm: Arm) -> None:
     assert "closed" in why_not(closed, live, "begin", {})
     few = state_after(started("identify"), begun(), ("seat_ended", {}))
     assert "1 of at least" in why_not(few, live, "fit", {})
+
+
+def seat(kind: str, size_mm: float | None, name: str, q_rad: np.ndarray) -> list[Any]:
+    artefact = {"kind": kind, "size_mm": size_mm, "standard_uncertainty_mm": 0.001}
+    return [
+        ("artefact_chosen", artefact),
+        ("seat_begun", {"name": name, "artefact": artefact}),
+        points(q_rad),
+    ]
+
+
+def test_a_bar_has_two_ends_and_half_of_one_is_not_used(arm: Arm, tmp_path: Path) -> None:
+    q = swung(arm, 40)
+    ended = ("seat_ended", {})
+    one = [started("identify"), *seat("bar", 300.0, "Bar 1, end A", q), ended]
+    state = state_after(*one)
+    live = live_of(arm)
+    assert state.half_bar
+    assert "other end" in why_not(state, live, "choose_artefact", {"kind": "seat"})
+    assert "other end" in view_of(state, live).title
+    assert observations_of(state).bars == ()
+    away = tip_centres(arm, q[:1])[0] + np.array([0.0, 60.0, 80.0])
+    other = np.array([hold(arm, away, one) for one in q])
+    state = state_after(*one, *seat("bar", 100.05, "Bar 1, end B", other), ended)
+    assert not state.half_bar
+    (bar,) = observations_of(state).bars
+    assert bar.length_mm == 300.0
+    write_observations(tmp_path, observations_of(state))
+    (back,) = read_bars(tmp_path / "ballbars.csv", arm)
+    np.testing.assert_allclose(back.q_rad[1], other, atol=1e-12)
+    # 60 mm and 80 mm are 100 mm, of a bar that is said to have 100.05
+    assert view_of(state, live).picture.seats[1].note == "length -50 µm"
+
+
+def test_a_sphere_is_touched_by_the_button_and_told_by_its_distances(arm: Arm) -> None:
+    ball = tip_centres(arm, REST_RAD[None])[0] - np.array([0.0, 0.0, 30.0])
+    radius_mm = (20.0 + arm.tip.diameter_mm) / 2
+    rng = np.random.default_rng(2)
+    outward = rng.normal(size=(12, 3))
+    outward[:, 2] = np.abs(outward[:, 2])
+    outward /= np.linalg.norm(outward, axis=1, keepdims=True)
+    outward[0] *= (radius_mm + 0.02) / radius_mm
+    q = np.array([reach_tip(arm, ball + radius_mm * n, REST_RAD) for n in outward])
+    rows = [started("identify"), *seat("sphere", 20.0, "Sphere 1", q)]
+    state, live = state_after(*rows), live_of(arm)
+    assert state.touching
+    assert why_not(state, live, "touch", {}) == ""
+    assert why_not(state, live, "finish", {}) == ""
+    few = state_after(*rows[:-1], points(q[:5]))
+    assert "at least 8 points" in why_not(few, live, "finish", {})
+    view = view_of(state, live)
+    assert action_of(view, "touch").primary
+    off_um = np.linalg.norm(view.picture.tips_um, axis=1)
+    assert 8 < off_um[0] < 20
+    assert off_um[1:].max() < off_um[0]
+    (sphere,) = observations_of(state).spheres
+    assert sphere.diameter_mm == 20.0
+
+
+def test_an_artefact_needs_its_size(arm: Arm) -> None:
+    live = live_of(arm)
+    state = state_after(started("identify"), ("artefact_chosen", {"kind": "bar"}))
+    assert "bar's length" in why_not(state, live, "begin", {})
+    for wrong in ({"size_mm": 1}, {"size_mm": True}, {"standard_uncertainty_mm": 2}):
+        assert why_not(state, live, "choose_artefact", {"kind": "bar", **wrong})
+    assert why_not(state, live, "choose_artefact", {"kind": "bar", "size_mm": 300}) == ""
+    assert why_not(state, live, "choose_artefact", {"kind": "spoon"})
+    assert why_not(state_after(started()), live, "choose_artefact", {"kind": "bar"})
+
+
+def action_of(view: ArmView, name: str) -> Action:
+    return next(action for action in view.actions if action.name == name)
 
 
 def test_the_view_shows_each_axis_against_the_limit(arm: Arm) -> None:

@@ -1,29 +1,24 @@
 """What the operator can tell an arm session to do; each command leaves a row in the journal."""
 
-import time
 from collections.abc import Callable, Mapping
 from typing import Protocol
 
 from app.guide.arm import works
 from app.guide.arm.guide import ArmGuide
-from app.guide.arm.rules import SEATS_WANTED
-from app.guide.arm.state import Purpose
+from app.guide.arm.hand_work import hand_work
 from app.guide.arm.view import ArmView
-from app.guide.hand import Hand
 from app.metrology.refusal import Refusal
 from app.station.jobs import Job, Progress
 
 Args = Mapping[str, object]
 AT_ANY_REV = ("stop_hand",)
-SETTLE_S = 0.5
-"""The joints' last samples come in after the hand has come to rest."""
-POSTURES: dict[Purpose, int] = {"check": 1, "identify": 2}
-"""How often the hand puts the tip into a seat, each time with the elbow elsewhere."""
 
 
 class Press(Protocol):
     """A button of the arm going down or up."""
 
+    @property
+    def stamp_ns(self) -> int: ...
     @property
     def button(self) -> str: ...
     @property
@@ -47,14 +42,19 @@ BUTTONS = {("seat", "primary"): "begin", ("swing", "primary"): "finish"}
 
 
 def press(guide: ArmGuide, event: Press) -> None:
-    """The arm's primary button begins and ends a swing."""
+    """The arm's primary button begins and ends a swing, and takes the points of a sphere."""
     with guide.lock:
         name = BUTTONS.get((guide.state.step, str(event.button)))
         if name is None or not event.pressed or not guide.running:
             return
         try:
-            guide.refuse_unless_possible(name, {}, None)
-            ACTS[name](guide, {}, None)
+            if guide.state.touching:
+                # whether the arm was still is judged as of the press, not as of now
+                guide.refuse_unless_possible("touch", {}, None, guide.hand_running)
+                guide.touch(event.stamp_ns, None)
+            else:
+                guide.refuse_unless_possible(name, {}, None)
+                ACTS[name](guide, {}, None)
         except Refusal as refusal:
             guide.decline(refusal)
         guide.refresh()
@@ -77,58 +77,10 @@ def _let_hand(guide: ArmGuide, args: Args, key: str | None) -> None:
     guide.append("hand_started", {}, key)
     guide.hand_running = True
     try:
-        _job(guide, "The hand at work", _hand_work(guide, hand))
+        _job(guide, "The hand at work", hand_work(guide, hand))
     except Refusal:
         guide.hand_running = False
         raise
-
-
-def _hand_work(guide: ArmGuide, hand: Hand) -> Callable[[Progress], None]:
-    """Takes the one seat of a check, or all that an identification still wants."""
-
-    def work(progress: Progress) -> None:
-        try:
-            wanted = SEATS_WANTED if guide.state.purpose == "identify" else 1
-            while guide.hand_running:
-                if guide.state.swinging:
-                    with guide.lock:
-                        guide.append("seat_dropped", {"name": guide.state.seats[-1].name})
-                done = len(guide.state.seats)
-                if done >= wanted:
-                    return
-                progress(f"The hand goes to seat {done + 1}", done / wanted)
-                if not _take_seat(guide, hand, done, progress):
-                    return
-        finally:
-            guide.hand_running = False
-
-    return work
-
-
-def _take_seat(guide: ArmGuide, hand: Hand, seat: int, progress: Progress) -> bool:
-    """One seat from the approach to the end of the swing; False when the hand was stopped."""
-    if not hand.go_to_seat(seat):
-        return False
-    time.sleep(SETTLE_S)
-    with guide.lock:
-        if not guide.hand_running:
-            return False
-        guide.refuse_unless_possible("begin", {}, None, by_hand=True)
-        guide.begin_seat(None)
-    wanted = SEATS_WANTED if guide.state.purpose == "identify" else 1
-    progress(f"The hand swings the arm about seat {seat + 1}", (seat + 0.3) / wanted)
-    for posture in range(POSTURES[guide.state.purpose]):
-        if posture and not hand.go_to_seat(seat, posture):
-            return False
-        time.sleep(SETTLE_S)
-        if not guide.hand_running or not hand.swing_in_seat():
-            return False
-    time.sleep(SETTLE_S)
-    with guide.lock:
-        guide.refresh()
-        guide.refuse_unless_possible("finish", {}, None, by_hand=True)
-        guide.finish_seat(None)
-    return True
 
 
 def _drop(guide: ArmGuide, args: Args, key: str | None) -> None:
@@ -146,7 +98,9 @@ ACTS: dict[str, Callable[[ArmGuide, Args, str | None], None]] = {
     "set_limit": lambda guide, args, key: guide.append(
         "limit_set", {"limit_um": args.get("limit_um")}, key
     ),
+    "choose_artefact": lambda guide, args, key: guide.choose_artefact(args, key),
     "begin": lambda guide, args, key: guide.begin_seat(key),
+    "touch": lambda guide, args, key: guide.touch(None, key),
     "finish": lambda guide, args, key: guide.finish_seat(key),
     "drop_swing": _drop,
     "drop_seat": _drop,

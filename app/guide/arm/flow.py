@@ -4,15 +4,23 @@ from collections.abc import Mapping
 
 from app.guide.arm.live import ArmLive
 from app.guide.arm.picture import picture_of
-from app.guide.arm.rules import SEATS_WANTED, WANTED, swing_deg, why_not
-from app.guide.arm.state import ArmState, SeatTaken
+from app.guide.arm.rules import SEATS_WANTED, TOUCHES_WANTED, WANTED, swing_deg, why_not
+from app.guide.arm.state import ArmState, Kind, SeatTaken
 from app.guide.arm.view import ArmPicture, ArmView
 from app.guide.touching import sentence
 from app.guide.view import Action, ChoiceOption, LiveNumber, Step, StepProgress, Vec3
 from app.metrology.frames import Floats
 from app.station.findings import Finding, Quality
 
+WHERE = ("near the base", "far out", "to the left", "to the right", "high up", "low down")
 STEPS = (("seat", "Seat the tip"), ("swing", "Swing the arm"), ("result", "Result"))
+
+
+BEGIN: dict[Kind, str] = {
+    "seat": "The tip is in the seat",
+    "bar": "The tip is in the bar's end",
+    "sphere": "The sphere is clamped",
+}
 
 
 def view_of(state: ArmState, live: ArmLive) -> ArmView:
@@ -32,6 +40,7 @@ def view_of(state: ArmState, live: ArmLive) -> ArmView:
             for entry in live.library.arms.values()
         ],
         arm=state.arm,
+        artefact=state.artefact,
         steps=_steps(step),
         step=step,
         title=title,
@@ -48,6 +57,12 @@ def view_of(state: ArmState, live: ArmLive) -> ArmView:
 def _words(state: ArmState, seat: SeatTaken | None) -> tuple[str, str]:
     if state.step == "swing":
         assert seat is not None
+        if state.touching:
+            return (
+                f"Touch {seat.name.lower()}",
+                "Touch it all over its upper half, from every side, with the arm in many "
+                "postures. Hold still and press the arm's button at each point.",
+            )
         return (
             f"Swing the arm about {seat.name.lower()}",
             "Keep the tip in the seat. Swing the elbow from one side to the other and back, and "
@@ -68,13 +83,21 @@ def _words(state: ArmState, seat: SeatTaken | None) -> tuple[str, str]:
             "Clamp the cone or ball seat at about two thirds of the reach and put the tip into it.",
         )
     done = len(state.seats)
+    where = WHERE[done % len(WHERE)]
+    if state.half_bar:
+        return "Put the tip into the bar's other end", "Leave the bar where it is."
+    if state.artefact.kind == "bar":
+        return (
+            "Put the tip into an end of the ball bar",
+            f"Clamp the bar somewhere else in the reach, {where}, and put the tip into one end.",
+        )
+    if state.artefact.kind == "sphere":
+        return "Clamp the sphere", f"Clamp it firmly somewhere else in the reach, {where}."
     if done >= SEATS_WANTED:
-        return "Enough seats", "Identify the arm, or take more seats to know it better."
-    where = ("near the base", "far out", "to the left", "to the right", "high up", "low down")
+        return "Enough places", "Identify the arm, or take more to know it better."
     return (
         f"Put the tip into seat {done + 1}",
-        f"Clamp the seat somewhere else in the reach, {where[done % len(where)]}, and put the "
-        "tip into it.",
+        f"Clamp the seat somewhere else in the reach, {where}, and put the tip into it.",
     )
 
 
@@ -105,21 +128,26 @@ def _number(state: ArmState, picture: ArmPicture) -> LiveNumber | None:
     note = "no limit is set" if state.limit_um is None else f"limit {state.limit_um:g} µm"
     quality = quality_of(found, state.limit_um) if found else "neutral"
     value = None if found is None else max(found)
+    if state.touching:
+        note = "of the tip from a sphere of that diameter, by the arm as it is"
+        return LiveNumber("Largest distance", value, "µm", 0, "neutral", note)
     return LiveNumber("Largest (max − min)/2", value, "µm", 0, quality, note)
 
 
 def _progress(state: ArmState, seat: SeatTaken | None) -> StepProgress | None:
     if state.step == "swing" and seat is not None:
         taken = len(seat.q_rad)
+        if state.touching:
+            text = f"{taken} of {TOUCHES_WANTED} points"
+            return StepProgress(min(taken, TOUCHES_WANTED), TOUCHES_WANTED, text)
         swing = swing_deg(seat.q_rad)
         points = f"{taken} of {WANTED} points" if taken < WANTED else f"{taken} points"
         text = f"{points}, largest swing {swing:.0f}°"
         return StepProgress(min(taken, WANTED), WANTED, text)
     if state.purpose == "identify" and state.step == "seat":
         done = len(state.seats)
-        return StepProgress(
-            min(done, SEATS_WANTED), SEATS_WANTED, f"{done} of {SEATS_WANTED} seats"
-        )
+        text = f"{done} of {SEATS_WANTED} places"
+        return StepProgress(min(done, SEATS_WANTED), SEATS_WANTED, text)
     return None
 
 
@@ -143,6 +171,14 @@ def _findings(state: ArmState, live: ArmLive, picture: ArmPicture) -> list[Findi
         why = f": {state.refused['why']}" if state.refused["why"] else ""
         text = sentence(f"{state.refused['what']}{why}")
         found.append(Finding("bad", text, sentence(str(state.refused["remedy"]))))
+    if state.purpose == "identify" and state.step == "seat" and state.seats and not state.bar_ends:
+        found.append(
+            Finding(
+                "neutral",
+                "Without a ball bar the arm keeps the size of its papers.",
+                "Take one in a place or two, if there is one.",
+            )
+        )
     if state.step == "result" and state.purpose == "check":
         found += _check_findings(state, picture)
     if state.solved is not None:
@@ -186,17 +222,25 @@ def _actions(state: ArmState, live: ArmLive) -> list[Action]:
     if live.hand_running:
         hand = [offer("stop_hand", "Stop the hand")]
     leave = offer("end", "Leave", confirm="Leave this session? Points not yet used are kept aside.")
+    if state.touching:
+        enough = len(state.seats[-1].q_rad) >= TOUCHES_WANTED
+        return [
+            offer("touch", "Take the point", primary=not enough),
+            offer("finish", "Finish the sphere", primary=enough),
+            offer("drop_swing", "Take it again"),
+            *hand,
+        ]
     if state.step == "swing":
         drop = offer("drop_swing", "Take it again")
         return [offer("finish", "Finish the swing", primary=True), drop, *hand]
     if state.step == "seat":
-        main = offer("begin", "The tip is in the seat", primary=True)
+        main = offer("begin", BEGIN[state.artefact.kind], primary=True)
         if state.purpose == "check":
             return [main, *hand, leave]
-        enough = len(state.seats) >= SEATS_WANTED
-        main = offer("begin", main.label if not enough else "One more seat", primary=not enough)
+        enough = len(state.seats) >= SEATS_WANTED and not state.half_bar
+        main = offer("begin", main.label, primary=not enough)
         fit = offer("fit", "Identify the arm", primary=enough)
-        undo = [offer("drop_seat", "Drop the last seat")] if state.seats else []
+        undo = [offer("drop_seat", "Drop the last place")] if state.seats else []
         return [main, fit, *undo, *hand, leave]
     if state.purpose == "check":
         return [
@@ -210,4 +254,4 @@ def _actions(state: ArmState, live: ArmLive) -> list[Action]:
         "Use this arm from now on",
         primary=True,
     )
-    return [save, offer("reopen", "Back to the seats"), leave]
+    return [save, offer("reopen", "Back to the places"), leave]

@@ -4,7 +4,7 @@ import secrets
 import threading
 import time
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Protocol
@@ -12,14 +12,14 @@ from typing import Protocol
 import numpy as np
 
 from app.files.arm import read_arm
-from app.files.arm_identification import ARM, ARTICULATION, write_seats
+from app.files.arm_identification import ARM, write_observations
 from app.files.atomic import write_atomically
 from app.files.failures import files_refused
 from app.guide.arm.flow import quality_of, view_of
 from app.guide.arm.live import ArmLive
 from app.guide.arm.rules import why_not
 from app.guide.arm.sampling import HOLD_NS, pick
-from app.guide.arm.state import POINTS, ArmState, Purpose, after
+from app.guide.arm.state import POINTS, ArmState, Artefact, Purpose, after
 from app.guide.arm.view import ArmCheckSummary, ArmView
 from app.guide.hand import Hand
 from app.guide.journal import Journal, Row, fold
@@ -28,7 +28,7 @@ from app.guide.touching import sentence
 from app.guide.view import Busy
 from app.metrology.arm import Arm
 from app.metrology.arm_model.articulation import check_articulation
-from app.metrology.arm_model.observations import Seat
+from app.metrology.arm_model.observations import Bar, Observations, Seat, Sphere
 from app.metrology.refusal import Refusal
 from app.station.bus import Bus
 from app.station.findings import Finding
@@ -224,12 +224,41 @@ class ArmGuide:
         """From now on points are taken while the arm swings."""
         if not self.state.seats:
             self._keep_arm()
-        known = {seat.name for seat in self.state.seats}
-        number = next(n for n in range(1, 1000) if f"Seat {n}" not in known)
         newest = self.station.rig.arm.latest()
         self._seen_ns = newest.stamp_ns if newest else 0
         self._left_mm = None
-        self.append("seat_begun", {"name": f"Seat {number}"}, key)
+        artefact = self.state.artefact if self.state.purpose == "identify" else Artefact()
+        self.append("seat_begun", {"name": self._next_name(), "artefact": asdict(artefact)}, key)
+
+    def _next_name(self) -> str:
+        state = self.state
+        if state.purpose == "identify" and state.artefact.kind == "bar":
+            return f"Bar {state.bar_ends // 2 + 1}, end {'AB'[state.bar_ends % 2]}"
+        title = "Sphere" if state.artefact.kind == "sphere" else "Seat"
+        known = {seat.name for seat in state.seats}
+        return next(f"{title} {n}" for n in range(1, 1000) if f"{title} {n}" not in known)
+
+    def choose_artefact(self, args: Mapping[str, object], key: str | None) -> None:
+        """What the tip is put to next; the simulated ones have their papers' sizes."""
+        kind, size, hand = args["kind"], args.get("size_mm"), self.station.hand
+        if size is None and hand is not None and kind != "seat":
+            size = hand.bar_mm if kind == "bar" else hand.ball_mm
+        unsure = args.get("standard_uncertainty_mm", 0.0)
+        payload = {"kind": kind, "size_mm": size, "standard_uncertainty_mm": unsure}
+        self.append("artefact_chosen", payload, key)
+
+    def touch(self, until_ns: int | None, key: str | None) -> None:
+        """Takes the point of the sphere that the tip touches, or touched at ``until_ns``.
+
+        Raises:
+            Refusal: the arm is lost or moves.
+        """
+        side = self.station.rig.arm
+        side.set_model(self.arm())  # by which it is judged whether the arm is still
+        mean = side.average(until_ns=until_ns)
+        self.append(POINTS, {"q_rad": [mean.q_rad.tolist()]}, key)
+        name = self.state.seats[-1].name
+        self.station.bus.event("point_taken", f"Point {len(self.state.seats[-1].q_rad)}, {name}.")
 
     def finish_seat(self, key: str | None) -> None:
         """Ends the swing; a check is judged and recorded at once."""
@@ -245,7 +274,7 @@ class ArmGuide:
         The newest wait for ``hold_ns``, until it is known that the tip stays in the seat.
         """
         arm = self.arm() if self.state.swinging and not self.state.ended else None
-        if arm is None:
+        if arm is None or self.state.touching:
             return
         side = self.station.rig.arm
         newest = side.latest()
@@ -295,12 +324,36 @@ class ArmGuide:
             write_atomically(self.folder / ARM, entry.path.read_bytes())
 
     def keep_seats(self) -> None:
-        """Brings the session's ``articulation.csv`` up to date."""
-        seats = [Seat(s.name, np.array(s.q_rad)) for s in self.state.seats if s.q_rad]
-        if seats:
-            write_seats(self.folder / ARTICULATION, seats)
-        else:
-            (self.folder / ARTICULATION).unlink(missing_ok=True)
+        """Brings the session's tables up to date."""
+        write_observations(self.folder, observations_of(self.state))
+
+
+def observations_of(state: ArmState) -> Observations:
+    """What was taken so far, as the identification has it; half a bar is left out."""
+    taken = [seat for seat in state.seats if seat.q_rad]
+    of = {
+        kind: [seat for seat in taken if seat.artefact.kind == kind]
+        for kind in ("seat", "bar", "sphere")
+    }
+    ends = of["bar"]
+    return Observations(
+        tuple(Seat(seat.name, np.array(seat.q_rad)) for seat in of["seat"]),
+        tuple(
+            Sphere(seat.name, seat.artefact.size_mm or 0.0, np.array(seat.q_rad))
+            for seat in of["sphere"]
+        ),
+        tuple(
+            Bar(
+                f"{a.artefact.size_mm:g} mm",
+                a.name.split(",")[0],
+                a.artefact.size_mm or 0.0,
+                a.artefact.standard_uncertainty_mm,
+                ("A", "B"),
+                (np.array(a.q_rad), np.array(b.q_rad)),
+            )
+            for a, b in zip(ends[::2], ends[1::2], strict=False)
+        ),
+    )
 
 
 def _summary(row: Row) -> ArmCheckSummary:

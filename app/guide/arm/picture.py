@@ -1,5 +1,7 @@
 """The large picture of an arm session: the seat's points, the joints' swing, the result. Pure."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from app.guide.arm.live import ArmLive
@@ -20,6 +22,7 @@ from app.metrology.frames import Floats
 
 SHOWN = 240
 """Points of a seat that are drawn."""
+FEWEST_ON_BALL, STEPS = 5, 8
 
 
 def picture_of(state: ArmState, live: ArmLive, seat: SeatTaken | None) -> ArmPicture:
@@ -29,17 +32,16 @@ def picture_of(state: ArmState, live: ArmLive, seat: SeatTaken | None) -> ArmPic
     if arm is None:
         return ArmPicture((), None, None, None, state.limit_um, (), (), result)
     joints = _joints(arm, shown, live.q_rad)
-    seats = [_seat_line(arm, taken) for taken in state.seats if taken.q_rad]
-    if shown is None or len(shown.q_rad) < 2:
+    seats = _seat_lines(arm, state.seats)
+    fewest = FEWEST_ON_BALL if state.touching else 2
+    if shown is None or len(shown.q_rad) < fewest:
         return ArmPicture((), None, None, None, state.limit_um, joints, seats, result)
-    q = np.array(shown.q_rad)
-    tips, J = tip_jacobian(arm, q)
-    half_range, two_sigma = spread_um(tips)
+    tips, J = tip_jacobian(arm, np.array(shown.q_rad))
+    off_mm = _off_mm(arm, shown, tips)
+    half_range, two_sigma = spread_um(off_mm)
     encoders = np.mean(np.diagonal(encoder_covariances(arm, J), axis1=1, axis2=2), axis=0)
-    middle = (tips.max(axis=0) + tips.min(axis=0)) / 2
-    off_um = (tips - middle)[-SHOWN:] * 1e3
     return ArmPicture(
-        [_vec(np.round(off, 2)) for off in off_um],
+        [_vec(np.round(off, 2)) for off in off_mm[-SHOWN:] * 1e3],
         _vec(half_range),
         _vec(two_sigma),
         _vec(2e3 * np.sqrt(encoders)),
@@ -50,9 +52,45 @@ def picture_of(state: ArmState, live: ArmLive, seat: SeatTaken | None) -> ArmPic
     )
 
 
-def _seat_line(arm: Arm, seat: SeatTaken) -> SeatLine:
-    half_range, _ = spread_um(tip_centres(arm, np.array(seat.q_rad)))
-    return SeatLine(seat.name, len(seat.q_rad), float(half_range.max()))
+def _seat_lines(arm: Arm, seats: Sequence[SeatTaken]) -> list[SeatLine]:
+    lines: list[SeatLine] = []
+    other: Floats | None = None
+    for seat in seats:
+        if len(seat.q_rad) < (FEWEST_ON_BALL if seat.artefact.kind == "sphere" else 1):
+            continue
+        tips = tip_centres(arm, np.array(seat.q_rad))
+        half_range, _ = spread_um(_off_mm(arm, seat, tips))
+        note = ""
+        if seat.artefact.kind == "bar":
+            here = (tips.max(axis=0) + tips.min(axis=0)) / 2
+            if other is not None:
+                longer_mm = np.linalg.norm(here - other) - (seat.artefact.size_mm or 0.0)
+                note = f"length {1e3 * longer_mm:+.0f} µm"
+            other = here if other is None else None
+        lines.append(SeatLine(seat.name, len(seat.q_rad), float(half_range.max()), note))
+    return lines
+
+
+def _off_mm(arm: Arm, seat: SeatTaken, tips: Floats) -> Floats:
+    """(N, 3) of the tips from the middle of a seat, or outward from a sphere."""
+    if seat.artefact.kind != "sphere":
+        return np.asarray(tips - (tips.max(axis=0) + tips.min(axis=0)) / 2)
+    radius_mm = ((seat.artefact.size_mm or 0.0) + arm.tip.diameter_mm) / 2
+    centre = _ball_centre(tips, radius_mm)
+    away = tips - centre
+    far = np.linalg.norm(away, axis=1, keepdims=True)
+    return np.asarray(away / far * (far - radius_mm))
+
+
+def _ball_centre(tips: Floats, radius_mm: float) -> Floats:
+    """(3,) of the sphere of a known radius nearest to the tips, by Gauss-Newton."""
+    system = np.column_stack([2 * tips, np.ones(len(tips))])
+    centre: Floats = np.linalg.lstsq(system, np.sum(tips**2, axis=1), rcond=None)[0][:3]
+    for _ in range(STEPS):
+        away = tips - centre
+        far = np.linalg.norm(away, axis=1)
+        centre = centre + np.linalg.lstsq(away / far[:, None], far - radius_mm, rcond=None)[0]
+    return centre
 
 
 def _joints(arm: Arm, seat: SeatTaken | None, now: Angles | None) -> list[JointSwing]:

@@ -5,18 +5,24 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 
 from app.guide.arm.live import ArmLive
-from app.guide.arm.state import Angles, ArmState
+from app.guide.arm.state import Angles, ArmState, Kind
 
 WANTED = 60
 """Points in a seat, so that the range no longer grows much with more of them."""
 LEAST = 30
 LEAST_SWING_DEG = 60.0
 SEATS_WANTED, SEATS_LEAST = 6, 4
+TOUCHES_WANTED, TOUCHES_LEAST = 15, 8
+"""Of one sphere."""
+SIZES_MM: dict[Kind, tuple[float, float]] = {"bar": (20.0, 5000.0), "sphere": (3.0, 300.0)}
+LARGEST_UNCERTAINTY_MM = 1.0
 
 ONLY_IN = {
     "choose_arm": ("seat",),
     "set_limit": ("seat", "swing", "result"),
+    "choose_artefact": ("seat",),
     "begin": ("seat",),
+    "touch": ("swing",),
     "finish": ("swing",),
     "drop_swing": ("swing",),
     "drop_seat": ("seat",),
@@ -64,8 +70,45 @@ def _arm_ready(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> st
     return ""
 
 
+def _choose_artefact(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
+    kind, size = args.get("kind"), args.get("size_mm")
+    if state.purpose != "identify" or kind not in ("seat", "bar", "sphere"):
+        return "There is no such artefact here."
+    if state.half_bar:
+        return "Take the bar's other end first, or drop the last."
+    if kind != "seat" and size is not None:
+        low, high = SIZES_MM["bar" if kind == "bar" else "sphere"]
+        if not _number(size) or not low <= float(str(size)) <= high:
+            return f"A {kind} has {low:g} to {high:g} mm."
+    unsure = args.get("standard_uncertainty_mm", 0.0)
+    if not _number(unsure) or not 0 <= float(str(unsure)) <= LARGEST_UNCERTAINTY_MM:
+        return f"A standard uncertainty is 0 to {LARGEST_UNCERTAINTY_MM:g} mm."
+    return ""
+
+
+def _number(value: object) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+def _begin(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
+    missing = state.artefact.kind != "seat" and state.artefact.size_mm is None
+    if missing and state.purpose == "identify":
+        what = "bar's length" if state.artefact.kind == "bar" else "sphere's diameter"
+        return f"Give the {what} by its certificate first."
+    return _arm_ready(state, live, args)
+
+
+def _touch(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
+    if not state.touching:
+        return "Points are taken by themselves while the arm swings."
+    return _arm_ready(state, live, args)
+
+
 def _finish(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
     taken = state.seats[-1].q_rad
+    if state.touching:
+        few = len(taken) < TOUCHES_LEAST
+        return f"Touch it more: {len(taken)} of at least {TOUCHES_LEAST} points." if few else ""
     if len(taken) < LEAST:
         return f"Go on swinging: {len(taken)} of at least {LEAST} points."
     swing = swing_deg(taken)
@@ -78,7 +121,9 @@ def _fit(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
     if state.purpose != "identify":
         return "This is a check of one seat."
     if len(state.seats) < SEATS_LEAST:
-        return f"{len(state.seats)} of at least {SEATS_LEAST} seats are taken."
+        return f"{len(state.seats)} of at least {SEATS_LEAST} places are taken."
+    if state.half_bar:
+        return "Take the bar's other end first, or drop the last."
     return ""
 
 
@@ -114,7 +159,9 @@ def _hand(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
 
 Rule = Callable[[ArmState, ArmLive, Mapping[str, object]], str]
 RULES: dict[str, Rule] = {
-    "begin": _arm_ready,
+    "choose_artefact": _choose_artefact,
+    "begin": _begin,
+    "touch": _touch,
     "finish": _finish,
     "fit": _fit,
     "choose_arm": _choose_arm,

@@ -7,6 +7,7 @@ from typing import Any, Literal
 from app.guide.journal import Row
 
 Purpose = Literal["check", "identify"]
+Kind = Literal["seat", "bar", "sphere"]
 Payload = Mapping[str, Any]
 Angles = tuple[float, ...]
 
@@ -15,11 +16,24 @@ POINTS = "points"
 
 
 @dataclass(frozen=True)
+class Artefact:
+    """What the tip is put to: a seat, an end of a ball bar, or a sphere touched from outside.
+
+    ``size_mm`` is the bar's length or the sphere's diameter, by its certificate.
+    """
+
+    kind: Kind = "seat"
+    size_mm: float | None = None
+    standard_uncertainty_mm: float = 0.0
+
+
+@dataclass(frozen=True)
 class SeatTaken:
-    """One seat, and the points taken in it."""
+    """One seat, end of a bar, or sphere, and the points taken there."""
 
     name: str
     q_rad: tuple[Angles, ...] = ()
+    artefact: Artefact = Artefact()
 
 
 @dataclass(frozen=True)
@@ -34,6 +48,8 @@ class ArmState:
     """Which of the station's arms, by the id of its file."""
     limit_um: float | None = None
     """Largest (max - min)/2 along any axis that the operator accepts."""
+    artefact: Artefact = Artefact()
+    """What comes next."""
     seats: tuple[SeatTaken, ...] = ()
     swinging: bool = False
     """Whether points are being taken in the last seat."""
@@ -43,6 +59,21 @@ class ArmState:
     saved: str = ""
     """Name of the arm's file once the identified arm is in use."""
     ended: bool = False
+
+    @property
+    def touching(self) -> bool:
+        """Whether a sphere is being touched: its points are taken by the button."""
+        return self.swinging and self.seats[-1].artefact.kind == "sphere"
+
+    @property
+    def bar_ends(self) -> int:
+        """Ends of the ball bar that were taken, in pairs; the last may lack its other end."""
+        return sum(seat.artefact.kind == "bar" for seat in self.seats)
+
+    @property
+    def half_bar(self) -> bool:
+        """Whether one end of the bar waits for the other."""
+        return self.bar_ends % 2 == 1
 
     @property
     def step(self) -> str:
@@ -73,7 +104,8 @@ def _started(state: ArmState, payload: Payload) -> ArmState:
 
 
 def _seat_begun(state: ArmState, payload: Payload) -> ArmState:
-    return replace(state, seats=(*state.seats, SeatTaken(payload["name"])), swinging=True)
+    taken = SeatTaken(payload["name"], artefact=Artefact(**payload.get("artefact", {})))
+    return replace(state, seats=(*state.seats, taken), swinging=True)
 
 
 def _points(state: ArmState, payload: Payload) -> ArmState:
@@ -90,6 +122,7 @@ def _seat_dropped(state: ArmState, payload: Payload) -> ArmState:
 CHANGES: dict[str, Callable[[ArmState, Payload], ArmState]] = {
     "started": _started,
     "arm_chosen": lambda state, payload: replace(state, arm=payload["id"]),
+    "artefact_chosen": lambda state, payload: replace(state, artefact=Artefact(**payload)),
     "limit_set": lambda state, payload: replace(state, limit_um=payload["limit_um"]),
     "seat_begun": _seat_begun,
     POINTS: _points,

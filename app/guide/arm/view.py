@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from app.guide.arm.state import Purpose
+from app.guide.arm.state import Artefact, Purpose
 from app.guide.view import Action, Busy, ChoiceOption, LiveNumber, Step, StepProgress, Vec3
 from app.station.findings import Finding, Quality
 
@@ -27,7 +27,9 @@ class SeatLine:
     name: str
     points: int
     half_range_um: float
-    """The largest of the three axes."""
+    """The largest of the three axes; of a sphere the largest distance from it."""
+    note: str = ""
+    """Of a bar what its length seems to be."""
 
 
 @dataclass(frozen=True)
@@ -87,6 +89,8 @@ class ArmView:
     purpose: Purpose
     arms: Sequence[ChoiceOption]
     arm: str
+    artefact: Artefact
+    """What the tip is put to next, in an identification."""
     steps: Sequence[Step]
     step: str
     title: str

@@ -12,12 +12,22 @@ export interface JointSwing {
   limit_high_deg: number;
 }
 
-/** One seat of the session. */
+/** What the tip is put to: a seat, an end of a ball bar, or a sphere touched from outside. */
+export interface Artefact {
+  kind: "seat" | "bar" | "sphere";
+  /** The bar's length or the sphere's diameter, by its certificate. */
+  size_mm: number | null;
+  standard_uncertainty_mm: number;
+}
+
+/** One seat, end of a bar, or sphere of the session. */
 export interface SeatLine {
   name: string;
   points: number;
-  /** The largest of the three axes. */
+  /** The largest of the three axes; of a sphere the largest distance from it. */
   half_range_um: number;
+  /** Of a bar what its length seems to be. */
+  note: string;
 }
 
 /** One line of before and after. */
@@ -67,6 +77,8 @@ export interface ArmView {
   purpose: "check" | "identify";
   arms: ChoiceOption[];
   arm: string;
+  /** What the tip is put to next, in an identification. */
+  artefact: Artefact;
   steps: Step[];
   step: string;
   title: string;

@@ -10,6 +10,7 @@ import { CardHead } from "../parts/CardHead";
 import { Findings } from "../parts/Findings";
 import { Busy, Progress } from "../parts/Progress";
 import { ArmChoice } from "./ArmChoice";
+import { ArtefactField } from "./ArtefactField";
 import { LimitField } from "./LimitField";
 
 /** A finding that only says why an act is not possible is said there. */
@@ -37,6 +38,9 @@ export function ArmCard({ view }: { view: ArmView }) {
       {view.busy && <Busy key={view.busy.text} {...view.busy} />}
       <Actions actions={view.actions} busy={view.busy !== null} onAct={(action) => sendArm(action.name, action.args)}>
         {choosing && view.arms.length > 1 && <ArmChoice arms={view.arms} arm={view.arm} />}
+        {view.step === "seat" && view.purpose === "identify" && (
+          <ArtefactField artefact={view.artefact} disabled={view.busy !== null} />
+        )}
         {choosing && view.purpose === "check" && <LimitField limit_um={view.picture.limit_um} />}
         <Findings findings={withoutEchoes(view)} />
       </Actions>

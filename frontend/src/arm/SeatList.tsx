@@ -10,15 +10,15 @@ export function SeatList({ seats }: { seats: SeatLine[] }) {
     return (
       <EmptyState
         picture={<SeatIllustration />}
-        title="Six seats tell the arm's geometry"
-        text="In each the tip stays in one place while the arm swings. Put them all over the reach: near and far, left and right, high and low, and come back into each with the elbow on the other side."
+        title="Six places tell the arm's geometry"
+        text="In a seat, or an end of a ball bar, the tip stays in one place while the arm swings; a sphere is touched from every side. Put them all over the reach: near and far, left and right, high and low, and come back with the elbow on the other side. A ball bar tells the arm's size too."
       />
     );
   }
   const largest = Math.max(...seats.map((seat) => seat.half_range_um));
   return (
     <div className={styles.seats}>
-      <h2 className={styles.title}>Seats so far: (max − min)/2 on the worst axis</h2>
+      <h2 className={styles.title}>Places so far: what the tip seems to move by, (max − min)/2</h2>
       <ul className={styles.list}>
         {seats.map((seat) => (
           <li key={seat.name} className={styles.seat}>
@@ -27,7 +27,7 @@ export function SeatList({ seats }: { seats: SeatLine[] }) {
               <span className={styles.bar} style={{ width: `${(100 * seat.half_range_um) / largest}%` }} />
             </span>
             <span className={styles.value}>{figures(seat.half_range_um)} µm</span>
-            <span className={styles.points}>{plural(seat.points, "point")}</span>
+            <span className={styles.points}>{seat.note || plural(seat.points, "point")}</span>
           </li>
         ))}
       </ul>

@@ -3,6 +3,7 @@ import { ArmCard } from "../arm/ArmCard";
 import { ArmPictureView } from "../arm/ArmPictureView";
 import { History } from "../arm/History";
 import { Layout } from "../frame/Layout";
+import { MainAct } from "../parts/Actions";
 import { CardHead } from "../parts/CardHead";
 import { PressButton } from "../parts/PressButton";
 import { useLive } from "../state/store";
@@ -25,13 +26,15 @@ function NotStarted() {
             title="Is the arm in order?"
             text="Hold the tip in a cone or ball seat and swing the arm about it: what the tip seems to move by is the arm's own error. It takes five minutes."
           />
-          <PressButton kind="primary" onPress={() => startArm("check")}>
-            Check the arm
-          </PressButton>
+          <MainAct>
+            <PressButton kind="primary" onPress={() => startArm("check")}>
+              Check the arm
+            </PressButton>
+          </MainAct>
           <div className={styles.other}>
             <h2 className={styles.heading}>Identify the arm</h2>
             <p className={styles.text}>
-              From six seats all over the reach the arm's geometry is determined anew. Do it when a check fails, or
+              From six seats, ends of a ball bar or spheres all over the reach the arm's geometry is determined anew. Do it when a check fails, or
               before the first calibration.
             </p>
             <PressButton onPress={() => startArm("identify")}>Identify the arm</PressButton>

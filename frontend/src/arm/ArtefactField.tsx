@@ -1,0 +1,102 @@
+import { SegmentedControl } from "@mantine/core";
+import { type FormEvent, useEffect, useState } from "react";
+
+import { sendArm } from "../api/armCommands";
+import type { Artefact } from "../api/armTypes";
+import { PressButton } from "../parts/PressButton";
+import styles from "./Fields.module.css";
+
+const KINDS = [
+  { value: "seat", label: "Seat" },
+  { value: "bar", label: "Ball bar" },
+  { value: "sphere", label: "Sphere" },
+];
+const SIZE = { bar: "Length by its certificate", sphere: "Diameter by its certificate" };
+
+/** What the tip is put to next, with the size that its certificate gives. */
+export function ArtefactField({ artefact, disabled }: { artefact: Artefact; disabled: boolean }) {
+  const { kind } = artefact;
+  return (
+    <div className={styles.field}>
+      <span className={styles.label}>What the tip is put to</span>
+      <SegmentedControl
+        value={kind}
+        onChange={(chosen) => void sendArm("choose_artefact", { kind: chosen })}
+        data={KINDS}
+        disabled={disabled}
+        fullWidth
+        size="md"
+        radius="md"
+        aria-label="What the tip is put to"
+        classNames={{ root: styles.control ?? "", label: styles.tab ?? "", indicator: styles.indicator ?? "" }}
+      />
+      {kind !== "seat" && <Size key={kind} kind={kind} artefact={artefact} disabled={disabled} />}
+    </div>
+  );
+}
+
+interface SizeProps {
+  kind: "bar" | "sphere";
+  artefact: Artefact;
+  disabled: boolean;
+}
+
+function Size({ kind, artefact, disabled }: SizeProps) {
+  const size = useHeld(artefact.size_mm === null ? "" : String(artefact.size_mm));
+  const unsure = useHeld(String(artefact.standard_uncertainty_mm * 1000));
+  const set = () =>
+    sendArm("choose_artefact", {
+      kind,
+      size_mm: size.text.trim() === "" ? null : Number(size.text),
+      standard_uncertainty_mm: kind === "bar" ? Number(unsure.text) / 1000 : 0,
+    });
+  const submit = (event: FormEvent) => {
+    event.preventDefault();
+    void set();
+  };
+  return (
+    <form className={styles.field} onSubmit={submit}>
+      <label className={styles.label} htmlFor="artefact-size">
+        {SIZE[kind]}
+      </label>
+      <div className={styles.row}>
+        <div className={styles.unit} data-unit="mm">
+          <input
+            id="artefact-size"
+            className={styles.input}
+            type="number"
+            inputMode="decimal"
+            step="any"
+            value={size.text}
+            disabled={disabled}
+            onChange={(event) => size.setText(event.target.value)}
+          />
+        </div>
+        {kind === "bar" && (
+          <div className={styles.unit} data-unit="µm, k = 1">
+            <input
+              className={styles.input}
+              data-long
+              type="number"
+              inputMode="decimal"
+              step="any"
+              min={0}
+              aria-label="Standard uncertainty of the length"
+              value={unsure.text}
+              disabled={disabled}
+              onChange={(event) => unsure.setText(event.target.value)}
+            />
+          </div>
+        )}
+        {(size.changed || unsure.changed) && <PressButton onPress={set}>Set</PressButton>}
+      </div>
+    </form>
+  );
+}
+
+/** A field's text: the server's, until it is typed over. */
+function useHeld(held: string) {
+  const [text, setText] = useState(held);
+  useEffect(() => setText(held), [held]);
+  return { text, setText, changed: text !== held };
+}
