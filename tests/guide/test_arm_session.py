@@ -186,7 +186,7 @@ def test_a_bar_has_two_ends_and_half_of_one_is_not_used(arm: Arm, tmp_path: Path
     (back,) = read_bars(tmp_path / "ballbars.csv", arm)
     np.testing.assert_allclose(back.q_rad[1], other, atol=1e-12)
     # 60 mm and 80 mm are 100 mm, of a bar that is said to have 100.05
-    assert view_of(state, live).picture.seats[1].note == "length -50 µm"
+    assert view_of(state, live).picture.seats[1].note == "length −50 µm"
 
 
 def test_a_sphere_is_touched_by_the_button_and_told_by_its_distances(arm: Arm) -> None:

@@ -21,6 +21,7 @@ BEGIN: dict[Kind, str] = {
     "bar": "The tip is in the bar's end",
     "sphere": "The sphere is clamped",
 }
+ON_SPHERE = {"seat": "Clamp the sphere", "swing": "Touch it"}
 
 
 def view_of(state: ArmState, live: ArmLive) -> ArmView:
@@ -41,7 +42,7 @@ def view_of(state: ArmState, live: ArmLive) -> ArmView:
         ],
         arm=state.arm,
         artefact=state.artefact,
-        steps=_steps(step),
+        steps=_steps(state),
         step=step,
         title=title,
         instruction=instruction,
@@ -101,10 +102,15 @@ def _words(state: ArmState, seat: SeatTaken | None) -> tuple[str, str]:
     )
 
 
-def _steps(step: str) -> list[Step]:
-    at = [name for name, _ in STEPS].index(step)
+def _steps(state: ArmState) -> list[Step]:
+    at = [name for name, _ in STEPS].index(state.step)
+    sphere = state.purpose == "identify" and state.artefact.kind == "sphere"
     return [
-        Step(name, title, "done" if i < at else "current" if i == at else "todo")
+        Step(
+            name,
+            ON_SPHERE.get(name, title) if sphere else title,
+            "done" if i < at else "current" if i == at else "todo",
+        )
         for i, (name, title) in enumerate(STEPS)
     ]
 
@@ -171,7 +177,8 @@ def _findings(state: ArmState, live: ArmLive, picture: ArmPicture) -> list[Findi
         why = f": {state.refused['why']}" if state.refused["why"] else ""
         text = sentence(f"{state.refused['what']}{why}")
         found.append(Finding("bad", text, sentence(str(state.refused["remedy"]))))
-    if state.purpose == "identify" and state.step == "seat" and state.seats and not state.bar_ends:
+    bar = state.bar_ends > 0 or state.artefact.kind == "bar"
+    if state.purpose == "identify" and state.step == "seat" and state.seats and not bar:
         found.append(
             Finding(
                 "neutral",
@@ -220,7 +227,7 @@ def _actions(state: ArmState, live: ArmLive) -> list[Action]:
 
     hand = [offer("let_hand", "Let the hand do it")] if live.has_hand else []
     if live.hand_running:
-        hand = [offer("stop_hand", "Stop the hand")]
+        hand = [offer("stop_hand", "Stop the hand", primary=True)]
     leave = offer("end", "Leave", confirm="Leave this session? Points not yet used are kept aside.")
     if state.touching:
         enough = len(state.seats[-1].q_rad) >= TOUCHES_WANTED

@@ -65,7 +65,7 @@ def _seat_lines(arm: Arm, seats: Sequence[SeatTaken]) -> list[SeatLine]:
             here = (tips.max(axis=0) + tips.min(axis=0)) / 2
             if other is not None:
                 longer_mm = np.linalg.norm(here - other) - (seat.artefact.size_mm or 0.0)
-                note = f"length {1e3 * longer_mm:+.0f} µm"
+                note = f"length {1e3 * longer_mm:+.0f} µm".replace("-", "−")
             other = here if other is None else None
         lines.append(SeatLine(seat.name, len(seat.q_rad), float(half_range.max()), note))
     return lines
