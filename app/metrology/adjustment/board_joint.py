@@ -30,7 +30,13 @@ from app.metrology.adjustment.joint import NotSeen, sorted_anew, stripe_rms_mm
 from app.metrology.adjustment.mounting import Mounting, mounting_by_motion, refuse_alike
 from app.metrology.adjustment.pose_results import PoseResult, left_out
 from app.metrology.adjustment.readings import motion_of, plane_touches
-from app.metrology.adjustment.robot_noise import RobotNoise, robot_noise, with_noise
+from app.metrology.adjustment.robot_noise import (
+    PosesSeen,
+    RobotNoise,
+    astray,
+    robot_noise,
+    with_noise,
+)
 from app.metrology.adjustment.sheet import bend_of, board_papers, shapes
 from app.metrology.adjustment.solve import Adjusted, adjust
 from app.metrology.adjustment.state import State
@@ -178,8 +184,9 @@ def _start(inputs: BoardInputs) -> _Start:
         replace(view, line_off_mm=lines.scatter_mm, line_off_rad=lines.scatter_rad)
         for view in views
     ]
-    noise = _robot_noise(found, mounting, board) if isinstance(arm, RobotArm) else None
-    if noise is not None:
+    noise = None
+    if isinstance(arm, RobotArm):
+        mounting, noise = _robot_noise(found, mounting, board)
         moves = with_noise(moves, noise, mounting.T_arm_obj, middle_of(board))
     papers = board_papers(board)
     problem = Problem(
@@ -207,18 +214,21 @@ def _start(inputs: BoardInputs) -> _Start:
     return _Start(problem, start, mounting, size, lines_out, apart)
 
 
-def _robot_noise(found: Bundle, mounting: Mounting, board: Chessboard) -> RobotNoise:
-    """Told by the poses that do not contradict."""
-    agree = np.flatnonzero(~mounting.contradicts)
-    own = (6 * agree[:, None] + np.arange(6)).ravel()
-    return robot_noise(
-        mounting.T_arm_flange[agree],
-        mounting.T_cam_obj[agree],
-        found.covariance[np.ix_(own, own)],
-        mounting.T_flange_cam,
-        mounting.T_arm_obj,
-        middle_of(board),
-    )
+def _robot_noise(
+    found: Bundle, mounting: Mounting, board: Chessboard
+) -> tuple[Mounting, RobotNoise]:
+    """A robot's noise, told by the poses that do not contradict; those astray do not either."""
+    start = mounting.T_flange_cam, mounting.T_arm_obj
+    every = PosesSeen(mounting.T_arm_flange, mounting.T_cam_obj, found.covariance, middle_of(board))
+    while True:
+        agree = np.flatnonzero(~mounting.contradicts)
+        seen = every.only(agree)
+        stray = astray(seen, *start)
+        if stray is None or 2 * (len(agree) - 1) <= len(mounting.contradicts):
+            return mounting, robot_noise(seen, *start)
+        contradicts = mounting.contradicts.copy()
+        contradicts[agree[stray]] = True
+        mounting = replace(mounting, contradicts=contradicts)
 
 
 def _touches(

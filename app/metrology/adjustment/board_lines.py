@@ -16,8 +16,9 @@ from app.metrology.refusal import Refusal
 
 FEWEST_STRIPE_POINTS = 20
 # Lines contradict the others beyond this, beyond so many times the sheet's flatness, and
-# so many times what is usual among them.
-OFF_MM, OFF_FLATNESSES, OFF_TIMES = 0.5, 3.0, 5.0
+# so many standard deviations of those that agree.
+OFF_MM, OFF_FLATNESSES, OFF_TIMES = 0.5, 3.0, 4.0
+AGREEING_ROUNDS = 8
 # A larger share of the lines than this that contradict the others are no mistakes.
 MISTAKES_SHARE = 0.2
 # By how much whole lines are off their plane (mm) and turned out of it (rad): where few
@@ -82,7 +83,7 @@ def lines_of(views: Sequence[BoardView], found: Bundle, numbers: Sequence[int]) 
             "check that the laser was not moved against the camera, and that the line seen is"
             " its own and not a reflection",
         )
-    out, apart = _contradicting(off, views[0].board.flatness_mm)
+    off, out, apart = _contradicting(in_cam, enough, plane, views[0].board.flatness_mm)
     counting = [p for p in enough if p not in out]
     plane, (scatter_mm, scatter_rad) = _through([in_cam[p] for p in counting], bool(apart))
     return Lines(plane, off, out, apart, scatter_mm, scatter_rad)
@@ -96,13 +97,27 @@ def _offsets(in_cam: Sequence[Floats], poses: Sequence[int], plane: LaserPlane) 
     return off
 
 
-def _contradicting(off_mm: Floats, flatness_mm: float) -> tuple[tuple[int, ...], tuple[int, ...]]:
-    """Lines that cannot lie in the plane of the others: few enough to leave out, or too many."""
-    seen = np.isfinite(off_mm)
-    usual = float(np.median(np.abs(off_mm[seen])))
-    limit = max(OFF_MM, OFF_FLATNESSES * flatness_mm, OFF_TIMES * usual)
-    far = tuple(int(p) for p in np.flatnonzero(seen) if abs(off_mm[p]) > limit)
-    return (far, ()) if len(far) <= MISTAKES_SHARE * seen.sum() else ((), far)
+def _contradicting(
+    in_cam: Sequence[Floats], seen: Sequence[int], plane: LaserPlane, flatness_mm: float
+) -> tuple[Floats, tuple[int, ...], tuple[int, ...]]:
+    """How far each line lies off the plane of those that agree (P,), and the lines that cannot
+    lie in it: few enough to leave out, or too many.
+
+    From the better half of the lines on, the plane is laid through those that agree with it.
+    """
+    off = _offsets(in_cam, seen, plane)
+    agreeing = sorted(seen, key=lambda p: abs(float(off[p])))[: len(seen) // 2 + 1]
+    for _ in range(AGREEING_ROUNDS):
+        before = set(agreeing)
+        off = _offsets(in_cam, seen, _of_least_squares([in_cam[p] for p in agreeing]))
+        free = max(len(agreeing) - 3, 1)
+        usual = float(np.sqrt(np.sum(off[agreeing] ** 2) / free))
+        limit = max(OFF_MM, OFF_FLATNESSES * flatness_mm, OFF_TIMES * usual)
+        agreeing = [p for p in seen if abs(float(off[p])) <= limit]
+        if set(agreeing) == before:
+            break
+    far = tuple(p for p in seen if p not in agreeing)
+    return (off, far, ()) if len(far) <= MISTAKES_SHARE * len(seen) else (off, (), far)
 
 
 def _points(view: BoardView, found: Bundle, pose: int) -> Floats:

@@ -10,7 +10,9 @@ much each counts.
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.optimize import minimize
+from scipy.stats import f as fisher
 
 from app.metrology.adjustment.arm_motion import FlangeMotion
 from app.metrology.adjustment.twists import about, carried, motion
@@ -25,6 +27,10 @@ ROUNDS = 3
 # The noise is told anew with everything else, as a factor on these deviations.
 USUAL_FACTOR, LEAST_FACTOR = 1.0, 0.3
 
+# A pose is astray where chance alone would put one so far off so rarely.
+ASTRAY_CHANCE = 1e-5
+FEWEST_OTHERS = 4
+
 ByNoise = list[tuple[Floats, Floats, Floats]]
 
 
@@ -38,45 +44,100 @@ class RobotNoise:
     tilt_rad: float
 
 
-def robot_noise(
-    T_arm_flange: Floats,
-    T_cam_obj: Floats,
-    covariance: Floats,
-    T_flange_cam: Floats,
-    T_arm_obj: Floats,
-    middle_mm: Floats,
-) -> RobotNoise:
-    """The most likely noise of P poses.
+@dataclass(frozen=True)
+class PosesSeen:
+    """P poses of a robot and what the pictures say of them.
 
-    Args:
-        T_arm_flange, T_cam_obj: (P, 4, 4) by the robot and by the pictures.
-        covariance: (6P, 6P) of the pictures' left twists of ``T_cam_obj``.
-        T_flange_cam, T_arm_obj: (4, 4), a start.
-        middle_mm: (3,) about which the object tilts, in its own frame.
+    ``T_arm_flange`` and ``T_cam_obj`` (P, 4, 4) are by the robot and by the pictures, and
+    ``covariance`` (6P, 6P) is of the pictures' left twists of ``T_cam_obj``. ``middle_mm``
+    (3,), in the object's frame, is about what it tilts.
     """
-    X, Z = T_flange_cam, T_arm_obj
+
+    T_arm_flange: Floats
+    T_cam_obj: Floats
+    covariance: Floats
+    middle_mm: Floats
+
+    def only(self, kept: NDArray[np.int64]) -> "PosesSeen":
+        own = (6 * kept[:, None] + np.arange(6)).ravel()
+        return replace(
+            self,
+            T_arm_flange=self.T_arm_flange[kept],
+            T_cam_obj=self.T_cam_obj[kept],
+            covariance=self.covariance[np.ix_(own, own)],
+        )
+
+
+@dataclass(frozen=True)
+class _Told:
+    """The noise (log of standard deviations), and where sensor and object then are."""
+
+    log_sd: Floats
+    X: Floats
+    Z: Floats
+
+
+def robot_noise(seen: PosesSeen, T_flange_cam: Floats, T_arm_obj: Floats) -> RobotNoise:
+    """The most likely noise of P poses, from a start (4, 4) of the sensor and the object."""
+    told = _told(seen, T_flange_cam, T_arm_obj)
+    return RobotNoise(*map(float, np.exp(told.log_sd)))
+
+
+def astray(seen: PosesSeen, T_flange_cam: Floats, T_arm_obj: Floats) -> int | None:
+    """The pose that is furthest off, where the noise of the others does not explain that.
+
+    It is judged by a fit without it (Fisher's test), which it cannot spoil.
+    """
+    count = len(seen.T_arm_flange)
+    if count <= FEWEST_OTHERS:
+        return None
+    told = _told(seen, T_flange_cam, T_arm_obj)
+    squares = [_square(seen, told, p, with_fit=False) for p in range(count)]
+    worst = int(np.argmax(squares))
+    others = np.delete(np.arange(count), worst)
+    told = _told(seen.only(others), T_flange_cam, T_arm_obj)
+    freedom = 6 * len(others) - 12
+    limit = 6 * float(fisher.isf(ASTRAY_CHANCE, 6, freedom))
+    return worst if _square(seen, told, worst, with_fit=True) > limit else None
+
+
+def _told(seen: PosesSeen, X: Floats, Z: Floats) -> _Told:
     noise = np.log(USUAL)
     for _ in range(ROUNDS):
-        residuals, J, G = _linearised(T_arm_flange, T_cam_obj, X, Z, middle_mm)
-        found = minimize(_unlikely, noise, args=(residuals, J, G, covariance), method="Nelder-Mead")
+        residuals, J, G = _linearised(seen, X, Z)
+        found = minimize(
+            _unlikely, noise, args=(residuals, J, G, seen.covariance), method="Nelder-Mead"
+        )
         noise = np.maximum(found.x, np.log(LEAST))
-        W = np.linalg.inv(_covariance(noise, G, covariance))
+        W = np.linalg.inv(_covariance(noise, G, seen.covariance))
         step = -np.asarray(np.linalg.solve(J.T @ W @ J, J.T @ W @ residuals), np.float64)
         X, Z = np.asarray(X @ motion(step[:6])), np.asarray(motion(step[6:]) @ Z)
-    return RobotNoise(*map(float, np.exp(noise)))
+    return _Told(noise, X, Z)
 
 
-def _linearised(
-    A: Floats, B: Floats, X: Floats, Z: Floats, middle_mm: Floats
-) -> tuple[Floats, Floats, ByNoise]:
+def _square(seen: PosesSeen, told: _Told, pose: int, with_fit: bool) -> float:
+    """Squared deviation of one pose, of 6 degrees of freedom; ``with_fit`` counts how well the
+    others fix what it is compared with."""
+    residuals, J, G = _linearised(seen, told.X, told.Z)
+    V = _covariance(told.log_sd, G, seen.covariance)
+    own = slice(6 * pose, 6 * pose + 6)
+    variance = V[own, own]
+    if with_fit:
+        rest = np.delete(np.arange(len(residuals)), np.r_[own])
+        W = np.linalg.inv(V[np.ix_(rest, rest)])
+        variance = variance + J[own] @ np.linalg.inv(J[rest].T @ W @ J[rest]) @ J[own].T
+    return float(residuals[own] @ np.linalg.solve(variance, residuals[own]))
+
+
+def _linearised(seen: PosesSeen, X: Floats, Z: Floats) -> tuple[Floats, Floats, ByNoise]:
     """Residuals (6P,), twists of the object in the camera's frame by which the pictures put it
     elsewhere than the robot does; by ``X`` from the right and ``Z`` from the left (6P, 12); and
     by turn (6, 3), shift (6, 3) and tilt (6, 2) of each pose."""
     residuals, rows, by_noise = [], [], []
-    centre = apply(Z, middle_mm[None])[0]
-    for one, seen in zip(A, B, strict=True):
+    centre = apply(Z, seen.middle_mm[None])[0]
+    for one, pictured in zip(seen.T_arm_flange, seen.T_cam_obj, strict=True):
         T_cam_arm = inverse(one @ X)
-        off = seen @ inverse(T_cam_arm @ Z)
+        off = pictured @ inverse(T_cam_arm @ Z)
         residuals.append(np.concatenate([vector_from_rotation(off[:3, :3]), off[:3, 3]]))
         in_cam = carried(T_cam_arm)
         rows.append(np.hstack([np.eye(6), -in_cam]))

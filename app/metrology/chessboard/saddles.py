@@ -75,6 +75,8 @@ def _alternating(
     smooth: NDArray[np.float32], uv: Floats, ring_px: float
 ) -> tuple[Floats, Floats, Floats]:
     """How a ring round each place alternates twice: share of variance, amplitude, phase."""
+    if not len(uv):
+        return np.zeros(0), np.zeros(0), np.zeros(0)
     angle = 2 * np.pi * np.arange(RING_POINTS) / RING_POINTS
     at = uv[:, None, :] + ring_px * np.column_stack([np.cos(angle), np.sin(angle)])
     at32 = at.astype(np.float32)

@@ -1,0 +1,136 @@
+"""Sessions on a bent chessboard as its detection would give them, with the truth behind them:
+corners and line points are computed, not rendered, so that many can be made."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from app.metrology.adjustment.board_joint import BoardCalibration, BoardInputs
+from app.metrology.adjustment.board_start import SeenBoard
+from app.metrology.adjustment.board_view import on_sheet
+from app.metrology.adjustment.sheet import board_papers, corners_at
+from app.metrology.camera import Camera, project
+from app.metrology.chessboard.board import Chessboard, middle_of
+from app.metrology.chessboard.corners import BoardDetection
+from app.metrology.frames import Floats, apply, inverse, rigid
+from app.metrology.laser_plane import LaserPlane
+from app.metrology.reconstruct import sensor_points
+from app.metrology.stripe import Stripe
+from tests.metrology.boards import (
+    K1,
+    NORMAL,
+    OFFSET_MM,
+    POSES,
+    ROBOT,
+    SIZE,
+    T_ARM_OBJ,
+    T_FLANGE_CAM,
+    K,
+)
+
+PAPER = Chessboard("paper board", "", (7, 6), 10.0, 0.02, 0.2)
+HALVINGS = 40
+
+
+@dataclass(frozen=True)
+class Errors:
+    """Standard deviations of everything that errs; ``drift_mm`` is by pose, of the laser."""
+
+    turn_rad: float = 3e-4
+    shift_mm: float = 0.05
+    tilt_rad: float = 0.0
+    line_mm: float = 0.05
+    line_rad: float = 1e-3
+    corner_px: float = 0.03
+    stripe_px: float = 0.08
+    drift_mm: tuple[float, ...] = field(default=())
+
+
+def session(
+    seed: int,
+    errors: Errors | None = None,
+    board: Chessboard = PAPER,
+    poses: tuple[Floats, ...] = POSES,
+    normal: Floats = NORMAL,
+    offset_mm: float = OFFSET_MM,
+) -> BoardInputs:
+    """One session of a robot, all errors drawn anew; poses ``T_cam_obj`` a little different."""
+    errors = errors or Errors()
+    rng = np.random.default_rng(seed)
+    papers = board_papers(board)
+    sheet = papers.coordinates + papers.sd * rng.normal(0, 1, len(papers.sd))
+    seen, flange = [], []
+    for k, usual in enumerate(poses):
+        turn = Rotation.from_rotvec(rng.normal(0, 0.05, 3)).as_matrix()
+        T = rigid(usual[:3, :3] @ turn, usual[:3, 3] + rng.normal(0, 5, 3))
+        drift = errors.drift_mm[k] if k < len(errors.drift_mm) else 0.0
+        plane = LaserPlane(normal, offset_mm + drift + rng.normal(0, errors.line_mm))
+        seen.append(_seen(rng, k + 1, board, sheet, T, plane, errors))
+        flange.append(_flange(rng, board, T, errors))
+    return BoardInputs(ROBOT, board, tuple(seen), np.array(flange), SIZE)
+
+
+def _seen(
+    rng: np.random.Generator,
+    number: int,
+    board: Chessboard,
+    sheet: Floats,
+    T_cam_obj: Floats,
+    plane: LaserPlane,
+    errors: Errors,
+) -> SeenBoard:
+    camera = camera_at(T_cam_obj)
+    uv = project(camera, corners_at(board, sheet))
+    inside = ((uv > 3) & (uv < np.array(SIZE) - 4)).all(axis=1)
+    uv = uv[inside] + rng.normal(0, errors.corner_px, (int(inside.sum()), 2))
+    covariance = np.tile(np.eye(2) * errors.corner_px**2, (len(uv), 1, 1))
+    detection = BoardDetection(uv, covariance, np.flatnonzero(inside))
+    n, t = plane.normal, T_cam_obj[:3, 3]
+    in_obj = LaserPlane(T_cam_obj[:3, :3].T @ n, float(plane.offset_mm - n @ t))
+    turned = rng.normal(0, errors.line_rad)
+    v = np.arange(SIZE[1], dtype=np.float64)
+
+    def off(u: Floats) -> Floats:
+        points = on_sheet(board, camera, sheet, np.column_stack([u, v]))
+        along = points[:, 1] - middle_of(board)[1]
+        return np.asarray(points @ in_obj.normal - in_obj.offset_mm - turned * along)
+
+    low, high = np.zeros(len(v)), np.full(len(v), SIZE[0] - 1.0)
+    start = off(low)
+    crossed = start * off(high) < 0
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        before = off(middle) * start > 0
+        low, high = np.where(before, middle, low), np.where(before, high, middle)
+    u = (low[crossed] + high[crossed]) / 2
+    sigma = np.full(len(u), errors.stripe_px)
+    stripe = Stripe(u + rng.normal(0, sigma), v[crossed], np.full(len(u), 200.0), sigma, "v")
+    return SeenBoard(number, detection, stripe)
+
+
+def _flange(
+    rng: np.random.Generator, board: Chessboard, T_cam_obj: Floats, errors: Errors
+) -> Floats:
+    """What the robot reports where it truly sees the board, perhaps tilted, at ``T_cam_obj``."""
+    tilt = Rotation.from_rotvec([*rng.normal(0, errors.tilt_rad, 2), 0.0]).as_matrix()
+    middle = middle_of(board)
+    tilted = rigid(tilt, middle - tilt @ middle)
+    true = T_ARM_OBJ @ tilted @ inverse(T_cam_obj) @ inverse(T_FLANGE_CAM)
+    turn = Rotation.from_rotvec(rng.normal(0, errors.turn_rad, 3)).as_matrix()
+    return rigid(true[:3, :3] @ turn, true[:3, 3] + rng.normal(0, errors.shift_mm, 3))
+
+
+def camera_at(T_cam_frame: Floats) -> Camera:
+    """The true camera, placed in a frame."""
+    distortion = np.array([K1, 0, 0, 0, 0])
+    return Camera(K, T_cam_frame[:3, :3], T_cam_frame[:3, 3], *SIZE, distortion)
+
+
+def error_um(found: BoardCalibration) -> float:
+    """Rms error of reconstructed points over the measuring volume, in the flange frame."""
+    state, uv = found.adjusted.state, found.known.volume.uv_px
+    ours = apply(state.T_flange_cam, sensor_points(state.camera, state.plane, uv))
+    true = sensor_points(camera_at(np.eye(4)), LaserPlane(NORMAL, OFFSET_MM), uv)
+    off = ours - apply(T_FLANGE_CAM, true)
+    return float(1e3 * np.sqrt(np.mean(np.sum(off**2, axis=1))))

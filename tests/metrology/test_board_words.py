@@ -1,0 +1,152 @@
+"""What a calibration on a chessboard says of itself, and bad input, each in words."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from app.metrology.adjustment.board_bundle import bundle
+from app.metrology.adjustment.board_joint import BoardInputs, calibrate_board, see_board
+from app.metrology.adjustment.board_start import board_camera
+from app.metrology.adjustment.board_view import BoardView
+from app.metrology.adjustment.mounting import mounting_by_motion
+from app.metrology.adjustment.robot_noise import PosesSeen, robot_noise
+from app.metrology.chessboard.board import middle_of
+from app.metrology.findings import Finding, Limits
+from app.metrology.frames import rigid
+from app.metrology.refusal import Refusal
+from tests.metrology.boards import POSES, ROBOT, T_ARM_OBJ, T_FLANGE_CAM, seen_from
+from tests.metrology.seen_boards import PAPER, Errors, error_um, session
+from tests.metrology.test_board_calibration import touching
+
+
+@pytest.fixture(scope="module")
+def given() -> BoardInputs:
+    return session(0)
+
+
+def finding(inputs: BoardInputs, code: str) -> Finding:
+    (found,) = (one for one in calibrate_board(inputs).findings if one.code == code)
+    return found
+
+
+def refusal(inputs: BoardInputs) -> Refusal:
+    with pytest.raises(Refusal) as refused:
+        calibrate_board(inputs)
+    return refused.value
+
+
+@pytest.mark.parametrize("errors", [Errors(), Errors(tilt_rad=1.5e-3)])
+def test_claims_are_kept(errors: Errors) -> None:
+    found = [calibrate_board(session(seed, errors)) for seed in range(8)]
+    claimed = np.sqrt(np.mean([one.known.total_um**2 for one in found]))
+    observed = np.sqrt(np.mean([error_um(one) ** 2 for one in found]))
+    assert 0.7 < claimed / observed < 1.5
+
+
+def test_a_robots_noise_is_told_from_a_rocking_board() -> None:
+    poses = POSES * 3
+    inputs = session(1, Errors(tilt_rad=2e-3), poses=poses)
+    camera, T = board_camera(inputs.seen, PAPER, inputs.size_px)
+    views = [
+        BoardView(PAPER, one.detection, one.stripe, np.zeros(len(one.stripe.u), np.bool_))
+        for one in inputs.seen
+    ]
+    found = bundle(views, [replace(camera, rotation=t[:3, :3], translation_mm=t[:3, 3]) for t in T])
+    T_cam_obj = np.array([rigid(one.rotation, one.translation_mm) for one in found.cameras])
+    mounting = mounting_by_motion(inputs.readings, T_cam_obj, PAPER.size_mm)
+    seen = PosesSeen(inputs.readings, T_cam_obj, found.covariance, middle_of(PAPER))
+    noise = robot_noise(seen, mounting.T_flange_cam, mounting.T_arm_obj)
+    assert noise.turn_rad == pytest.approx(3e-4, rel=0.35)
+    assert noise.shift_mm == pytest.approx(0.05, rel=0.5)
+    assert noise.tilt_rad == pytest.approx(2e-3, rel=0.35)
+
+
+def test_a_rocking_board_is_named() -> None:
+    rocks = finding(session(2, Errors(tilt_rad=3e-3)), "board-rocks")
+    assert rocks.quality == "attention"
+    assert "Fix the board" in rocks.remedy
+
+
+def test_what_helps_against_a_poor_robot_is_said(given: BoardInputs) -> None:
+    poor = session(3, Errors(turn_rad=2e-4, shift_mm=0.2))
+    told = calibrate_board(replace(poor, limits=Limits(20.0, 100.0))).findings[0]
+    assert told.quality == "bad"
+    assert "robot's poses" in told.text
+    assert "more pictures" in told.remedy
+    assert "--usable-um" in told.remedy
+    easy = calibrate_board(replace(given, limits=Limits(1000.0, 2000.0))).findings[0]
+    assert easy.quality == "good"
+
+
+@pytest.mark.parametrize("contacts", [False, True])
+def test_a_size_that_is_slightly_wrong_is_flagged(given: BoardInputs, contacts: bool) -> None:
+    touched = touching(12, ROBOT.tip.radius_mm) if contacts else None
+    wrong = replace(PAPER, square_mm=10.2)
+    size = finding(replace(given, board=wrong, contact_readings=touched), "board-size")
+    assert size.quality == "bad"
+    assert "the certificate 10.2 mm" in size.text
+
+
+def test_another_tip_is_seen_by_the_contacts(given: BoardInputs) -> None:
+    tip = finding(replace(given, contact_readings=touching(12, 4.0)), "tip-diameter")
+    assert "than with 6.000 mm" in tip.text
+
+
+def test_swapped_poses_are_named_with_one_another(given: BoardInputs) -> None:
+    swapped = given.readings[[0, 1, 5, 3, 4, 2, 6, 7]]
+    poses = calibrate_board(replace(given, readings=swapped)).poses
+    left_out = {pose.number: pose.reason for pose in poses if not pose.used}
+    assert set(left_out) == {3, 6}
+    assert left_out[3].endswith("it fits the robot's pose of pose 6")
+    assert left_out[6].endswith("it fits the robot's pose of pose 3")
+
+
+def test_a_pose_slightly_astray_is_left_out(given: BoardInputs) -> None:
+    readings = given.readings.copy()
+    readings[4, :3, 3] += [0.8, -0.8, 0.8]
+    poses = calibrate_board(replace(given, readings=readings)).poses
+    assert [pose.number for pose in poses if not pose.used] == [5]
+
+
+def test_a_laser_that_moved_is_named() -> None:
+    moved = finding(session(4, Errors(drift_mm=(3.0, 2.5))), "laser-moved")
+    assert moved.quality == "bad"
+    assert "poses 1, 2 lie" in moved.text
+    assert "warm up" in moved.remedy
+
+
+def test_a_laser_along_the_board_is_refused() -> None:
+    upright = POSES[0][:3, 2]
+    offset_mm = float(upright @ POSES[0][:3, 3])
+    poses = tuple(seen_from(5, about, 10 * about, 230) for about in range(0, 360, 45))
+    along = np.array([0.06, 0.0, upright[2]])
+    along /= np.linalg.norm(along)
+    refused = refusal(session(5, poses=poses, normal=along, offset_mm=offset_mm))
+    assert refused.code in ("laser-along-board", "stripe-not-found")
+
+
+def test_boards_all_parallel_are_refused() -> None:
+    turned = [rigid(POSES[0][:3, :3], POSES[0][:3, 3] + [0, 0, 5.0 * k]) for k in range(6)]
+    inputs = session(6)
+    seen = tuple(
+        replace(inputs.seen[0], number=k + 1, detection=inputs.seen[0].detection)
+        for k in range(len(turned))
+    )
+    refused = refusal(replace(inputs, seen=seen, readings=inputs.readings[: len(seen)]))
+    assert refused.code == "boards-parallel"
+
+
+@pytest.mark.parametrize("level", [0, 90, 255])
+def test_a_picture_of_nothing_is_refused(level: int) -> None:
+    with pytest.raises(Refusal) as refused:
+        see_board(1, PAPER, np.full((480, 640), level, np.uint8), None, "v")
+    assert refused.value.code == "board-not-found"
+
+
+def test_the_truth_is_where_it_was_put() -> None:
+    """The sessions made here have no error but those asked for."""
+    none = Errors(1e-9, 1e-6, 0.0, 1e-6, 1e-9, 1e-3, 1e-3)
+    state = calibrate_board(session(7, none)).adjusted.state
+    assert np.linalg.norm((state.T_flange_cam - T_FLANGE_CAM)[:3, 3]) < 0.02
+    assert np.linalg.norm((state.T_arm_obj - T_ARM_OBJ)[:3, 3]) < 0.05
