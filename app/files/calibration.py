@@ -224,6 +224,8 @@ class CalibrationFile(Document):
     operator: str | None = None
     serial_numbers: SerialNumbers = SerialNumbers()
     T_arm_obj: Matrix4 | None = None
+    corners_mm: tuple[Vector3, ...] = ()
+    """Where a chessboard's inner corners truly lie, row after row, in its own frame."""
     verdict: Verdict | None = None
     uncertainty: Uncertainty | None = None
     residuals: Residuals | None = None

@@ -168,7 +168,7 @@ def joint_sheet(result: JointCalibration, origin: Origin) -> CalibrationFile:
 def board_sheet(result: BoardCalibration, origin: Origin) -> CalibrationFile:
     """The file of a calibration on a chessboard, made now."""
     contacts = result.contacts
-    return _sheet_of_all(
+    sheet = _sheet_of_all(
         result,
         origin,
         {}
@@ -179,6 +179,8 @@ def board_sheet(result: BoardCalibration, origin: Origin) -> CalibrationFile:
             "contacts_left_out": np.flatnonzero(contacts.left_out).tolist(),
         },
     )
+    corners = tuple((x, y, z) for x, y, z in result.corners_mm.round(5).tolist())
+    return sheet.model_copy(update={"corners_mm": corners})
 
 
 def _sheet_of_all(

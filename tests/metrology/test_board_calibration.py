@@ -99,7 +99,7 @@ def test_the_views_jacobian_is_right(given: BoardInputs, found: BoardCalibration
     told = view.rows(camera, plane, values)
     scene = Scene(camera, plane, BLOCK)
     count = COUNT + 3
-    for k in [*range(count), count, count + 1, count + 2, count + 9, count + 30, count + 80, count + 120]:
+    for k in [*range(count + 3), count + 9, count + 30, count + 80, count + 120]:
         h = 1e-4 if k < 4 else 1e-6 if k < count else 1e-4
         ends = []
         for way in (1, -1):

@@ -37,7 +37,7 @@ from app.metrology.adjustment.robot_noise import (
     robot_noise,
     with_noise,
 )
-from app.metrology.adjustment.sheet import bend_of, board_papers, shapes
+from app.metrology.adjustment.sheet import bend_of, board_papers, corners_at, shapes
 from app.metrology.adjustment.solve import Adjusted, adjust
 from app.metrology.adjustment.state import State
 from app.metrology.adjustment.stray_poses import without_strays
@@ -107,6 +107,7 @@ class BoardCalibration:
     plane: LaserPlane
     T_flange_sensor: Floats
     T_arm_obj: Floats
+    corners_mm: Floats  # (N, 3) where they truly are, in the board's frame
     poses: tuple[PoseResult, ...]
     known: Known
     contacts: BoardContacts | None
@@ -333,6 +334,7 @@ def _assembled(inputs: BoardInputs, found: Adjusted, start: _Start) -> BoardCali
         plane,
         T_flange_sensor,
         state.T_arm_obj,
+        corners_at(inputs.board, state.coordinates),
         poses,
         worth,
         contacts,

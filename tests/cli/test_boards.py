@@ -1,0 +1,293 @@
+"""Sessions on a chessboard on the command line: a robot's, an arm's, and recorded ones."""
+
+import json
+import shutil
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+
+from app.files.arm import write_arm
+from app.files.calibration import CalibrationFile, read_calibration
+from app.files.clouds import read_cloud
+from app.files.images import write_png
+from app.files.objects import write_object
+from app.files.recording_writer import RecordingWriter
+from app.files.sensor import SensorSheet, write_sensor
+from app.files.session import Contacts, ImageRow, write_contacts, write_images
+from app.metrology.adjustment.reaching import joints_for
+from app.metrology.arm import flange_pose
+from app.metrology.camera import Camera
+from app.metrology.frames import Floats, apply, inverse, rigid
+from app.metrology.laser_plane import LaserPlane
+from app.metrology.reconstruct import sensor_points
+from app.metrology.stripe import Stripe
+from tests.cli.test_cli import crenel, names_in, refused
+from tests.files.builders import ARM, edit_json, edit_text
+from tests.metrology.boards import (
+    BOARD,
+    NORMAL,
+    OFFSET_MM,
+    POSES,
+    ROBOT,
+    SIZE,
+    T_FLANGE_CAM,
+    Look,
+    flange_of,
+    picture,
+)
+from tests.metrology.seen_boards import camera_at
+from tests.metrology.test_board_calibration import touching
+from tests.real_sessions import session_of
+
+START_RAD = np.deg2rad([0.0, 20.0, 90.0, 45.0, 25.0, 5.0])
+MS = 1_000_000
+
+
+@pytest.fixture(scope="module")
+def pictures(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Everything of a session but the arm and where it stood."""
+    folder = tmp_path_factory.mktemp("pictures")
+    write_object(folder / "object.json", BOARD)
+    sheet = {"name": "camera and laser", "serial_number": "S-7", "stripe_axis": "v"}
+    sheet |= {"width_px": str(SIZE[0]), "height_px": str(SIZE[1])}
+    write_sensor(folder / "sensor.json", SensorSheet.model_validate(sheet, strict=False))
+    (folder / "images").mkdir()
+    for k, T in enumerate(POSES):
+        write_png(folder / f"images/{k + 1}.png", picture(T, Look(), k))
+    return folder
+
+
+@pytest.fixture(scope="module")
+def robot_session(pictures: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Eight pictures and twelve contacts of a robot that reports its flange's pose."""
+    folder = tmp_path_factory.mktemp("robot") / "session"
+    shutil.copytree(pictures, folder)
+    write_arm(folder / "arm.json", ROBOT)
+    flange = [flange_of(T) for T in POSES]
+    rows = [
+        ImageRow(k + 1, f"images/{k + 1}.png", "both", np.zeros(0), T) for k, T in enumerate(flange)
+    ]
+    write_images(folder / "images.csv", rows)
+    touched = touching(12, ROBOT.tip.radius_mm)
+    write_contacts(folder / "probing.csv", Contacts(("board",) * 12, np.zeros((12, 0)), touched))
+    return folder
+
+
+@pytest.fixture(scope="module")
+def arm_session(pictures: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The same pictures by an arm with joints; nothing was touched."""
+    folder = tmp_path_factory.mktemp("arm") / "session"
+    shutil.copytree(pictures, folder)
+    write_arm(folder / "arm.json", ARM)
+    T_arm_obj = flange_pose(ARM, START_RAD) @ T_FLANGE_CAM @ POSES[0]
+    rows = []
+    for k, T in enumerate(POSES):
+        q_rad = joints_for(ARM, T_arm_obj @ inverse(T) @ inverse(T_FLANGE_CAM), START_RAD)
+        assert q_rad is not None
+        rows.append(ImageRow(k + 1, f"images/{k + 1}.png", "both", q_rad))
+    write_images(folder / "images.csv", rows)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def by_arm(arm_session: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    out = tmp_path_factory.mktemp("by_arm") / "calibration.json"
+    shown = crenel("calibrate", arm_session, "-o", out)
+    assert shown.exit_code == 0, shown.output
+    assert "arm encoders" in shown.stdout
+    return out
+
+
+def test_a_robots_session_gives_the_same_file_as_any_other(
+    robot_session: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "calibration.json"
+    shown = crenel("calibrate", robot_session, "-o", out)
+    assert shown.exit_code == 0, shown.output
+    assert "robot's poses" in shown.stdout
+    assert "12 contacts lie on the board" in shown.stdout
+    sheet = CalibrationFile.read(out)
+    assert sheet.method == "joint"
+    assert sheet.serial_numbers.sensor == "S-7"
+    assert [pose.number for pose in sheet.poses if pose.used] == list(range(1, 9))
+    assert len(sheet.poses[0].corners_px) == 42
+    assert len(sheet.corners_mm) == 42
+    assert {one.file for one in sheet.inputs} >= {"probing.csv", "images/8.png"}
+    assert sheet.uncertainty is not None
+    assert sheet.uncertainty.map is not None
+    assert sheet.uncertainty.plane is not None
+    assert sheet.residuals is not None
+    assert len(sheet.residuals.contacts_um) == 12
+    assert {point.kind for point in sheet.residuals.worst} == {"contact", "corner", "stripe"}
+    assert sheet.covariance is not None
+    assert sheet.verdict is not None
+    assert sheet.verdict.findings[0].code == "uncertainty"
+    known = read_calibration(out)
+    found = known.T_flange_sensor @ inverse(camera_place(known.camera))
+    assert np.linalg.norm((found - T_FLANGE_CAM)[:3, 3]) < 0.2
+
+
+def camera_place(camera: Camera) -> Floats:
+    """``T_cam_sensor``"""
+    return rigid(camera.rotation, camera.translation_mm)
+
+
+def test_limits_of_the_user_decide(robot_session: Path, tmp_path: Path) -> None:
+    arguments = ("calibrate", robot_session, "-o", tmp_path / "c.json", "--json")
+    easy = crenel(*arguments, "--good-um", "1000", "--usable-um", "2000")
+    (first, *_) = json.loads(easy.stdout)["verdict"]["findings"]
+    assert first["quality"] == "good"
+
+
+def test_one_pose_is_refused_on_a_board(robot_session: Path, tmp_path: Path) -> None:
+    out = tmp_path / "c.json"
+    said = refused("calibrate", robot_session, "-o", out, "--method", "one-pose")
+    assert "one pose is not enough on rendered board" in said
+    assert "--method joint" in said
+    assert names_in(tmp_path) == []
+
+
+def test_scans_of_an_arm_are_reconstructed_with_it(
+    by_arm: Path, arm_session: Path, tmp_path: Path
+) -> None:
+    names = tuple(joint.name for joint in ARM.joints)
+    v = np.linspace(40.0, 470.0, 60)
+    u = 320 + 0.1 * (v - 256)
+    uv = np.column_stack([u, v])
+    stripe = Stripe(u, v, np.full(60, 90.0), np.full(60, 0.05), "v")
+    with RecordingWriter(tmp_path / "scan.mcap", names) as writer:
+        for stamp in range(0, 100 * MS, 4 * MS):
+            writer.joints(stamp, START_RAD)
+        writer.stripe(50 * MS, stripe, *SIZE)
+    cloud = tmp_path / "cloud.ply"
+    shown = crenel(
+        "reconstruct",
+        tmp_path / "scan.mcap",
+        "--calibration",
+        by_arm,
+        "--arm",
+        arm_session / "arm.json",
+        "-o",
+        cloud,
+    )
+    assert shown.exit_code == 0, shown.output
+    in_cam = sensor_points(camera_at(np.eye(4)), LaserPlane(NORMAL, OFFSET_MM), uv)
+    true = apply(flange_pose(ARM, START_RAD) @ T_FLANGE_CAM, in_cam)
+    claimed = CalibrationFile.read(by_arm).uncertainty
+    assert claimed is not None
+    off_um = 1e3 * np.linalg.norm(read_cloud(cloud).points_mm - true, axis=1)
+    assert float(np.sqrt(np.mean(off_um**2))) < max(3 * claimed.total_um, 100)
+
+
+def test_a_robots_poses_are_no_scan(robot_session: Path, by_arm: Path, tmp_path: Path) -> None:
+    said = refused(
+        "reconstruct",
+        tmp_path / "scan.mcap",
+        "--calibration",
+        by_arm,
+        "--arm",
+        robot_session / "arm.json",
+    )
+    assert "convention is 'pose'" in said
+
+
+@pytest.fixture
+def spoilt(robot_session: Path, tmp_path: Path) -> Path:
+    """A session to spoil."""
+    folder = tmp_path / "session"
+    shutil.copytree(robot_session, folder)
+    return folder
+
+
+def findings_of(session: Path) -> dict[str, str]:
+    shown = crenel("calibrate", session, "-o", session / "c.json", "--json")
+    assert shown.exit_code == 0, shown.output
+    return {
+        one["code"]: f"{one['quality']}: {one['text']} {one['remedy']}"
+        for one in json.loads(shown.stdout)["verdict"]["findings"]
+    }
+
+
+@pytest.mark.parametrize(
+    ("fields", "words"),
+    [
+        ({"inner_corners": [8, 6]}, "7 x 6 inner corners was found: rendered board has 8 x 6"),
+        ({"inner_corners": [6, 5]}, "Give the certificate of the board in the picture"),
+        ({"square_mm": 12.0}, "wide: its certificate says 12 mm"),
+        ({"square_mm": 0.01}, "is it in metres?"),
+    ],
+)
+def test_another_boards_certificate_is_refused(
+    spoilt: Path, fields: dict[str, object], words: str
+) -> None:
+    edit_json(spoilt / "object.json", lambda sheet: sheet.update(fields))
+    assert words in refused("calibrate", spoilt, "-o", spoilt / "c.json")
+
+
+def test_a_size_slightly_wrong_is_flagged(spoilt: Path) -> None:
+    edit_json(spoilt / "object.json", lambda sheet: sheet.update(square_mm=10.2))
+    assert findings_of(spoilt)["board-size"].startswith("bad: By the arm's motion the squares are")
+
+
+def test_pictures_of_nothing_are_left_out_and_named(spoilt: Path) -> None:
+    for name in ("2", "5"):
+        cv2.imwrite(str(spoilt / f"images/{name}.png"), np.zeros(SIZE[::-1], np.uint8))
+    shown = crenel("calibrate", spoilt, "-o", spoilt / "c.json", "--json")
+    assert shown.exit_code == 0, shown.output
+    poses = {pose["number"]: pose for pose in json.loads(shown.stdout)["poses"]}
+    assert {number for number, pose in poses.items() if not pose["used"]} == {2, 5}
+    assert "no chessboard of 7 x 6" in poses[5]["reason"]
+
+
+def test_pictures_without_the_laser_are_refused(spoilt: Path) -> None:
+    for k, T in enumerate(POSES):
+        write_png(spoilt / f"images/{k + 1}.png", picture(T, Look(laser=False), k))
+    said = refused("calibrate", spoilt, "-o", spoilt / "c.json")
+    assert "the laser's line lies on the board in 0 of 8 pictures" in said
+    assert not (spoilt / "c.json").exists()
+
+
+def test_poses_that_are_all_one_are_refused(spoilt: Path) -> None:
+    first, *rows = (spoilt / "images.csv").read_text().splitlines()
+    pose = rows[0].split(",")[3:]
+    alike = [",".join([*row.split(",")[:3], *pose]) for row in rows]
+    (spoilt / "images.csv").write_text("\n".join([first, *alike]) + "\n")
+    said = refused("calibrate", spoilt, "-o", spoilt / "c.json")
+    assert "poses all alike do not tell where the sensor sits" in said
+
+
+def test_poses_in_metres_are_refused(spoilt: Path) -> None:
+    first, *rows = (spoilt / "images.csv").read_text().splitlines()
+    cells = [row.split(",") for row in rows]
+    metres = [
+        ",".join([*row[:3], *(str(float(cell) / 1000) for cell in row[3:6]), *row[6:]])
+        for row in cells
+    ]
+    (spoilt / "images.csv").write_text("\n".join([first, *metres]) + "\n")
+    assert "metres where millimetres" in refused("calibrate", spoilt, "-o", spoilt / "c.json")
+
+
+def test_touches_of_another_feature_are_refused(spoilt: Path) -> None:
+    edit_text(spoilt / "probing.csv", "board", "crest")
+    said = refused("calibrate", spoilt, "-o", spoilt / "c.json")
+    assert "feature 'crest': the faces are board" in said
+
+
+@pytest.mark.parametrize(("name", "scatter_mm"), [("calib1", 0.3), ("calib3", 0.5)])
+def test_recorded_pictures(real: Path, tmp_path: Path, name: str, scatter_mm: float) -> None:
+    """A real robot's recordings: the poses agree on the board's place."""
+    session = session_of(real / "robot-laser-chessboard" / name, tmp_path / "session")
+    out = tmp_path / "calibration.json"
+    shown = crenel("calibrate", session, "-o", out)
+    assert shown.exit_code == 0, shown.output
+    sheet = CalibrationFile.read(out)
+    assert all(pose.used for pose in sheet.poses)
+    assert np.sqrt(np.mean([pose.off_um**2 for pose in sheet.poses])) < 1e3 * scatter_mm
+    assert 2345 < sheet.camera.matrix[0][0] < 2365
+    assert sheet.verdict is not None
+    codes = {finding.code for finding in sheet.verdict.findings}
+    assert ("laser-moved" in codes) == (name == "calib1")
+    assert ("board-rocks" in codes) == (name == "calib1")
+    assert "more pictures" in shown.stdout or "come to rest" in shown.stdout
