@@ -63,22 +63,23 @@ class Adjusted:
         return self.linear.at
 
 
-def adjust(problem: Problem, start: State) -> Adjusted:
+def adjust(problem: Problem, start: State, known: Scales | None = None) -> Adjusted:
     """The most likely state for all that was seen, touched and certified.
 
     Lens terms that do not exceed their deviation clearly are held at zero, one group
-    after another.
+    after another. The noise's scales are told by the data, unless they are ``known``.
 
     Raises:
         Refusal: fewer observations than unknowns, or no minimum found.
     """
     at = layout_of(problem)
     free = np.ones(at.count, dtype=np.bool_)
-    scales = usual_scales(problem.motion.usual_factor)
+    scales = known or usual_scales(problem.motion.usual_factor)
+    rounds = 0 if known else ROUNDS_OF_SCALES
     state, judgements = start, _judged(problem, at, start)
     for _ in range(MOST_JUDGEMENTS):
-        found = _settled(problem, at, state, scales, free, judgements)
-        found = _lens_chosen(found)
+        found = _settled(problem, at, state, scales, free, judgements, rounds)
+        found = _lens_chosen(found, rounds)
         again = _judged(problem, at, found.state)
         state, scales, free = found.state, found.scales, found.free
         if _alike(again, judgements):
@@ -107,7 +108,7 @@ def _alike(a: Judgements, b: Judgements) -> bool:
     return True
 
 
-def _lens_chosen(found: Adjusted) -> Adjusted:
+def _lens_chosen(found: Adjusted, rounds_of_scales: int) -> Adjusted:
     """Adjusted again without the lens terms that are not significant.
 
     Each is judged with those before it held at zero, which is linear in so small values.
@@ -130,7 +131,8 @@ def _lens_chosen(found: Adjusted) -> Adjusted:
         return found
     problem, at = found.problem, found.layout
     state = _without_lens(state, free)
-    return _settled(problem, at, state, found.scales, free, found.judgements, merged=True)
+    judgements, scales = found.judgements, found.scales
+    return _settled(problem, at, state, scales, free, judgements, rounds_of_scales, merged=True)
 
 
 def _without_lens(state: State, free: NDArray[np.bool_]) -> State:
@@ -160,6 +162,7 @@ def _settled(
     scales: Scales,
     free: NDArray[np.bool_],
     judgements: Judgements,
+    rounds_of_scales: int,
     merged: bool = False,
 ) -> Adjusted:
     """Gauss-Newton with points and weights as they were judged, the scales told on the way."""
@@ -168,7 +171,7 @@ def _settled(
     for turn in range(MOST_ROUNDS):
         linear = linearise(problem, at, state)
         equations = normal(linear, judgements)
-        if turn < ROUNDS_OF_SCALES:
+        if turn < rounds_of_scales:
             scales = settled(scales, partial(_told, equations, free))
         parts, g = equations.with_scales(scales)
         covariance = embedded(np.sum(list(parts.values()), axis=0), free)
