@@ -109,7 +109,7 @@ def _next(context: Context, summary: CalibrationSummary | None) -> NextStep:
         text = "A calibration is under way. Go on where it stands."
         return NextStep("Go on calibrating", "calibrate", text)
     if summary is None:
-        text = "Calibrate the sensor on the arm: touch the object, then take one picture of it."
+        text = "Calibrate the sensor on the arm: touch the object, then take a few pictures."
         return NextStep("Calibrate", "calibrate", text)
     if summary.age_days > DUE_DAYS:
         return NextStep("Calibrate again", "calibrate", "The calibration is due.")

@@ -1,4 +1,5 @@
-import { useState } from "react";
+import { useElementSize } from "@mantine/hooks";
+import { type CSSProperties, useState } from "react";
 
 import type { ImageCorner, ImageMark, WorstPoint } from "../api/types";
 import { figures } from "../parts/format";
@@ -27,6 +28,8 @@ const MARKS: Record<ImageMark["kind"], { colour: string; words: string }> = {
 };
 /** So much of the picture's size is shown beyond it at most, where the object reaches out. */
 const BEYOND = 0.35;
+/** A label's height on the screen, whatever the picture's size. */
+const LABEL_PX = 15;
 const KINDS = Object.keys(MARKS) as ImageMark["kind"][];
 
 /** How much residuals are enlarged, so that the largest is well seen and covers little. */
@@ -52,51 +55,55 @@ export function StillImage(props: StillImageProps) {
   const { image_url, width_px, height_px, corners, outline, stripe, marks = [], residuals = false, worst = [] } = props;
   const times = residuals ? enlargement(corners, width_px) : 0;
   const [name, setName] = useState<string | null>(null);
+  const { ref, width, height } = useElementSize<HTMLDivElement>();
+  const shown = Math.max(width_px / Math.max(width, 1), height_px / Math.max(height, 1));
   const corner = corners.find((c) => c.name === name);
   return (
     <figure className={styles.figure}>
-      <svg
-        className={styles.picture}
-        viewBox={frameOf(marks, width_px, height_px)}
-        role="img"
-        aria-label="The captured picture with corners, outline and stripe"
-      >
-        <image href={image_url} x="-0.5" y="-0.5" width={width_px} height={height_px} />
-        <path
-          className={styles.line}
-          stroke={COLOURS.outline}
-          d={outline.map(([u0, v0, u1, v1]) => `M${u0} ${v0}L${u1} ${v1}`).join("")}
-        />
-        <path
-          className={styles.stripe}
-          stroke={COLOURS.stripe}
-          d={stripe.map(([u, v]) => `M${u} ${v}h0`).join("")}
-        />
-        {marks.length > 0 && (
-          <rect x="-0.5" y="-0.5" width={width_px} height={height_px} className={styles.frame} />
-        )}
-        {KINDS.toReversed().map((kind) => (
+      <div ref={ref} className={styles.room} style={{ "--shape": `${width_px} / ${height_px}` } as CSSProperties}>
+        <svg
+          className={styles.picture}
+          viewBox={frameOf(marks, width_px, height_px)}
+          role="img"
+          aria-label="The captured picture with corners, outline and stripe"
+        >
+          <image href={image_url} x="-0.5" y="-0.5" width={width_px} height={height_px} />
           <path
-            key={kind}
-            className={styles.mark}
-            stroke={MARKS[kind].colour}
-            d={marks
-              .filter((mark) => mark.kind === kind)
-              .map(({ u0, v0, u1, v1 }) => `M${u0} ${v0}L${u1} ${v1}`)
-              .join("")}
+            className={styles.line}
+            stroke={COLOURS.outline}
+            d={outline.map(([u0, v0, u1, v1]) => `M${u0} ${v0}L${u1} ${v1}`).join("")}
           />
-        ))}
-        {corners.map((c) => (
-          <g key={c.name} transform={`translate(${c.u} ${c.v})`} onPointerEnter={() => setName(c.name)}>
-            <circle r={width_px / 50} className={styles.reach} />
-            {residuals && c.residual_px !== null && (
-              <circle r={c.residual_px * times} className={styles.disc} stroke={COLOURS.corner} />
-            )}
-            <circle r={residuals ? 2 : width_px / 160} className={styles.corner} stroke={COLOURS.corner} />
-          </g>
-        ))}
-        <Worst worst={worst} width_px={width_px} />
-      </svg>
+          <path
+            className={styles.stripe}
+            stroke={COLOURS.stripe}
+            d={stripe.map(([u, v]) => `M${u} ${v}h0`).join("")}
+          />
+          {marks.length > 0 && (
+            <rect x="-0.5" y="-0.5" width={width_px} height={height_px} className={styles.frame} />
+          )}
+          {KINDS.toReversed().map((kind) => (
+            <path
+              key={kind}
+              className={styles.mark}
+              stroke={MARKS[kind].colour}
+              d={marks
+                .filter((mark) => mark.kind === kind)
+                .map(({ u0, v0, u1, v1 }) => `M${u0} ${v0}L${u1} ${v1}`)
+                .join("")}
+            />
+          ))}
+          {corners.map((c) => (
+            <g key={c.name} transform={`translate(${c.u} ${c.v})`} onPointerEnter={() => setName(c.name)}>
+              <circle r={width_px / 50} className={styles.reach} />
+              {residuals && c.residual_px !== null && (
+                <circle r={c.residual_px * times} className={styles.disc} stroke={COLOURS.corner} />
+              )}
+              <circle r={residuals ? 2 : width_px / 160} className={styles.corner} stroke={COLOURS.corner} />
+            </g>
+          ))}
+          <Worst worst={worst} width_px={width_px} size={LABEL_PX * shown} />
+        </svg>
+      </div>
       <figcaption className={styles.caption}>
         {corner ? told(corner.name, corner.residual_px) : marks.length ? <Legend marks={marks} /> : summary(props, times)}
       </figcaption>
@@ -105,8 +112,7 @@ export function StillImage(props: StillImageProps) {
 }
 
 /** The points that fit worst, each with its residual beside it. */
-function Worst({ worst, width_px }: { worst: WorstPoint[]; width_px: number }) {
-  const size = width_px / 48;
+function Worst({ worst, width_px, size }: { worst: WorstPoint[]; width_px: number; size: number }) {
   return worst.map(
     ({ kind, name, value, unit, at_px }) =>
       at_px && (

@@ -118,7 +118,7 @@ function Field({ cells, words, width_px, height_px }: FieldProps) {
           x={Math.min(Math.max(worst.u, 0.07 * width_px), 0.93 * width_px)}
           y={worst.v}
           className={styles.worst}
-          fontSize={width_px / 36}
+          fontSize={width_px / 28}
         >
           {figures(worst.um, 1)} µm
         </text>
