@@ -18,7 +18,8 @@ from app.files.images import read_grey
 from app.files.progress import Progress, no_progress
 from app.files.session import BoardSession, Pose, Session, read_any_session
 from app.metrology.adjustment.block_start import SeenPose
-from app.metrology.adjustment.board_joint import BoardInputs, calibrate_board, see_board
+from app.metrology.adjustment.board_joint import calibrate_board, see_board
+from app.metrology.adjustment.board_problem import BoardInputs
 from app.metrology.adjustment.board_start import SeenBoard
 from app.metrology.adjustment.joint import JointInputs, NotSeen, calibrate_joint, see_pose
 from app.metrology.findings import LIMITS, Limits

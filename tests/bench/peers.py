@@ -21,11 +21,8 @@ from scipy.optimize import least_squares
 
 from app.files.images import read_grey
 from app.files.session import BoardSession, read_any_session
-from app.metrology.adjustment.board_joint import (
-    BoardInputs,
-    calibrate_board,
-    see_board,
-)
+from app.metrology.adjustment.board_joint import calibrate_board, see_board
+from app.metrology.adjustment.board_problem import BoardInputs
 from app.metrology.adjustment.board_start import SeenBoard
 from app.metrology.adjustment.board_view import on_sheet
 from app.metrology.adjustment.sheet import corners_at

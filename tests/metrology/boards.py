@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from app.metrology.adjustment.board_joint import BoardInputs, see_board
+from app.metrology.adjustment.board_joint import see_board
+from app.metrology.adjustment.board_problem import BoardInputs
 from app.metrology.arm import RobotArm, Tip
 from app.metrology.chessboard.board import Chessboard
 from app.metrology.frames import Floats, inverse, rigid

@@ -6,7 +6,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from app.metrology.adjustment.board_joint import BoardCalibration, BoardInputs
+from app.metrology.adjustment.board_joint import BoardCalibration
+from app.metrology.adjustment.board_problem import BoardInputs
 from app.metrology.adjustment.board_start import SeenBoard
 from app.metrology.adjustment.board_view import on_sheet
 from app.metrology.adjustment.sheet import board_papers, corners_at

@@ -9,12 +9,8 @@ from scipy.spatial.transform import Rotation
 
 from app.files.images import read_grey
 from app.files.session import BoardSession, read_any_session
-from app.metrology.adjustment.board_joint import (
-    BoardCalibration,
-    BoardInputs,
-    calibrate_board,
-    see_board,
-)
+from app.metrology.adjustment.board_joint import BoardCalibration, calibrate_board, see_board
+from app.metrology.adjustment.board_problem import BoardInputs
 from app.metrology.adjustment.board_view import BoardView
 from app.metrology.adjustment.sheet import board_papers, height_of, surface
 from app.metrology.camera import Camera

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from app.metrology.adjustment.board_bundle import bundle
-from app.metrology.adjustment.board_joint import BoardInputs, calibrate_board, see_board
+from app.metrology.adjustment.board_joint import calibrate_board, see_board
+from app.metrology.adjustment.board_problem import BoardInputs
 from app.metrology.adjustment.board_start import board_camera
 from app.metrology.adjustment.board_view import BoardView
 from app.metrology.adjustment.mounting import mounting_by_motion
