@@ -77,7 +77,10 @@ def _words(state: ArmState, seat: SeatTaken | None) -> tuple[str, str]:
                 "In use",
                 "Calibrate the sensors again: their place belongs to the arm as it was.",
             )
-        return "Before and after", "On places that were held out of the fit, and over the arm's whole reach."
+        return (
+            "Before and after",
+            "On places that were held out of the fit, and over the arm's whole reach.",
+        )
     if state.purpose == "check":
         return (
             "Put the tip into the seat",
