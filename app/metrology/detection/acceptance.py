@@ -40,6 +40,8 @@ _REST_SIGMAS = 3.0
 _STRAIN_BLURS = 0.3
 # Share of the edges in the frame that makes the object whole.
 _WHOLE = 0.9
+# Sides of merlons that tell which part of the object is seen.
+_SIDES = 4
 # Below this support at the small scale nothing like the block was found.
 LEAST_SUPPORT = 0.5
 # Share of straight segments in three perpendicular directions that makes a block.
@@ -341,19 +343,19 @@ def _shift_px(found: Survey, part: _Part, axis: int) -> float:
 def refuse_cut_off(found: Survey, block: Crenellated, share: float) -> None:
     """Refuses a picture whose frame leaves too little of the block.
 
-    A camera needs both levels, and on the crests at least two merlons with both
-    their edges. ``share``: of the visible edges in the frame.
+    A camera needs both levels, and four of the crests' sides: as many as two merlons have.
+    ``share``: of the visible edges in the frame.
 
     Raises:
         Refusal: ``object-cut-off``.
     """
     names = {found.frame.names[edge] for edge in found.at.edge[found.used]}
-    pairs = sum(
-        f"crest:{i}:L" in names and f"crest:{i}:R" in names for i in range(block.merlon_count)
+    sides = sum(
+        f"crest:{i}:{side}" in names for i in range(block.merlon_count) for side in ("L", "R")
     )
     level = any(name.startswith("floor:") for name in names)
-    if share < _WHOLE and (pairs < 2 or not level or share < 0.4):
-        raise cut_off(block, share, "a camera needs both levels and at least two whole merlons")
+    if share < _WHOLE and (sides < _SIDES or not level or share < 0.4):
+        raise cut_off(block, share, "a camera needs both levels and four sides of its merlons")
 
 
 def in_frame(found: Survey) -> float:

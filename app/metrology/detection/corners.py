@@ -48,8 +48,9 @@ __all__ = [
 # Longer sides, in pixels, at which the object is looked for, and how the picture is freed of
 # texture there: small objects want a larger picture, soft and noisy pictures a smaller one.
 _ATTEMPTS: tuple[tuple[int, Cleaning], ...] = (
-    (640, "fine"),
     (640, "coarse"),
+    (640, "fine"),
+    (320, "coarse"),
     (640, "speckled"),
     (320, "fine"),
     (1280, "fine"),
@@ -64,6 +65,8 @@ _MOST = 0.6
 # Nor is one that explains less than this share of what the best does.
 _MORE = 0.88
 
+# A camera's eleven numbers need as many corners, two numbers each.
+_LEAST_CORNERS = 6
 
 _NOTHING = Search((), 0.0, np.empty((0, 4)))
 
@@ -113,10 +116,11 @@ def detect_object(
     tries: list[_Tried] = []
     try:
         acceptance.refuse_unusable(findings, clipped)
+        hidden = clipped if lit is None else clipped | lit
         for longer_px, cleaning in _ATTEMPTS:
             small, ignore, scale = working_picture(grey, lit, longer_px)
             found = locate(small, ignore, block, cleaning)
-            tried = _tried(grey, clipped if lit is None else clipped | lit, found, scale, block)
+            tried = _tried(grey, hidden, found, scale, block)
             tries.append(tried)
             if tried.good:
                 return _detection(_the_one(tried, findings, block), block)
@@ -276,8 +280,11 @@ def _detection(measured: Survey, block: Crenellated) -> ObjectDetection:
             )
         )
     off = measured.off_px[measured.used]
+    found = corners_where_edges_meet(measured, block)
+    if len(found) < _LEAST_CORNERS:
+        raise acceptance.unclear(block, f"only {len(found)} of its corners can be measured")
     return ObjectDetection(
-        corners_where_edges_meet(measured, block),
+        found,
         tuple(edges),
         measured.camera,
         float(np.sqrt(np.mean(off**2))),

@@ -103,8 +103,8 @@ def fit_edges(
         values, sd = _held(camera)
         for k in held:
             at = int(np.flatnonzero(chosen == _HELD_STEPS[k])[0])
-            normal_matrix[at, at] += 1 / sd[k] ** 2
-            gradient[at] += values[k] / sd[k] ** 2
+            normal_matrix[at, at] += (spread / sd[k]) ** 2
+            gradient[at] += values[k] * (spread / sd[k]) ** 2
         scale = 1 / np.sqrt(np.diag(normal_matrix))
         inverse = np.linalg.inv(normal_matrix * np.outer(scale, scale) + 1e-13 * np.eye(len(scale)))
         inverse = inverse * np.outer(scale, scale)

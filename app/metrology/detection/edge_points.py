@@ -20,7 +20,7 @@ class Stations:
     unit, towards the part's first region, ``room_px`` (N, 2) distance along
     and against the normal to the next edge, ``length_px`` (N,) of edge each stands for.
     ``regions`` (parts, 2): what adjoins each part. ``half_length_px``: how far along
-    the edge each gathers light to either side.
+    the edge each gathers light to either side, the least of them where they differ.
     """
 
     edge: NDArray[np.int64]

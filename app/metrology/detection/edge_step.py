@@ -172,6 +172,20 @@ def chosen(at: Stations, keep: NDArray[np.bool_]) -> Stations:
     )
 
 
+def joined(one: Stations, other: Stations) -> Stations:
+    """The stations of both, of the same visible parts."""
+    return replace(
+        one,
+        edge=np.concatenate([one.edge, other.edge]),
+        part=np.concatenate([one.part, other.part]),
+        points_mm=np.concatenate([one.points_mm, other.points_mm]),
+        uv_px=np.concatenate([one.uv_px, other.uv_px]),
+        normal=np.concatenate([one.normal, other.normal]),
+        room_px=np.concatenate([one.room_px, other.room_px]),
+        length_px=np.concatenate([one.length_px, other.length_px]),
+    )
+
+
 def measure(image: Floats, at: Stations, blur_px: float, free_blur: bool = False) -> Measured:
     """Sub-pixel edges at stations that lie within about two pixels, or two blurs, of them.
 

@@ -23,6 +23,9 @@ _STEP = 0.35
 # least so many free of others; and how much of it may show where the certificate puts them.
 _THERE, _FREE, _HERE = 0.2, 0.4, 0.15
 _OVER_USUAL = 4.0
+_ALL_OF_IT = 0.5
+# The next likely line, so far from the likeliest at least, must be less likely by this.
+_APART_PX, _SECOND = 6.0, 0.7
 # Length, px, that the edges of a size must have in the picture to say anything.
 _LENGTH_PX = 25.0
 _SPACING_PX = 3.0
@@ -127,10 +130,22 @@ def _elsewhere(found: Survey, lines: _Lines, rows: NDArray[np.int64], axis: int)
     best = int(np.argmax(share))
     here = float(near @ length / length.sum())
     # In texture something lies everywhere.
-    stands_out = share[best] > max(_THERE, _OVER_USUAL * float(share.mean()))
-    if stands_out and here < _HERE * share[best]:
+    shows = [_share(seen[best], length, at.edge[rows] == edge) for edge in np.unique(at.edge[rows])]
+    # One line alone may be a tool mark or a shadow's border: it must be the whole edge.
+    enough = _THERE if sum(one > _THERE for one in shows) > 1 else _ALL_OF_IT
+    stands_out = share[best] > max(enough, _OVER_USUAL * float(share.mean()))
+    # Marks along an edge make many lines, of which none is more likely than the others.
+    others = np.abs(steps - steps[best]) * float(np.abs(px_per_mm).max()) > _APART_PX
+    alone = float(share[others].max(initial=0.0)) < _SECOND * share[best]
+    if stands_out and alone and here < _HERE * share[best]:
         return float(steps[best])
     return None
+
+
+def _share(there: NDArray[np.bool_], length: Floats, rows: NDArray[np.bool_]) -> float:
+    """Share of some stations' length at which a line lies."""
+    total = float(length[rows].sum())
+    return float(length[rows & there].sum()) / total if total > _LENGTH_PX else 0.0
 
 
 def overrun(grey: Floats, found: Survey) -> Objection | None:

@@ -1,6 +1,6 @@
 """All edges of the located block measured in the full picture, and the camera they give."""
 
-from dataclasses import dataclass, replace
+from dataclasses import astuple, dataclass, replace
 
 import cv2
 import numpy as np
@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 from app.metrology.camera import Camera
 from app.metrology.detection.edge_fit import NO_DISTORTION, WITH_K1, WITH_K2, fit_edges, residuals
 from app.metrology.detection.edge_points import Stations, block_ahead, search, stations
-from app.metrology.detection.edge_step import Measured, measure, with_room
+from app.metrology.detection.edge_step import Measured, chosen, joined, measure, with_room
+from app.metrology.detection.edge_texture import texture
 from app.metrology.detection.visibility import Wireframe
 from app.metrology.frames import Floats
 
@@ -18,7 +19,7 @@ _SPACING_PX = 5.0
 # A step this many times its own standard deviation is an edge that shows.
 _SHOWS = 6.0
 # In noise a part of an edge may show as a whole, and then its points if they agree.
-_PART_SHOWS, _IN_PART = 12.0, 2.5
+_PART_SHOWS, _IN_PART = 9.0, 2.5
 # Points less certain than this are of no use.
 _WORST_PX = 1.0
 # A lens term is kept where it is this many times its standard deviation.
@@ -26,6 +27,10 @@ _SIGNIFICANT = 3.0
 # Steps over noise at which points every few pixels are good, and the most they may lengthen.
 _GOOD_CONTRAST, _LONGEST = 12.0, 5.0
 _NOISY_SPACING_PX = 20.0
+# Faint edges are measured in pieces so many times as long, up to this.
+_LONGER, _LONGEST_PX = 5.0, 60.0
+# Marks along an edge, over its step, from which on it is not to be told from them.
+_MARKS = 0.3
 # Points that make a part's mean, and means that tell how parts scatter.
 _IN_MEAN, _FEWEST_MEANS = 3, 6
 
@@ -35,7 +40,8 @@ class Survey:
     """Measured edges and the camera fitted to them.
 
     ``at``: the stations; ``uv_px`` (N, 2) where their edges lie; ``sigma_px`` (N,) standard
-    deviations, scaled to the scatter along the edges; ``off_px`` (N,) distance from
+    deviations, scaled to the scatter along the edges; ``marks_px`` (N,) how far marks along a
+    part may move the whole of it; ``off_px`` (N,) distance from
     the camera's edge along the normal; ``step`` (N,) its height in grey levels, from the
     second region to the first; ``shows`` (N,) whether the picture shows an
     edge there; ``used`` (N,) whether it agrees with its neighbours; ``blur_px``:
@@ -47,6 +53,7 @@ class Survey:
     at: Stations
     uv_px: Floats
     sigma_px: Floats
+    marks_px: Floats
     off_px: Floats
     step: Floats
     shows: NDArray[np.bool_]
@@ -147,14 +154,39 @@ def _blur(masked: Floats, frame: Wireframe, camera: Camera, blur: float) -> tupl
 def _measured(
     masked: Floats, frame: Wireframe, camera: Camera, blur: float, spacing: float
 ) -> Survey:
-    at = with_room(stations(frame, camera, spacing, max(4.0, 3.0 * blur)), blur)
+    margin = max(4.0, 3.0 * blur)
+    at = with_room(stations(frame, camera, spacing, margin), blur)
     seen = measure(masked, at, blur)
     shows = _showing(at, seen)
+    # Where an edge is too faint for short pieces, long ones may show it.
+    wide = min(_LONGER * spacing, _LONGEST_PX)
+    faint = ~np.isin(at.part, at.part[shows])
+    if faint.any():
+        long = with_room(stations(frame, camera, wide, margin), blur)
+        long = chosen(long, np.isin(long.part, at.part[faint]))
+        gathered = measure(masked, long, blur)
+        found = _showing(long, gathered)
+        kept = ~np.isin(at.part, long.part[found])
+        fresh = np.isin(long.part, long.part[found])
+        at = joined(chosen(at, kept), chosen(long, fresh))
+        seen = _one_after_the_other(seen, kept, gathered, fresh)
+        shows = np.concatenate([shows[kept], found[fresh]])
     uv = at.uv_px + np.nan_to_num(seen.offset_px)[:, None] * at.normal
     sigma = np.where(shows, seen.sigma_px, np.nan)
     off = np.where(shows, seen.offset_px, np.nan)
     step = np.where(shows, seen.step, 0.0)
-    return Survey(frame, camera, at, uv, sigma, off, step, shows, shows.copy(), blur)
+    ratio, moved = texture(masked, at, step, blur)
+    # Among marks as strong as itself an edge cannot be told.
+    shows &= ratio < _MARKS
+    return Survey(frame, camera, at, uv, sigma, moved, off, step, shows, shows.copy(), blur)
+
+
+def _one_after_the_other(
+    one: Measured, of_one: NDArray[np.bool_], other: Measured, of_other: NDArray[np.bool_]
+) -> Measured:
+    """Some of one's values, then some of the other's."""
+    rows = zip(astuple(one), astuple(other), strict=True)
+    return Measured(*(np.concatenate([a[of_one], b[of_other]]) for a, b in rows))
 
 
 def _showing(at: Stations, seen: Measured) -> NDArray[np.bool_]:
@@ -179,11 +211,13 @@ def _fitted(
     at = found.at
     edge = at.edge[keep]
     per_edge = np.bincount(edge, minlength=len(found.frame.names))[edge]
-    # The certificate's error moves a whole edge at once: spread over its points it
-    # weighs as it should.
+    # The certificate's error moves a whole edge at once, a mark a whole part of it: spread
+    # over the points they weigh as they should.
     depth = (at.points_mm[keep] @ found.camera.rotation.T + found.camera.translation_mm)[:, 2]
     certificate_px = certificate_mm * found.camera.matrix[0, 0] / depth
-    sigma = np.sqrt(found.sigma_px[keep] ** 2 + per_edge * certificate_px**2)
+    per_part = np.bincount(at.part[keep])[at.part[keep]]
+    together = per_edge * certificate_px**2 + per_part * found.marks_px[keep] ** 2
+    sigma = np.sqrt(found.sigma_px[keep] ** 2 + together)
     camera, covariance, _ = fit_edges(
         found.camera, at.points_mm[keep], found.uv_px[keep], at.normal[keep], sigma, free
     )
@@ -207,7 +241,7 @@ def _agreeing(off: Floats, found: Survey) -> tuple[NDArray[np.bool_], Floats]:
     """
     used = np.zeros(len(off), dtype=bool)
     scatter, products, squares = [], 0.0, 0.0
-    means = []
+    means: list[_Mean] = []
     for part in np.unique(found.at.part[found.shows]):
         rows = np.flatnonzero(found.shows & (found.at.part == part))
         z = (off[rows] - np.median(off[rows])) / found.sigma_px[rows]
@@ -216,7 +250,9 @@ def _agreeing(off: Floats, found: Survey) -> tuple[NDArray[np.bool_], Floats]:
         used[rows[fine]] = True
         if fine.sum() >= _IN_MEAN:
             weight = 1 / found.sigma_px[rows[fine]] ** 2
-            means.append((part, weight @ off[rows[fine]] / weight.sum(), 1 / weight.sum()))
+            marks = float(found.marks_px[rows[0]])
+            mean = float(weight @ off[rows[fine]] / weight.sum())
+            means.append(_Mean(int(part), mean, 1 / float(weight.sum()), marks**2))
         if fine.sum() >= 8:
             z = z[fine] - z[fine].mean()
             scatter.append(np.full(len(z), float(np.mean(z**2)) * len(z) / (len(z) - 1)))
@@ -229,21 +265,33 @@ def _agreeing(off: Floats, found: Survey) -> tuple[NDArray[np.bool_], Floats]:
     return used, factor * _together(found.at, means, factor[0] ** 2)
 
 
-def _together(at: Stations, means: list[tuple[int, float, float]], scale: float) -> Floats:
+@dataclass(frozen=True)
+class _Mean:
+    """Of a part: its number, its points' mean distance, and that mean's variance, by the
+    points and by marks along it, px squared."""
+
+    part: int
+    off_px: float
+    variance: float
+    marks: float
+
+
+def _together(at: Stations, means: list[_Mean], scale: float) -> Floats:
     """Factors (N,) on the points' sigmas for what moves each edge as a whole.
 
-    A tool mark along an edge, a shadow at its foot, rounding. ``means``: of each part
-    its number, mean distance and variance; ``scale``: what the variances lack already.
+    Marks along an edge, a shadow at its foot, rounding. ``scale``: what the variances lack
+    already.
     """
     factor = np.ones(len(at.part))
-    if len(means) < _FEWEST_MEANS:
-        return factor
-    off = np.array([mean for _, mean, _ in means])
-    variance = scale * np.array([one for _, _, one in means])
-    # About as much as makes the median of the squares what it is of unit variance.
-    moved = max(float(np.median(off**2 - 0.455 * variance)) / 0.455, 0.0)
-    for (part, _, _), own in zip(means, variance, strict=True):
-        factor[at.part == part] = np.sqrt(1 + moved / own)
+    off = np.array([one.off_px for one in means])
+    own = scale * np.array([one.variance for one in means])
+    marks = np.array([one.marks for one in means])
+    moved = 0.0
+    if len(means) >= _FEWEST_MEANS:
+        # About as much as makes the median of the squares what it is of unit variance.
+        moved = max(float(np.median(off**2 - 0.455 * (own + marks))) / 0.455, 0.0)
+    for one, variance in zip(means, own, strict=True):
+        factor[at.part == one.part] = np.sqrt(1 + (moved + one.marks) / variance)
     return factor
 
 
