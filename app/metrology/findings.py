@@ -236,18 +236,20 @@ def _about_arm(seen: Evidence) -> list[Finding]:
             "not in this figure.",
         )
     ]
-    away_mm = float(np.linalg.norm(seen.budget.pivot_mm))
-    if away_mm > FARTHEST_MM:
-        found.append(
-            Finding(
-                "attention",
-                "sensor-far",
-                f"The sensor measures {away_mm:.0f} mm away from the arm's last joint "
-                f"(limit {FARTHEST_MM:.0f} mm).",
-                "Check that the picture's joint angles are those of its pose.",
-            )
-        )
+    found += far_sensor(seen.budget.pivot_mm, "Check that the picture's joint angles are its own.")
     return found
+
+
+def far_sensor(pivot_mm: Floats, remedy: str) -> list[Finding]:
+    """What is said where the sensor measures too far from the arm's last joint (3,)."""
+    away_mm = float(np.linalg.norm(pivot_mm))
+    if away_mm <= FARTHEST_MM:
+        return []
+    text = (
+        f"The sensor measures {away_mm:.0f} mm away from the arm's last joint "
+        f"(limit {FARTHEST_MM:.0f} mm)."
+    )
+    return [Finding("attention", "sensor-far", text, remedy)]
 
 
 def _about_picture(seen: Evidence) -> list[Finding]:

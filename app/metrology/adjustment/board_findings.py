@@ -155,7 +155,7 @@ def _about_poses(evidence: BoardEvidence) -> list[Finding]:
             " moment.",
         )
         for pose in evidence.poses
-        if pose.reason
+        if pose.reason and pose.number not in evidence.lines_apart
     ]
     off = [pose.off_um for pose in used]
     furthest = used[int(np.argmax(off))]

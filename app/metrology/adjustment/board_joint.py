@@ -184,12 +184,15 @@ def _pose_results(
     readings = "joint angles" if isinstance(inputs.arm, Arm) else "robot's pose"
     results += left_out(numbers, start.mounting, readings)
     for pose in board_pose_results(found, inputs.seen, inputs.board):
-        off_mm = start.lines_out.get(pose.number)
-        line_out = (
-            ""
-            if off_mm is None
-            else f"its laser line was left out, {off_mm:.1f} mm off the plane on which the others"
-            " agree"
-        )
-        results.append(replace(pose, reason=line_out))
+        results.append(replace(pose, reason=_about_line(pose.number, start)))
     return tuple(sorted(results, key=lambda pose: pose.number))
+
+
+def _about_line(number: int, start: BoardStart) -> str:
+    """What is wrong with the laser's line of a pose that was used, if anything."""
+    if number in start.lines_out:
+        off_mm = start.lines_out[number]
+        return f"its laser line was left out, {off_mm:.1f} mm off the plane of the others"
+    if number in start.apart:
+        return f"its laser line lies {start.apart[number]:.1f} mm off the plane of the others"
+    return ""

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.adjustment.board_start import SeenBoard
-from app.metrology.adjustment.pose_results import PoseResult
+from app.metrology.adjustment.pose_results import PoseResult, worst_in_pictures
 from app.metrology.adjustment.sheet import corners_at
 from app.metrology.adjustment.solve import Adjusted
 from app.metrology.adjustment.state import pose_scene
@@ -91,28 +91,7 @@ def board_worst(
             WorstPoint("contact", f"board {i + 1}", float(off_um[i]), "µm", contact=int(i))
             for i in np.argsort(-off_um)[:WORST_OF_A_KIND]
         ]
-    at_corners = [
-        (float(np.hypot(u, v)), pose.number, name)
-        for pose in poses
-        for name, u, v in pose.corners_px
-    ]
-    worst += [
-        WorstPoint("corner", f"pose {number} {name}", off, "px", pose=number)
-        for off, number, name in sorted(at_corners, reverse=True)[:WORST_OF_A_KIND]
-    ]
-    on_line = []
-    for number, (_, rows), (_, judgement) in zip(
-        found.problem.numbers, found.linear.rows, found.judgements, strict=True
-    ):
-        off_px = np.abs(rows.residuals) * judgement.kept
-        on_line += [
-            (float(off_px[i]), number, float(rows.places[i, 0]), float(rows.places[i, 1]))
-            for i in np.argsort(-off_px)[:WORST_OF_A_KIND]
-        ]
-    worst += [
-        WorstPoint("stripe", f"pose {number} ({u:.0f}, {v:.0f})", off, "px", None, number, (u, v))
-        for off, number, u, v in sorted(on_line, reverse=True)[:WORST_OF_A_KIND]
-    ]
+    worst += worst_in_pictures(found, poses)
     return tuple(worst)
 
 

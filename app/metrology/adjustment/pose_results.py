@@ -97,12 +97,18 @@ def worst_of_all(
         WorstPoint("contact", f"{features[i]} {i + 1}", float(contacts[i]), "µm", contact=int(i))
         for i in np.argsort(-contacts)[:WORST_OF_A_KIND]
     ]
+    worst += worst_in_pictures(found, poses)
+    return tuple(worst)
+
+
+def worst_in_pictures(found: Adjusted, poses: Sequence[PoseResult]) -> list[WorstPoint]:
+    """The few worst corners and stripe points over all poses."""
     at_corners = [
         (float(np.hypot(u, v)), pose.number, name)
         for pose in poses
         for name, u, v in pose.corners_px
     ]
-    worst += [
+    worst = [
         WorstPoint("corner", f"pose {number} {name}", off, "px", pose=number)
         for off, number, name in sorted(at_corners, reverse=True)[:WORST_OF_A_KIND]
     ]
@@ -119,7 +125,7 @@ def worst_of_all(
         WorstPoint("stripe", f"pose {number} ({u:.0f}, {v:.0f})", off, "px", None, number, (u, v))
         for off, number, u, v in sorted(on_stripe, reverse=True)[:WORST_OF_A_KIND]
     ]
-    return tuple(worst)
+    return worst
 
 
 def _rms(rows: Rows, kept: np.ndarray[tuple[int, ...], np.dtype[np.bool_]]) -> float:
