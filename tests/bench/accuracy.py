@@ -1,11 +1,12 @@
-"""How good the one-pose calibration is, and how long it takes: the README's table.
+"""How good a calibration is, and how long it takes: the README's tables.
 
     python -m tests.bench.accuracy [SAMPLES] [--sessions 20]
 
 Simulated sessions of blocks, arms and cameras drawn at random, and the sample sessions
 where their folder is given. Each is calibrated; the truth's pixels are rebuilt and
 compared with where their light fell. Beside it in the same run: the same corners by
-Faugeras' linear method alone, as the paper has it.
+Faugeras' linear method alone, as the paper has it. The samples also by all their poses
+in the joint adjustment.
 """
 
 import argparse
@@ -19,8 +20,9 @@ from pathlib import Path
 
 import numpy as np
 
-from app.files.calibrate import one_pose_inputs
+from app.files.calibrate import joint_inputs, one_pose_inputs
 from app.files.session import read_session
+from app.metrology.adjustment.joint import JointCalibration, calibrate_joint
 from app.metrology.camera import Camera
 from app.metrology.frames import Floats, apply, rigid_fit
 from app.metrology.laser_plane import LaserPlane, fit_laser_plane
@@ -45,7 +47,9 @@ def in_sensor_um(camera: Camera, plane: LaserPlane, truth: dict[str, list[list[f
     return rms_um(apply(rigid_fit(true, rebuilt), rebuilt) - true)
 
 
-def in_flange_um(found: OnePoseCalibration, truth: dict[str, list[list[float]]]) -> float:
+def in_flange_um(
+    found: OnePoseCalibration | JointCalibration, truth: dict[str, list[list[float]]]
+) -> float:
     rebuilt = sensor_points(found.camera, found.plane, np.array(truth["pixels"]))
     return rms_um(apply(found.T_flange_sensor, rebuilt) - np.array(truth["points_flange_frame_mm"]))
 
@@ -71,6 +75,14 @@ def measured(folder: Path) -> tuple[float, float, float, float]:
         found.total_um,
         linear_um(found, truth),
     )
+
+
+def jointly(folder: Path) -> tuple[float, float, float]:
+    """All poses together: sensor frame, flange frame, claimed uncertainty, all in um."""
+    found = calibrate_joint(joint_inputs(read_session(folder)))
+    truth = json.loads((folder / "truth.json").read_text())
+    in_sensor = in_sensor_um(found.camera, found.plane, truth)
+    return in_sensor, in_flange_um(found, truth), found.known.total_um
 
 
 def drawn(count: int, folder: Path) -> Iterator[Path]:
@@ -117,6 +129,8 @@ def main() -> None:
         for name in ("one-pose", "many-poses", "metal"):
             figures = measured(given.samples / name)
             print(f"{name:<24}" + "".join(f"{value:>16.2f}" for value in figures))
+            together = f"{name}, joint"
+            print(f"{together:<24}" + "".join(f"{v:>16.2f}" for v in jointly(given.samples / name)))
     with tempfile.TemporaryDirectory() as scratch:
         rows, refused, last = [], 0, Path()
         for folder in drawn(given.sessions, Path(scratch)):
