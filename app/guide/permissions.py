@@ -161,7 +161,11 @@ def _accept(state: CalibrationState, live: Live, args: Args) -> str:
     result = live.seen.result if live.seen and state.outcome is not None else None
     if result is None:
         return "Something changed since this was solved. Solve again."
-    return result.verdict_text if result.verdict == "bad" else ""
+    if result.verdict != "bad":
+        return ""
+    if result.usable_um is not None and result.total_um > result.usable_um:
+        return f"{result.total_um:.0f} µm; usable is at most {result.usable_um:.0f} µm."
+    return result.verdict_text
 
 
 def _back(state: CalibrationState, live: Live, args: Args) -> str:

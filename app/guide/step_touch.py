@@ -8,7 +8,7 @@ from app.guide.view import Action, DevicesPicture, FaceProgress, LiveNumber, Obj
 from app.guide.view import StepProgress as Progress
 from app.station.findings import Finding, Quality
 
-LISTED_SUSPECTS = 3
+LISTED_SUSPECTS, LISTED_FACES = 3, 3
 
 
 def touch_step(state: CalibrationState, live: Live) -> Body:
@@ -53,8 +53,8 @@ def _instruction(
     faces: list[FaceProgress], selected: str, complete: bool, touch: TouchReport
 ) -> str:
     if complete:
-        more = touch.advice.words if touch.advice is not None else ""
-        return f"All points are there. Go on, or add {more or 'some on any face'}."
+        more = touch.advice is not None and touch.advice.more
+        return f"All points are there. Go on, or add {'more as told below' if more else 'some'}."
     here = next(face for face in faces if face.face == selected)
     if here.wanted == 0:
         return f"{_place(selected)} Points here are welcome beside those on the other faces."
@@ -97,8 +97,13 @@ def _advice(touch: TouchReport) -> list[Finding]:
     known = f"Object known to {told.now_um:.0f} µm (k = 1)"
     if not told.more:
         return []
-    bring = "brings" if sum(count for _, count in told.more) == 1 else "bring"
-    text = f"{known}; {told.words} {bring} {told.then_um:.0f} µm."
+    total = sum(count for _, count in told.more)
+    bring = "brings" if total == 1 else "bring"
+    words = told.words
+    if len(told.more) > LISTED_FACES:
+        face, most = told.more[0]
+        words = f"{total} more over all faces, {most} of them on the {face} face,"
+    text = f"{known}; {words} {bring} {told.then_um:.0f} µm."
     if not told.reaches:
         text = f"{text[:-1]}, {touch.target_um:.0f} µm are wanted."
     return [Finding("neutral", text, "Spread them wide, clear of the edges.")]

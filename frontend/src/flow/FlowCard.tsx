@@ -18,8 +18,8 @@ import { StepDots } from "./StepDots";
  */
 function withoutEchoes({ findings, actions, number }: FlowView, lost: string): Finding[] {
   const told = new Set(actions.filter(({ enabled }) => !enabled).map(({ why_not }) => why_not));
-  if (number) told.add(number.note);
-  return findings.filter(({ text }) => !told.has(text) && !(lost && text.startsWith(`${lost}: `)));
+  const said = number?.note ?? "";
+  return findings.filter(({ text }) => !told.has(text) && !said.startsWith(text) && !(lost && text.startsWith(`${lost}: `)));
 }
 
 /** The station names one lost device at a time, the arm before the sensor. */
