@@ -4,7 +4,8 @@
 
 REAL holds recordings of a robot, a chessboard and a laser's line; SAMPLES the simulated
 sessions with their truth. OpenCV: calibrateCamera on all pictures, solvePnP on each, the
-hand-eye methods, and a plane through the line's points on the board. Beside it a joint
+hand-eye methods, and a plane through the line's points on the board (for Crenel too, so that
+it is measured alike; the plane of its own calibration beside it). Beside it a joint
 least-squares over camera, mounting and board, without noise model, bend or outliers.
 """
 
@@ -55,8 +56,6 @@ from tests.bench.hand_eye import K1_ONLY, hand_eyes
 from tests.real_sessions import session_of
 
 CRENEL = "Crenel"
-# A line so far off the plane of all others contradicts them; this many are always kept.
-CONTRADICTING_MM, FEWEST_LINES = 1.0, 3
 NO_PLANE = LaserPlane(np.array([0.0, 0.0, 1.0]), 0.0)
 
 
@@ -182,14 +181,16 @@ def _transform(vector: Floats) -> Floats:
     return rigid(rotation_from_vector(vector[:3]), vector[3:])
 
 
-def by_crenel(made: Recording, arm_session: BoardSession) -> Solved:
+def by_crenel(made: Recording, arm_session: BoardSession) -> tuple[Solved, set[int]]:
+    """What Crenel found, and the pictures whose laser line it says contradicts the others."""
     readings = np.array([frame.T_arm_flange for frame in made.frames])
     result = calibrate_board(
         BoardInputs(arm_session.arm, made.board, made.seen, readings, made.size_px)
     )
     coordinates = result.adjusted.state.coordinates
     board = made.board
-    return Solved(
+    said = {pose.number for pose in result.poses if "laser line" in pose.reason}
+    solved = Solved(
         CRENEL,
         result.camera,
         result.T_flange_sensor,
@@ -197,40 +198,23 @@ def by_crenel(made: Recording, arm_session: BoardSession) -> Solved:
         result.plane,
         lambda camera, uv: on_sheet(board, camera, coordinates, uv),
     )
-
-
-def contradicting(solved: Solved, frames: Sequence[Frame]) -> set[int]:
-    """Numbers of the pictures whose line lies off the plane of the others, the worst first."""
-    seen = [frame for frame in frames if frame.near_pattern().any()]
-    out: set[int] = set()
-    while len(seen) - len(out) > FEWEST_LINES:
-        rest = [frame for frame in seen if frame.number not in out]
-        off = [_off_the_others_mm(solved, frame, rest) for frame in rest]
-        worst = int(np.argmax(off))
-        if off[worst] < CONTRADICTING_MM:
-            break
-        out.add(rest[worst].number)
-    return out
-
-
-def _off_the_others_mm(solved: Solved, frame: Frame, frames: Sequence[Frame]) -> float:
-    plane = with_plane(solved, [other for other in frames if other is not frame]).plane
-    return abs(float(np.median(line_on_board(solved, frame) @ plane.normal - plane.offset_mm)))
+    return solved, said
 
 
 HEAD = ("corners px", "origin mm", "pattern mm", "laser mm", "plane mm", "laser*", "plane*")
 
 
 def figures(solved: Solved, frames: Sequence[Frame], out: set[int]) -> list[float]:
-    """Of all pictures; those of the line also without the pictures ``out``."""
+    """Of all pictures; those of the line also without the pictures ``out``. The laser's plane is
+    the one through the points, in either case."""
     rest = [frame for frame in frames if frame.number not in out]
-    again = solved if solved.name == CRENEL else with_plane(solved, rest)
+    every, again = with_plane(solved, frames), with_plane(solved, rest)
     return [
         corner_rms_px(solved, frames),
         origin_scatter_mm(solved, frames),
         pattern_scatter_mm(solved, frames),
-        laser_plane_rms_mm(solved, frames),
-        common_plane_rms_mm(solved, frames),
+        laser_plane_rms_mm(every, frames),
+        common_plane_rms_mm(every, frames),
         laser_plane_rms_mm(again, rest),
         common_plane_rms_mm(again, rest),
     ]
@@ -240,12 +224,10 @@ def print_recording(folder: Path, scratch: Path) -> None:
     session = read_any_session(session_of(folder, scratch / folder.name))
     assert isinstance(session, BoardSession)
     made = seen_in(session)
-    crenel = by_crenel(made, session)
-    usual = next(by_opencv("", made, made.frames))
-    out = contradicting(usual, made.frames)
+    crenel, out = by_crenel(made, session)
     total = len(made.frames)
     print(f"\n{folder.name}: {total} pictures, OpenCV finds the board in {len(made.cv_frames)}")
-    print(f"* without the lines of pictures {sorted(out) or 'none'}, which contradict the others")
+    print(f"* without pictures {sorted(out) or 'none'}, whose lines contradict the others'")
     print(f"{'':<42}" + "".join(f"{name:>12}" for name in HEAD))
     for what, frames in (("OpenCV's corners", made.cv_frames), ("Crenel's corners", made.frames)):
         solved = list(by_opencv(what, made, frames))
@@ -254,9 +236,9 @@ def print_recording(folder: Path, scratch: Path) -> None:
         for one in (*solved, joint):
             _print_row(one.name, figures(one, frames, out))
     _print_row(crenel.name, figures(crenel, made.frames, out))
-    as_flat = with_plane(
-        replace(crenel, corners_mm=corner_points(made.board), sheet=Solved.sheet), made.frames
-    )
+    own = laser_plane_rms_mm(crenel, made.frames), common_plane_rms_mm(crenel, made.frames)
+    print(f"{'Crenel, the plane of its calibration':<42}{'':>36}{own[0]:>12.3f}{own[1]:>12.3f}")
+    as_flat = replace(crenel, corners_mm=corner_points(made.board), sheet=Solved.sheet)
     _print_row("Crenel's camera and mounting, flat board", figures(as_flat, made.frames, out))
 
 

@@ -117,6 +117,15 @@ def test_a_laser_that_moved_is_named() -> None:
     assert "warm up" in moved.remedy
 
 
+def test_one_line_that_contradicts_is_left_out() -> None:
+    found = calibrate_board(session(4, Errors(drift_mm=(3.0,))))
+    (left_out,) = (pose for pose in found.poses if pose.reason)
+    assert left_out.number == 1
+    assert "laser line was left out" in left_out.reason
+    assert left_out.stripe_points == 0
+    assert error_um(found) < 3 * found.known.total_um
+
+
 def test_a_laser_along_the_board_is_refused() -> None:
     upright = POSES[0][:3, 2]
     offset_mm = float(upright @ POSES[0][:3, 3])

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.stats import t as student
 
 from app.metrology.adjustment.board_bundle import Bundle
 from app.metrology.adjustment.board_view import BoardView, on_sheet
@@ -19,8 +20,9 @@ FEWEST_STRIPE_POINTS = 20
 # so many standard deviations of those that agree.
 OFF_MM, OFF_FLATNESSES, OFF_TIMES = 0.5, 3.0, 4.0
 AGREEING_ROUNDS = 8
-# A larger share of the lines than this that contradict the others are no mistakes.
-MISTAKES_SHARE = 0.2
+# Contradicting lines are mistakes where they are no larger a share than this, or where the
+# others agree so closely that chance puts none of them so far off more often than so.
+MISTAKES_SHARE, CHANCE = 0.2, 1e-3
 # By how much whole lines are off their plane (mm) and turned out of it (rad): where few
 # tell, and at least.
 USUAL_SCATTER, LEAST_SCATTER = np.array([0.05, 1e-3]), np.array([0.005, 1e-4])
@@ -38,11 +40,11 @@ class Lines:
     """What the lines of P poses say of the laser's plane before the adjustment.
 
     ``off_mm`` (P,) is how far each line lies off the plane of most (NaN where there is no
-    line). Of those further off than the others explain, ``left_out`` are too few to be more
-    than mistakes; ``apart`` are more: the laser moved, nobody knows which of them are right,
-    and all count. ``plane`` is that of all that count, in the camera's frame; ``scatter_mm``
-    and ``scatter_rad`` are the standard deviations by which whole lines lie off it and are
-    turned out of it.
+    line). Of those further off than the others explain, ``left_out`` are few, or the others
+    agree closely (Student's test); ``apart`` are neither: the laser moved, nobody knows which
+    lines are right, and all count. ``plane`` is that of all that count, in the camera's
+    frame; ``scatter_mm`` and ``scatter_rad`` are the standard deviations by which whole lines
+    lie off it and are turned out of it.
     """
 
     plane: LaserPlane
@@ -117,7 +119,10 @@ def _contradicting(
         if set(agreeing) == before:
             break
     far = tuple(p for p in seen if p not in agreeing)
-    return (off, far, ()) if len(far) <= MISTAKES_SHARE * len(seen) else (off, (), far)
+    few = len(far) <= MISTAKES_SHARE * len(seen)
+    beyond = float(student.isf(CHANCE / 2, free)) * usual
+    clear = 2 * len(far) < len(seen) and all(abs(float(off[p])) > beyond for p in far)
+    return (off, far, ()) if few or clear else (off, (), far)
 
 
 def _points(view: BoardView, found: Bundle, pose: int) -> Floats:

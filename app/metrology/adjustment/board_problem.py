@@ -188,12 +188,12 @@ def _view(pose: SeenBoard, board: Chessboard) -> BoardView:
 
 def _with_line(view: BoardView, found: Bundle, pose: int, lines: Lines) -> BoardView:
     """With the line's points judged by their plane, or without a line that is left out."""
+    view = replace(view, line_off_mm=lines.scatter_mm, line_off_rad=lines.scatter_rad)
     if pose in lines.left_out:
         return without_line(view)
     camera, in_cam = found.cameras[pose], lines.plane
     n, t = in_cam.normal, camera.translation_mm
     plane = LaserPlane(camera.rotation.T @ n, float(in_cam.offset_mm - n @ t))
-    view = replace(view, line_off_mm=lines.scatter_mm, line_off_rad=lines.scatter_rad)
     return view.sorted_anew(camera, plane, found.coordinates)
 
 
