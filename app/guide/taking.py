@@ -1,7 +1,13 @@
 """Taking contact points: by click, by the arm's buttons, by the hand."""
 
 from app.guide.guide import Guide
-from app.guide.touching import SAME_PLACE_MM, face_progress, next_face, same_place
+from app.guide.touching import (
+    SAME_PLACE_MM,
+    face_progress,
+    next_face,
+    same_place,
+    signed_um,
+)
 from app.metrology.refusal import Refusal
 from app.station.findings import Quality
 
@@ -79,6 +85,6 @@ def _tell_point(guide: Guide) -> None:
     quality: Quality = "good"
     judged = next((p for p in report.points if p.index == point.index), None) if report else None
     if judged is not None and judged.residual_um is not None:
-        text += f": {judged.residual_um:+.0f} µm"
+        text += f": {signed_um(judged.residual_um)}"
         quality = "attention" if judged.outlier else "good"
     guide.station.bus.event("point_taken", f"{text}.", quality)

@@ -109,7 +109,7 @@ def _outlier_finding(
         )
     return Finding(
         "attention",
-        f"{name} is {point.residual_um:+.0f} µm off the {point.face} face; "
+        f"{name} is {signed_um(point.residual_um)} off the {point.face} face; "
         f"the others agree to {found.rms_mm * 1e3:.0f} µm.",
         "Remove it and touch there again, at rest and clear of the edge.",
     )
@@ -206,6 +206,11 @@ def _between(low: float, high: float, count: int) -> list[float]:
 
 def _vec(point: Floats) -> Vec3:
     return float(point[0]), float(point[1]), float(point[2])
+
+
+def signed_um(value: float) -> str:
+    """With its sign always, and a true minus."""
+    return f"{value:+.0f} µm".replace("-", "−")
 
 
 def sentence(text: str) -> str:

@@ -52,7 +52,9 @@ def keep_advice(guide: Guide) -> None:
     try:
         advice = advise(guide.folder, guide.known_poses(), guide.limits)
     except Refusal as refusal:
-        if not any(isinstance(seen, Refusal) for seen in guide.known_poses().values()):
+        known = guide.known_poses()
+        unusable = any(isinstance(known.get(p.number), Refusal) for p in guide.state.pictures)
+        if not unusable:  # of one that is, it was told already
             _refused(guide, inputs, refusal)
         return
     if advice is not None:

@@ -14,6 +14,7 @@ from app.guide.arm.view import (
     ParameterLine,
     SeatLine,
 )
+from app.guide.touching import signed_um
 from app.guide.view import Vec3
 from app.metrology.arm import Arm, tip_centres
 from app.metrology.arm_model.articulation import spread_um
@@ -65,7 +66,7 @@ def _seat_lines(arm: Arm, seats: Sequence[SeatTaken]) -> list[SeatLine]:
             here = (tips.max(axis=0) + tips.min(axis=0)) / 2
             if other is not None:
                 longer_mm = np.linalg.norm(here - other) - (seat.artefact.size_mm or 0.0)
-                note = f"length {1e3 * longer_mm:+.0f} µm".replace("-", "−")
+                note = f"length {signed_um(1e3 * float(longer_mm))}"
             other = here if other is None else None
         lines.append(SeatLine(seat.name, len(seat.q_rad), float(half_range.max()), note))
     return lines
