@@ -14,6 +14,9 @@ from app.metrology.frames import Floats
 # Edges that cross at less than this make no corner.
 _FLATTEST_RAD = np.deg2rad(8.0)
 _WORST_CORNER_PX = 1.0
+# Nor do edges that meet so far from where all the others put their corner: in px, and over
+# their deviation.
+_FURTHEST_PX, _ASTRAY = 1.0, 5.0
 # What lies askew to the drawn edge by more, over its length and its own deviation, is not it.
 _ASKEW_SIGMAS, _ASKEW_PX = 4.0, 0.7
 
@@ -52,7 +55,7 @@ def corners_where_edges_meet(measured: Survey, block: Crenellated) -> tuple[Corn
             continue
         touching = np.flatnonzero((np.abs(ends - point).max(axis=2) < 1e-6).any(axis=1))
         met = [lines[int(k)] for k in touching if int(k) in lines]
-        corner = _meeting(name, at, met)
+        corner = _meeting(name, at, met, max(_FURTHEST_PX, measured.blur_px))
         if corner is not None:
             found.append(corner)
     return tuple(found)
@@ -98,8 +101,12 @@ def _line(measured: Survey, part: int) -> _Line | None:
     )
 
 
-def _meeting(name: str, at: Floats, lines: list[_Line]) -> Corner | None:
-    """Least-squares crossing (weighted) of the edges that meet at ``at`` (2,)."""
+def _meeting(name: str, at: Floats, lines: list[_Line], furthest_px: float) -> Corner | None:
+    """Least-squares crossing (weighted) of the edges that meet at ``at`` (2,) by the camera.
+
+    None where it would lie further from there than ``furthest_px``, or than its deviation
+    explains.
+    """
     information = np.zeros((2, 2))
     pull = np.zeros(2)
     used: list[_Line] = []
@@ -122,5 +129,9 @@ def _meeting(name: str, at: Floats, lines: list[_Line]) -> Corner | None:
     covariance: Floats = np.asarray(np.linalg.inv(information), dtype=np.float64)
     if float(np.linalg.eigvalsh(covariance)[-1]) > _WORST_CORNER_PX**2:
         return None
-    u, v = at + covariance @ pull
+    shift = covariance @ pull
+    # The camera follows from all edges; a shadow beside a corner moves that corner alone.
+    if float(np.hypot(*shift)) > furthest_px or float(shift @ information @ shift) > _ASTRAY**2:
+        return None
+    u, v = at + shift
     return Corner(name, float(u), float(v), covariance)

@@ -158,7 +158,7 @@ def with_room(at: Stations, blur_px: float) -> Stations:
     return chosen(at, at.room_px.min(axis=1) >= needed)
 
 
-def chosen(at: Stations, keep: NDArray[np.bool_]) -> Stations:
+def chosen(at: Stations, keep: NDArray[np.bool_] | NDArray[np.int64]) -> Stations:
     """Some of the stations."""
     return replace(
         at,

@@ -31,6 +31,9 @@ _NOISY_SPACING_PX = 20.0
 _LONGER, _LONGEST_PX = 5.0, 60.0
 # Marks along an edge, over its step, from which on it is not to be told from them.
 _MARKS = 0.3
+# An edge so many times as wide as the picture's others is a shadow's; every so many points
+# of it are looked at, and so many must tell.
+_SOFTER, _EVERY, _WIDTHS = 1.6, 3, 3
 # Points that make a part's mean, and means that tell how parts scatter.
 _IN_MEAN, _FEWEST_MEANS = 3, 6
 
@@ -178,7 +181,23 @@ def _measured(
     ratio, moved = texture(masked, at, step, blur)
     # Among marks as strong as itself an edge cannot be told.
     shows &= ratio < _MARKS
+    shows &= ~_softer(masked, at, shows, blur)
     return Survey(frame, camera, at, uv, sigma, moved, off, step, shows, shows.copy(), blur)
+
+
+def _softer(
+    masked: Floats, at: Stations, shows: NDArray[np.bool_], blur: float
+) -> NDArray[np.bool_]:
+    """Stations (N,) of parts that are less sharp than the picture: a shadow's border runs there."""
+    some = np.flatnonzero(shows)[::_EVERY]
+    seen = measure(masked, chosen(at, some), blur, free_blur=True)
+    soft = np.zeros(len(shows), dtype=bool)
+    for part in np.unique(at.part[some]):
+        widths = seen.blur_px[at.part[some] == part]
+        widths = widths[np.isfinite(widths)]
+        if len(widths) >= _WIDTHS and np.median(widths) > _SOFTER * blur:
+            soft |= at.part == part
+    return soft
 
 
 def _one_after_the_other(
