@@ -12,14 +12,13 @@ from app.files.images import GreyImage, write_png
 from app.files.objects import write_object
 from app.files.sensor import SensorSheet, write_sensor
 from app.files.session import ImageRow, write_images
-from app.metrology.arm import RobotArm, Tip
+from app.metrology.arm import RobotArm
 from app.metrology.chessboard.board import Chessboard
 from app.metrology.frames import Floats, rigid
 
 # Printed on a sheet; its squares were not measured more closely than a ruler does.
 BOARD = Chessboard("printed chessboard", "", (7, 6), 10.0, 0.05)
-# Nothing was touched: the tip is never used.
-ROBOT = RobotArm("industrial robot", "", Tip(0.0, 0.0, 0.0, 1.0))
+ROBOT = RobotArm("industrial robot", "")  # nothing was touched: it has no tip
 
 
 def session_of(recording: Path, folder: Path) -> Path:

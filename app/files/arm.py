@@ -55,13 +55,16 @@ class ArmFile(Document):
     serial_number: str
     convention: Literal["dh-standard", "pose"]
     joints: tuple[JointPart, ...] = Field(default=())
-    tip: TipPart
+    tip: TipPart | None = None
+    """A robot that touches nothing has none."""
     identification: IdentificationPart | None = None
 
     @model_validator(mode="after")
     def _joints_as_the_convention_wants(self) -> Self:
         if self.convention == "dh-standard" and len(self.joints) not in (6, 7):
             raise ValueError(f"six or seven joints are expected, not {len(self.joints)}")
+        if self.convention == "dh-standard" and self.tip is None:
+            raise ValueError("tip is missing: its place on the flange and its diameter")
         names = [joint.name for joint in self.joints]
         for name in names:
             if names.count(name) > 1:
@@ -72,9 +75,10 @@ class ArmFile(Document):
 def read_any_arm(path: Path) -> Arm | RobotArm:
     """Reads ``arm.json`` of either convention; ``Refusal`` names the file and the field."""
     sheet = ArmFile.read(path)
-    tip = Tip(sheet.tip.x_mm, sheet.tip.y_mm, sheet.tip.z_mm, sheet.tip.diameter_mm)
+    tip = None if sheet.tip is None else Tip(**sheet.tip.model_dump())
     if sheet.convention == "pose":
         return RobotArm(sheet.name, sheet.serial_number, tip)
+    assert tip is not None
     joints = tuple(_joint(part) for part in sheet.joints)
     return Arm(name=sheet.name, serial_number=sheet.serial_number, joints=joints, tip=tip)
 
@@ -97,7 +101,7 @@ def write_arm(path: Path, arm: Arm | RobotArm) -> None:
     if isinstance(arm, Arm):
         arm_sheet(arm).write(path)
         return
-    tip = TipPart.model_validate(arm.tip, from_attributes=True)
+    tip = None if arm.tip is None else TipPart.model_validate(arm.tip, from_attributes=True)
     name, number = arm.name, arm.serial_number
     ArmFile(name=name, serial_number=number, convention="pose", tip=tip).write(path)
 

@@ -14,6 +14,8 @@ from app.metrology.refusal import Refusal
 
 COARSEST_MM = 0.1
 """A certificate that is no better than this is rather one in other units."""
+PRINTED_MM = 0.05
+"""Standard uncertainty of a printed pattern's width and height, where its certificate is silent."""
 SMALLEST_SQUARE_MM = 0.2
 """Squares smaller than this are rather given in metres."""
 MIRROR_TOLERANCE_MM = 0.1
@@ -76,7 +78,7 @@ class ChessboardFile(Document):
     inner_corners: tuple[InnerCorners, InnerCorners]
     """Columns, rows."""
     square_mm: Positive
-    standard_uncertainty_mm: NotNegative
+    standard_uncertainty_mm: NotNegative = PRINTED_MM
     flatness_mm: NotNegative | None = None
     """By how much the sheet typically bends over the pattern; paper's where missing."""
 

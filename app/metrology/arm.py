@@ -78,7 +78,8 @@ class RobotArm:
 
     name: str
     serial_number: str
-    tip: Tip
+    tip: Tip | None = None
+    """Where one is mounted to touch with."""
 
 
 def link_transforms(arm: Arm, q_rad: Floats) -> Floats:

@@ -33,6 +33,7 @@ from tests.metrology.boards import (
     ROBOT,
     SIZE,
     T_FLANGE_CAM,
+    TIP,
     Look,
     flange_of,
     picture,
@@ -70,7 +71,7 @@ def robot_session(pictures: Path, tmp_path_factory: pytest.TempPathFactory) -> P
         ImageRow(k + 1, f"images/{k + 1}.png", "both", np.zeros(0), T) for k, T in enumerate(flange)
     ]
     write_images(folder / "images.csv", rows)
-    touched = touching(12, ROBOT.tip.radius_mm)
+    touched = touching(12, TIP.radius_mm)
     write_contacts(folder / "probing.csv", Contacts(("board",) * 12, np.zeros((12, 0)), touched))
     return folder
 
@@ -267,6 +268,12 @@ def test_poses_in_metres_are_refused(spoilt: Path) -> None:
     ]
     (spoilt / "images.csv").write_text("\n".join([first, *metres]) + "\n")
     assert "metres where millimetres" in refused("calibrate", spoilt, "-o", spoilt / "c.json")
+
+
+def test_touches_without_a_tip_are_refused(spoilt: Path) -> None:
+    edit_json(spoilt / "arm.json", lambda sheet: sheet.pop("tip"))
+    said = refused("calibrate", spoilt, "-o", spoilt / "c.json")
+    assert "12 contacts, and the arm robot has no tip" in said
 
 
 def test_touches_of_another_feature_are_refused(spoilt: Path) -> None:

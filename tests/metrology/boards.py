@@ -21,7 +21,8 @@ K = np.array([[1150.0, 0, 322.0], [0, 1150.0, 251.0], [0, 0, 1]])
 K1 = -0.08
 NORMAL, OFFSET_MM = np.array([0.8, 0.1, 0.59]) / np.linalg.norm([0.8, 0.1, 0.59]), 185.0
 BOARD = Chessboard("rendered board", "", (7, 6), 10.0, 0.01, 0.05)
-ROBOT = RobotArm("robot", "", Tip(0.0, 0.0, 120.0, 6.0))
+TIP = Tip(0.0, 0.0, 120.0, 6.0)
+ROBOT = RobotArm("robot", "", TIP)
 T_FLANGE_CAM = rigid(
     Rotation.from_rotvec([0.3, -0.2, 0.9]).as_matrix(), np.array([40.0, -25.0, 90.0])
 )

@@ -26,9 +26,9 @@ from tests.metrology.boards import (
     NORMAL,
     OFFSET_MM,
     POSES,
-    ROBOT,
     T_ARM_OBJ,
     T_FLANGE_CAM,
+    TIP,
     K,
     Look,
     inputs,
@@ -122,7 +122,7 @@ def touching(count: int, radius_mm: float) -> Floats:
     for _ in range(count):
         turn = Rotation.from_rotvec(rng.normal(0, 0.2, 3)).as_matrix()
         tip = apply(T_ARM_OBJ, np.array([[*rng.uniform(0, 50, 2), radius_mm]]))[0]
-        poses.append(rigid(turn, tip - turn @ ROBOT.tip.centre_mm))
+        poses.append(rigid(turn, tip - turn @ TIP.centre_mm))
     return np.array(poses)
 
 

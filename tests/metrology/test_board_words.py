@@ -16,7 +16,7 @@ from app.metrology.chessboard.board import middle_of
 from app.metrology.findings import Finding, Limits
 from app.metrology.frames import rigid
 from app.metrology.refusal import Refusal
-from tests.metrology.boards import POSES, ROBOT, T_ARM_OBJ, T_FLANGE_CAM, seen_from
+from tests.metrology.boards import POSES, T_ARM_OBJ, T_FLANGE_CAM, TIP, seen_from
 from tests.metrology.seen_boards import PAPER, Errors, error_um, session
 from tests.metrology.test_board_calibration import touching
 
@@ -82,7 +82,7 @@ def test_what_helps_against_a_poor_robot_is_said(given: BoardInputs) -> None:
 
 @pytest.mark.parametrize("contacts", [False, True])
 def test_a_size_that_is_slightly_wrong_is_flagged(given: BoardInputs, contacts: bool) -> None:
-    touched = touching(12, ROBOT.tip.radius_mm) if contacts else None
+    touched = touching(12, TIP.radius_mm) if contacts else None
     wrong = replace(PAPER, square_mm=10.2)
     size = finding(replace(given, board=wrong, contact_readings=touched), "board-size")
     assert size.quality == "bad"

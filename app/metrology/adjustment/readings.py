@@ -44,7 +44,17 @@ def plane_touches(
 
     Args:
         noise: of a robot, of its flange's turn and shift.
+
+    Raises:
+        Refusal: the arm has no tip.
     """
+    if arm.tip is None:
+        raise Refusal(
+            "tip-missing",
+            f"{len(readings)} contacts, and the arm {arm.name} has no tip",
+            "contacts are of a tip's sphere",
+            "give the tip in arm.json, or leave out probing.csv",
+        )
     moves = motion_of(arm, readings)
     if noise is not None:
         moves = with_flange_noise(moves, noise)
