@@ -89,6 +89,15 @@ def test_a_size_that_is_slightly_wrong_is_flagged(given: BoardInputs, contacts: 
     assert "the certificate 10.2 mm" in size.text
 
 
+def test_a_certificate_that_promises_too_much_is_seen(given: BoardInputs) -> None:
+    proud = replace(PAPER, standard_uncertainty_mm=0.001, flatness_mm=0.01)
+    found = calibrate_board(replace(given, board=proud))
+    said = {one.code: one.text for one in found.findings}
+    assert "by the certificate 1 µm" in said["board-print"]
+    assert "flat to 0.01 mm was expected" in said["board-bent"]
+    assert error_um(found) < 3 * found.known.total_um
+
+
 def test_another_tip_is_seen_by_the_contacts(given: BoardInputs) -> None:
     tip = finding(replace(given, contact_readings=touching(12, 4.0)), "tip-diameter")
     assert "than with 6.000 mm" in tip.text

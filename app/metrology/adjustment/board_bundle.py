@@ -9,9 +9,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from app.metrology.adjustment.board_view import BoardView
+from app.metrology.adjustment.evidence import Papers
 from app.metrology.adjustment.linear import usual_camera
-from app.metrology.adjustment.sheet import board_papers
+from app.metrology.adjustment.sheet import board_papers, groups_of
 from app.metrology.camera import Camera
+from app.metrology.chessboard.board import Chessboard
 from app.metrology.frames import Floats
 from app.metrology.projection import COUNT, stepped
 from app.metrology.scene import BLOCK
@@ -29,14 +31,19 @@ LEAST_SCATTER_PX, OUTLIER_SIGMAS = 0.02, 4.5
 
 @dataclass(frozen=True)
 class Bundle:
-    """The camera in each of P poses, board frame as sensor frame; the sheet's coordinates; by
-    how much corners scatter in each picture (P,), as rms of one coordinate; and the covariance
-    (6P, 6P) of the left twists (rad, mm) of ``T_cam_obj``."""
+    """The camera in each of P poses, board frame as sensor frame; the sheet's coordinates, with
+    deviations as certified or worse; by how much corners scatter in each picture (P,), as rms
+    of one coordinate; and the covariance (6P, 6P) of the left twists (rad, mm) of
+    ``T_cam_obj``."""
 
     cameras: tuple[Camera, ...]
-    coordinates: Floats
+    sheet: Papers
     scatter_px: Floats
     covariance: Floats
+
+    @property
+    def coordinates(self) -> Floats:
+        return self.sheet.coordinates
 
 
 def bundle(views: Sequence[BoardView], cameras: Sequence[Camera]) -> Bundle:
@@ -47,23 +54,24 @@ def bundle(views: Sequence[BoardView], cameras: Sequence[Camera]) -> Bundle:
     """
     papers = board_papers(views[0].board)
     none = np.zeros(len(views))
-    found = Bundle(tuple(cameras), papers.coordinates, none + np.inf, np.diag(np.tile(none, 6)))
+    found = Bundle(tuple(cameras), papers, none + np.inf, np.diag(np.tile(none, 6)))
     for _ in range(ROUNDS):
-        before, found = found, _stepped(views, found, papers.coordinates, papers.sd)
+        before, found = found, _stepped(views, found, papers)
         if np.max(np.abs(found.scatter_px - before.scatter_px)) < SETTLED_PX:
             break
     return found
 
 
-def _stepped(views: Sequence[BoardView], at: Bundle, certified: Floats, sd: Floats) -> Bundle:
-    """One round of Gauss-Newton."""
+def _stepped(views: Sequence[BoardView], at: Bundle, papers: Papers) -> Bundle:
+    """One round of Gauss-Newton; the sheet's deviations are told anew."""
+    certified, sd, board = papers.coordinates, at.sheet.sd, views[0].board
     shared, common = len(COMMON) + len(certified), np.arange(len(COMMON))
     sheet = np.arange(len(COMMON), shared)
     count = shared + len(OWN) * len(views)
     N, g = np.zeros((count, count)), np.zeros(count)
     normed, scatter = [], np.zeros(len(views))
     for p, (view, camera) in enumerate(zip(views, at.cameras, strict=True)):
-        rows = view.corner_rows(camera, at.coordinates)
+        rows = view.corner_rows(camera, at.sheet.coordinates)
         J, r = np.zeros((len(rows.residuals), count)), rows.residuals
         J[:, : len(COMMON)] = rows.jacobian[:, COMMON]
         J[:, len(COMMON) : shared] = rows.jacobian[:, BLOCK]
@@ -77,7 +85,7 @@ def _stepped(views: Sequence[BoardView], at: Bundle, certified: Floats, sd: Floa
     N[np.ix_(common, common)] += prior[np.ix_(OF_PRIOR, OF_PRIOR)]
     g[common] += pull[OF_PRIOR]
     N[sheet, sheet] += sd**-2.0
-    g[sheet] += (at.coordinates - certified) / sd**2
+    g[sheet] += (at.sheet.coordinates - certified) / sd**2
     scale = np.diag(N) ** -0.5
     C = np.linalg.inv(N * np.outer(scale, scale)) * np.outer(scale, scale)
     step = -C @ g
@@ -86,12 +94,32 @@ def _stepped(views: Sequence[BoardView], at: Bundle, certified: Floats, sd: Floa
     r = np.concatenate(normed)
     degrees = max(len(r) - len(COMMON) - len(OWN) * len(views) - told, 1)
     factor = float(np.sqrt(r @ r / degrees))
+    coordinates = at.sheet.coordinates + step[sheet]
+    variances = np.minimum(factor**2 * np.diag(C)[sheet], sd**2)
     return Bundle(
         tuple(_moved(camera, step, shared, p) for p, camera in enumerate(at.cameras)),
-        at.coordinates + step[sheet],
+        replace(
+            papers,
+            coordinates=coordinates,
+            sd=_told(board, coordinates - certified, variances, papers.sd, sd),
+        ),
         np.maximum(factor * scatter, LEAST_SCATTER_PX),
         factor**2 * C[shared:, shared:],
     )
+
+
+def _told(
+    board: Chessboard, off: Floats, variances: Floats, certified: Floats, sd: Floats
+) -> Floats:
+    """Deviations (B,) of the sheet's coordinates: of each group those of its certificate, unless
+    the pictures tell that it is worse (Foerstner)."""
+    told = certified.copy()
+    for group in groups_of(board):
+        least, now = certified[group], float(sd[group][0])
+        determined = float(np.sum(1 - variances[group] / now**2))
+        square = float(off[group] @ off[group] + least[0] ** 2)
+        told[group] = np.maximum(least, np.sqrt(square / (determined + 1)))
+    return told
 
 
 def _own(shared: int, pose: int) -> slice:

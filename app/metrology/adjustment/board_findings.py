@@ -9,7 +9,7 @@ from app.metrology.adjustment.board_results import BoardContacts
 from app.metrology.adjustment.board_start import SeenBoard, SizeByMotion
 from app.metrology.adjustment.joint_findings import ALIKE_DEG, about_tip, largest_turn_deg
 from app.metrology.adjustment.pose_results import PoseResult
-from app.metrology.adjustment.sheet import surface
+from app.metrology.adjustment.sheet import groups_of, surface
 from app.metrology.adjustment.solve import Adjusted
 from app.metrology.adjustment.uncertainty import Known
 from app.metrology.chessboard.board import Chessboard, corner_points
@@ -34,6 +34,7 @@ SIZE_SIGMAS, SIZE_SHARE = 4.0, 0.002
 # Robot and pictures disagree in the board's tilt by more than this, and more than in turn.
 ROCKING_RAD, ROCKING_TIMES = 1e-3, 3.0
 # A sheet that bends by more than this times its flatness does not lie as it should.
+PRINT_TIMES = 3.0
 BENT_TIMES, FLATTEST_MM = 2.0, 0.01
 FEW_POSES = 6
 # Of a robot's noise: three turns, three shifts, two tilts.
@@ -62,6 +63,7 @@ def board_findings(evidence: BoardEvidence) -> tuple[Finding, ...]:
         _verdict(evidence),
         *_about_contacts(evidence.contacts),
         *_about_size(evidence),
+        *_about_print(evidence),
         _about_bend(evidence),
         *about_tip(found),
         *_about_poses(evidence),
@@ -124,6 +126,23 @@ def _about_size(evidence: BoardEvidence) -> list[Finding]:
             f"{2 * size.sd * board.square_mm:.3f}), by the certificate {board.square_mm:g} mm: all "
             "lengths would be off by as much.",
             "Measure the pattern over all its squares, and correct square_mm.",
+        )
+    ]
+
+
+def _about_print(evidence: BoardEvidence) -> list[Finding]:
+    """The corners' places one by one against the certificate, which may be silent on them."""
+    board, papers = evidence.board, evidence.found.problem.papers
+    told_mm = float(papers.sd[groups_of(board)[1]][0])
+    if told_mm < PRINT_TIMES * board.standard_uncertainty_mm:
+        return []
+    return [
+        Finding(
+            "attention",
+            "board-print",
+            f"The corners lie {1e3 * told_mm:.0f} µm off a regular pattern, by the certificate "
+            f"{1e3 * board.standard_uncertainty_mm:.0f} µm: allowed for.",
+            "Check that this is the board, and its standard_uncertainty_mm.",
         )
     ]
 

@@ -95,7 +95,7 @@ def board_problem(inputs: BoardInputs) -> BoardStart:
     if isinstance(arm, RobotArm):
         mounting, noise = _robot_noise(found, mounting, board)
         moves = with_noise(moves, noise, mounting.T_arm_obj, middle_of(board))
-    papers = board_papers(board)
+    papers = replace(board_papers(board), sd=found.sheet.sd)
     problem = Problem(
         numbers,
         tuple(_with_line(view, found, p, lines) for p, view in enumerate(views)),

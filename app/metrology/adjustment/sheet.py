@@ -108,6 +108,13 @@ def bend_of(board: Chessboard) -> slice:
     return slice(EXTENT.stop, EXTENT.stop + shapes(board).weights.shape[1])
 
 
+def groups_of(board: Chessboard) -> tuple[slice, slice, slice]:
+    """Where the bend, the misprints and the dents stand: each group is of one deviation."""
+    count, bend = len(grid(board)), bend_of(board)
+    prints = slice(bend.stop, bend.stop + 2 * count)
+    return bend, prints, slice(prints.stop, prints.stop + count)
+
+
 def board_papers(board: Chessboard) -> Papers:
     """The certificate: extents and corners to its standard uncertainty, flat to its flatness."""
     count, bend = len(grid(board)), bend_of(board)
