@@ -165,13 +165,16 @@ def _about_bend(evidence: BoardEvidence) -> Finding:
 
 def _about_poses(evidence: BoardEvidence) -> list[Finding]:
     used = [pose for pose in evidence.poses if pose.used]
+    seen = {pose.number for pose in evidence.seen}  # others' reasons say what to do
     said = [
         Finding(
             "attention",
             "pose-left-out",
             f"Pose {pose.number}: {pose.reason}.",
             "Check that laser, board and camera kept still, and that picture and pose are of one"
-            " moment.",
+            " moment."
+            if pose.number in seen
+            else "",
         )
         for pose in evidence.poses
         if pose.reason and pose.number not in evidence.lines_apart
