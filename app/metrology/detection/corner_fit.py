@@ -13,7 +13,7 @@ from app.metrology.frames import Floats
 
 # Edges that cross at less than this make no corner.
 _FLATTEST_RAD = np.deg2rad(8.0)
-_WORST_CORNER_PX = 1.0
+_WORST_CORNER_PX = 1.5
 # Nor do edges that meet so far from where all the others put their corner: in px, and over
 # their deviation.
 _FURTHEST_PX, _ASTRAY = 1.0, 5.0

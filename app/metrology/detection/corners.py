@@ -62,6 +62,8 @@ _RIVALS = 4
 _DOUBTFUL = 0.95
 _SURE = 0.8
 _MOST = 0.6
+# A try that draws this share of another's edges says as much.
+_AS_MUCH = 0.8
 # Nor is one that explains less than this share of what the best does.
 _MORE = 0.88
 
@@ -123,6 +125,7 @@ def detect_object(
             tried = _tried(grey, hidden, found, scale, block)
             tries.append(tried)
             if tried.good:
+                _refuse_gainsaid(tried, tries[:-1], block)
                 return _detection(_the_one(tried, findings, block), block)
             if _sure(tried):
                 break
@@ -133,6 +136,18 @@ def detect_object(
         raise with_evidence(
             refusal, findings, clipped, best.found, best.measured, best.against
         ) from None
+
+
+def _refuse_gainsaid(tried: "_Tried", before: list["_Tried"], block: Crenellated) -> None:
+    """Refuses a find where an earlier try drew about as much of the object and found another.
+
+    Raises:
+        Refusal: ``object-does-not-match``.
+    """
+    for one in before:
+        as_much = one.shown_px > _AS_MUCH * tried.shown_px
+        if one.against is not None and one.against.definite and as_much:
+            raise acceptance.mismatch(block, one.against.text)
 
 
 @dataclass(frozen=True)

@@ -25,7 +25,7 @@ _THERE, _FREE, _HERE = 0.2, 0.4, 0.15
 _OVER_USUAL = 4.0
 _ALL_OF_IT = 0.5
 # The next likely line, so far from the likeliest at least, must be less likely by this.
-_APART_PX, _SECOND = 6.0, 0.7
+_APART_PX, _SECOND = 6.0, 0.25
 # Length, px, that the edges of a size must have in the picture to say anything.
 _LENGTH_PX = 25.0
 _SPACING_PX = 3.0
@@ -131,13 +131,12 @@ def _elsewhere(found: Survey, lines: _Lines, rows: NDArray[np.int64], axis: int)
     here = float(near @ length / length.sum())
     # In texture something lies everywhere.
     shows = [_share(seen[best], length, at.edge[rows] == edge) for edge in np.unique(at.edge[rows])]
-    # One line alone may be a tool mark or a shadow's border: it must be the whole edge.
-    enough = _THERE if sum(one > _THERE for one in shows) > 1 else _ALL_OF_IT
-    stands_out = share[best] > max(enough, _OVER_USUAL * float(share.mean()))
-    # Marks along an edge make many lines, of which none is more likely than the others.
-    others = np.abs(steps - steps[best]) * float(np.abs(px_per_mm).max()) > _APART_PX
-    alone = float(share[others].max(initial=0.0)) < _SECOND * share[best]
-    if stands_out and alone and here < _HERE * share[best]:
+    # Part of one line may be a tool mark, if there are others as likely elsewhere.
+    elsewhere = np.abs(steps - steps[best]) * float(np.abs(px_per_mm).max()) > _APART_PX
+    only_one = float(share[elsewhere].max(initial=0.0)) < _SECOND * share[best]
+    like_edges = only_one or max(shows) > _ALL_OF_IT or sum(one > _THERE for one in shows) > 1
+    stands_out = share[best] > max(_THERE, _OVER_USUAL * float(share.mean()))
+    if stands_out and like_edges and here < _HERE * share[best]:
         return float(steps[best])
     return None
 
