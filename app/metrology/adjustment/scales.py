@@ -14,6 +14,9 @@ from app.metrology.frames import Floats
 # What is usual where nothing tells; counted like one observation, so that it settles.
 USUAL_LINKS_RAD, USUAL_LINKS_MM, USUAL_TOUCH_MM = 3e-6, 0.004, 0.003
 USUAL_COUNT = 1.0
+# What is usual of links counts a little more, and that turns and shifts go together more
+# still: their likelihood alone can run away along the one or the other.
+USUAL_LINKS_COUNT, TOGETHER_COUNT = 2.0, 3.0
 SETTLED = 0.01
 MOST_ROUNDS = 15
 
@@ -60,8 +63,9 @@ def links_told(links: Floats, variances: Floats, scales: Scales) -> tuple[float,
     squares = (links**2).reshape(-1, 2, 3).sum(axis=(0, 2))
     unknown = variances.reshape(-1, 2, 3).sum(axis=(0, 2))
     determined = np.maximum(len(links) / 2 - unknown / now**2, 0.0)
-    common = (np.sum(squares / usual**2) + USUAL_COUNT) / (np.sum(determined) + USUAL_COUNT)
-    told = (squares + USUAL_COUNT * common * usual**2) / (determined + USUAL_COUNT)
+    count = USUAL_LINKS_COUNT
+    common = (np.sum(squares / usual**2) + count) / (np.sum(determined) + count)
+    told = (squares + TOGETHER_COUNT * common * usual**2) / (determined + TOGETHER_COUNT)
     rad, mm = np.sqrt(told)
     return float(rad), float(mm)
 
