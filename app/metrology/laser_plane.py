@@ -1,5 +1,7 @@
 """The plane of the laser's light, in the sensor frame, from its stripe on crests and floors."""
 
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -59,11 +61,17 @@ class LaserPlaneFit:
 
 def tangents(normal: Floats) -> Floats:
     """(2, 3): two unit vectors across a unit normal (3,) and across one another."""
-    least = np.zeros(3)
-    least[int(np.argmin(np.abs(normal)))] = 1.0
-    first = np.cross(normal, least)
-    first /= np.linalg.norm(first)
-    return np.array([first, np.cross(normal, first)])
+    least = int(np.argmin(np.abs(normal)))
+    axis = [float(k == least) for k in range(3)]
+    x, y, z = _cross([float(value) for value in normal], axis)
+    length = math.sqrt(x * x + y * y + z * z)
+    first = [x / length, y / length, z / length]
+    return np.array([first, _cross([float(value) for value in normal], first)])
+
+
+def _cross(a: Sequence[float], b: Sequence[float]) -> list[float]:
+    """Of two single vectors, where the library's way costs twenty times as much."""
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 
 
 def meet_levels(camera: Camera, uv_px: Floats, z_mm: Floats | float) -> Floats:

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -94,26 +95,32 @@ def with_coordinates(block: Crenellated, values: Floats) -> Crenellated:
     )
 
 
-def _corner_numbers(block: Crenellated) -> dict[str, tuple[int, int, int]]:
-    """Which of ``coordinates`` are the x, y, z of each corner."""
-    n = len(block.edges_x_mm)
-    where = np.arange(n + 5)
-    numbered = with_coordinates(block, where.astype(np.float64))
-    return {name: (int(at[0]), int(at[1]), int(at[2])) for name, at in corners(numbered).items()}
+@cache
+def _corner_numbers(count: int) -> dict[str, tuple[int, int, int]]:
+    """Which of ``count`` ``coordinates`` are the x, y, z of each corner."""
+    at = corners(_numbered(count))
+    return {name: (int(x), int(y), int(z)) for name, (x, y, z) in at.items()}
 
 
-def _edge_numbers(block: Crenellated) -> dict[str, NDArray[np.int64]]:
-    """Which of ``coordinates`` are the ends (2, 3) of each edge."""
-    numbered = with_coordinates(block, np.arange(len(block.edges_x_mm) + 5).astype(np.float64))
+@cache
+def _edge_numbers(count: int) -> dict[str, NDArray[np.int64]]:
+    """Which of ``count`` ``coordinates`` are the ends (2, 3) of each edge."""
     return {
         edge.name: np.array([edge.start_mm, edge.end_mm]).astype(np.int64)
-        for edge in edges(numbered)
+        for edge in edges(_numbered(count))
     }
+
+
+def _numbered(count: int) -> Crenellated:
+    """A block each of whose coordinates is its own number."""
+    *x, front, back, crest, floor, base = (float(number) for number in range(count))
+    return Crenellated("", "", tuple(x), front, back, crest, floor, base, 0.0)
 
 
 def edge_rows(scene: Scene, measured: Sequence[EdgePoints]) -> Rows:
     """Points on the block's edges: their distances in px from the projected edges."""
-    values, names = coordinates(scene.block), _edge_numbers(scene.block)
+    values = coordinates(scene.block)
+    names = _edge_numbers(len(values))
     line = np.repeat(np.arange(len(measured)), [len(edge.uv_px) for edge in measured])
     ends = np.array([names[edge.edge] for edge in measured])[line]  # (N, 2, 3)
     uv = np.concatenate([edge.uv_px for edge in measured])
@@ -141,7 +148,7 @@ def stripe_rows(scene: Scene, stripe: Stripe, level: NDArray[np.str_]) -> Rows:
     z = np.array([scene.block.crest_z_mm, scene.block.floor_z_mm])[line]
     # across the line within its level: how the line moves when the plane does
     across = np.array([*plane.normal[:2], 0.0]) / float(plane.normal[:2] @ plane.normal[:2])
-    along = np.broadcast_to(np.cross(plane.normal, [0.0, 0.0, 1.0]), (len(uv), 3))
+    along = np.broadcast_to([plane.normal[1], -plane.normal[0], 0.0], (len(uv), 3))
     start = (plane.offset_mm - plane.normal[2] * z)[:, None] * across
     start[:, 2] = z
     share = _nearest_share(scene.camera, uv, start, along)
@@ -157,7 +164,8 @@ def stripe_rows(scene: Scene, stripe: Stripe, level: NDArray[np.str_]) -> Rows:
 
 def corner_rows(scene: Scene, measured: Sequence[Corner]) -> Rows:
     """Corners of the block: two rows each, along the axes of their covariance."""
-    values, names = coordinates(scene.block), _corner_numbers(scene.block)
+    values = coordinates(scene.block)
+    names = _corner_numbers(len(values))
     where = np.array([names[corner.name] for corner in measured])
     uv, J_camera, by_point = project_with_jacobian(scene.camera, values[where])
     seen = np.array([[corner.u, corner.v] for corner in measured])
@@ -188,7 +196,10 @@ def no_rows(scene: Scene) -> Rows:
 def _nearest_share(camera: Camera, uv_px: Floats, start: Floats, along: Floats) -> Floats:
     """Where (N,) on ``start + share along`` (N, 3) the rays of pixels (N, 2) come nearest."""
     origin, rays_along = rays(camera, uv_px)
-    normal = np.cross(rays_along, np.cross(rays_along, along))
+    # r x (r x a), written out
+    across = np.sum(rays_along * along, axis=1, keepdims=True)
+    square = np.sum(rays_along**2, axis=1, keepdims=True)
+    normal = across * rays_along - square * along
     return np.asarray(np.sum((origin - start) * normal, axis=1) / np.sum(normal * along, axis=1))
 
 
