@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.stats import t as student
+from scipy.special import stdtrit
 
 from app.metrology.adjustment.board_bundle import Bundle
 from app.metrology.adjustment.board_view import BoardView, on_sheet
@@ -120,7 +120,7 @@ def _contradicting(
             break
     far = tuple(p for p in seen if p not in agreeing)
     few = len(far) <= MISTAKES_SHARE * len(seen)
-    beyond = float(student.isf(CHANCE / 2, free)) * usual
+    beyond = float(stdtrit(free, 1 - CHANCE / 2)) * usual
     clear = 2 * len(far) < len(seen) and all(abs(float(off[p])) > beyond for p in far)
     return (off, far, ()) if few or clear else (off, (), far)
 

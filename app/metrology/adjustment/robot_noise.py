@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize
-from scipy.stats import f as fisher
+from scipy.special import fdtri
 
 from app.metrology.adjustment.arm_motion import FlangeMotion
 from app.metrology.adjustment.twists import about, carried, motion
@@ -97,7 +97,7 @@ def astray(seen: PosesSeen, T_flange_cam: Floats, T_arm_obj: Floats) -> int | No
     others = np.delete(np.arange(count), worst)
     told = _told(seen.only(others), T_flange_cam, T_arm_obj)
     freedom = 6 * len(others) - 12
-    limit = 6 * float(fisher.isf(ASTRAY_CHANCE, 6, freedom))
+    limit = 6 * float(fdtri(6, freedom, 1 - ASTRAY_CHANCE))
     return worst if _square(seen, told, worst, with_fit=True) > limit else None
 
 
