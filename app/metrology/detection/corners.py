@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from app.metrology.camera import Camera, project
 from app.metrology.crenellated import Crenellated
 from app.metrology.crenellated import corners as corners_of
-from app.metrology.detection import acceptance
+from app.metrology.detection import acceptance, refusals
 from app.metrology.detection.corner_fit import Corner, corners_where_edges_meet
 from app.metrology.detection.edge_survey import Survey, survey
 from app.metrology.detection.evidence import DetectionRefusal, with_evidence
@@ -117,7 +117,7 @@ def detect_object(
     lit = None if stripe is None or len(stripe.u) == 0 else stripe_mask(grey, stripe)
     tries: list[_Tried] = []
     try:
-        acceptance.refuse_unusable(findings, clipped)
+        refusals.refuse_unusable(findings, clipped)
         hidden = clipped if lit is None else clipped | lit
         for longer_px, cleaning in _ATTEMPTS:
             small, ignore, scale = working_picture(grey, lit, longer_px)
@@ -129,7 +129,7 @@ def detect_object(
                 return _detection(_the_one(tried, findings, block), block)
             if _sure(tried):
                 break
-        acceptance.refuse_bad_picture(findings, "the object was not found")
+        refusals.refuse_bad_picture(findings, "the object was not found")
         raise _why_not(tries, findings, grey, block)
     except Refusal as refusal:
         best = max(tries, key=lambda one: one.shown_px, default=_Tried(_NOTHING, []))
@@ -147,7 +147,7 @@ def _refuse_gainsaid(tried: "_Tried", before: list["_Tried"], block: Crenellated
     for one in before:
         as_much = one.shown_px > _AS_MUCH * tried.shown_px
         if one.against is not None and one.against.definite and as_much:
-            raise acceptance.mismatch(block, one.against.text)
+            raise refusals.mismatch(block, one.against.text)
 
 
 @dataclass(frozen=True)
@@ -221,15 +221,15 @@ def _the_one(tried: _Tried, findings: list[PictureFinding], block: Crenellated) 
             ``object-mirrored``, ``object-cut-off``.
     """
     located, measured = tried.good[0]
-    acceptance.refuse_blurred(measured)
+    refusals.refuse_blurred(measured)
     share = acceptance.in_frame(measured)
     other_way = [one.support for one in tried.found.found if one.mirrored != located.mirrored]
     doubtful = max(other_way, default=0.0) > _DOUBTFUL * located.support
     if len(tried.good) > 1 or doubtful or acceptance.symmetric(block):
-        acceptance.refuse_bad_picture(findings, "it can be read in more than one way")
-        raise acceptance.ambiguous(block, share)
+        refusals.refuse_bad_picture(findings, "it can be read in more than one way")
+        raise refusals.ambiguous(block, share)
     if located.mirrored:
-        raise acceptance.mirror_refusal(block, share)
+        raise refusals.mirror_refusal(block, share)
     acceptance.refuse_cut_off(measured, block, share)
     return measured
 
@@ -241,13 +241,13 @@ def _why_not(
     best = max(tries, key=lambda one: one.shown_px)
     seen_well = not findings and not noisy(grey)
     if best.against is not None and best.against.definite:
-        return acceptance.mismatch(block, best.against.text)
+        return refusals.mismatch(block, best.against.text)
     if not any(acceptance.block_like(one.found) for one in tries):
-        return acceptance.unfound(tries[0].found)
+        return refusals.unfound(tries[0].found)
     why = "no placing of its edges explains those in the picture"
     if best.against is not None:
         why = best.against.text
-    return acceptance.mismatch(block, why) if seen_well else acceptance.unclear(block, why)
+    return refusals.mismatch(block, why) if seen_well else refusals.unclear(block, why)
 
 
 def _explained(measured: Survey) -> float:
@@ -297,7 +297,7 @@ def _detection(measured: Survey, block: Crenellated) -> ObjectDetection:
     off = measured.off_px[measured.used]
     found = corners_where_edges_meet(measured, block)
     if len(found) < _LEAST_CORNERS:
-        raise acceptance.unclear(block, f"only {len(found)} of its corners can be measured")
+        raise refusals.unclear(block, f"only {len(found)} of its corners can be measured")
     return ObjectDetection(
         found,
         tuple(edges),

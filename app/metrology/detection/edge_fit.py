@@ -60,6 +60,16 @@ def _held(camera: Camera) -> tuple[Floats, Floats]:
 _HELD_STEPS = (1, 2, 3, 10, 11)
 
 
+def held_rows(camera: Camera, free: tuple[int, ...]) -> Floats:
+    """What is held of the chosen parameters, as rows (H, P) over their standard deviations."""
+    _, deviations = _held(camera)
+    rows = np.zeros((len(_HELD_STEPS), len(free)))
+    for row, step in enumerate(_HELD_STEPS):
+        if step in free:
+            rows[row, free.index(step)] = 1 / deviations[row]
+    return rows
+
+
 def residuals(camera: Camera, points_mm: Floats, uv_px: Floats, normal: Floats) -> Floats:
     """Distances (N,) in px, along the normals, of measured from predicted edges."""
     return np.asarray(((uv_px - project(camera, points_mm)) * normal).sum(axis=1))

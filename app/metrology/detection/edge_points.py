@@ -10,6 +10,9 @@ from app.metrology.compiled import kernel
 from app.metrology.detection.visibility import Wireframe, seen
 from app.metrology.frames import Floats
 
+# Faces that are seen at less than this, as sines, may as well be hidden, or seen.
+_EDGE_ON = 0.004
+
 
 @dataclass(frozen=True)
 class Stations:
@@ -18,9 +21,10 @@ class Stations:
     Arrays of one length N: ``edge`` (row in the wireframe), ``part`` (visible part),
     ``points_mm`` (N, 3), ``uv_px`` (N, 2) where they are expected, ``normal`` (N, 2)
     unit, towards the part's first region, ``room_px`` (N, 2) distance along
-    and against the normal to the next edge, ``length_px`` (N,) of edge each stands for.
-    ``regions`` (parts, 2): what adjoins each part. ``half_length_px``: how far along
-    the edge each gathers light to either side, the least of them where they differ.
+    and against the normal to the next edge that shows, or would from a little aside,
+    ``length_px`` (N,) of edge each stands for. ``regions`` (parts, 2): what adjoins each
+    part. ``half_length_px``: how far along the edge each gathers light to either side, the
+    least of them where they differ.
     """
 
     edge: NDArray[np.int64]
@@ -85,8 +89,10 @@ def stations(frame: Wireframe, camera: Camera, spacing_px: float, margin_px: flo
     begin, along = frame.starts_mm[parts.edge], (frame.ends_mm - frame.starts_mm)[parts.edge]
     first = begin + parts.start[:, None] * along
     last = begin + parts.end[:, None] * along
-    both = project(camera, np.vstack([first, last]))
-    ends = np.column_stack([both[: len(first)], both[len(first) :]])
+    behind = _just_hidden(frame, parts.edge, camera.centre_mm)
+    both = project(camera, np.vstack([first, frame.starts_mm[behind], last, frame.ends_mm[behind]]))
+    near = np.column_stack(np.split(both, 2))
+    ends = near[: len(first)]
     length = np.hypot(ends[:, 2] - ends[:, 0], ends[:, 3] - ends[:, 1])
     usable = length - 2 * margin_px
     count = np.where(usable > 0, np.maximum(np.rint(usable / spacing_px), 1), 0).astype(np.int64)
@@ -102,7 +108,7 @@ def stations(frame: Wireframe, camera: Camera, spacing_px: float, margin_px: flo
     edge_of_frame = half_length + 1
     limit = np.array([camera.width_px, camera.height_px]) - 1 - edge_of_frame
     inside = np.all((uv >= edge_of_frame) & (uv <= limit), axis=1)
-    room = _room(uv[inside], normal[inside], part[inside], ends, half_length)
+    room = _room(uv[inside], normal[inside], part[inside], near, half_length)
     return Stations(
         parts.edge[part][inside],
         part[inside],
@@ -114,6 +120,17 @@ def stations(frame: Wireframe, camera: Camera, spacing_px: float, margin_px: flo
         parts.regions,
         half_length,
     )
+
+
+def _just_hidden(
+    frame: Wireframe, visible: NDArray[np.int64], centre_mm: Floats
+) -> NDArray[np.int64]:
+    """Hidden edges of faces that are seen nearly edge on: a camera little aside would see them."""
+    aside = np.abs(frame.starts_mm - centre_mm)
+    edge_on = aside < _EDGE_ON * np.sqrt((aside**2).sum(axis=1, keepdims=True))
+    edge_on &= frame.starts_mm == frame.ends_mm
+    hidden = np.flatnonzero(edge_on.any(axis=1))
+    return hidden[~np.isin(hidden, visible)]
 
 
 @kernel

@@ -10,7 +10,7 @@ from app.metrology.camera import project
 from app.metrology.detection.edge_points import Stations, profiles, stations
 from app.metrology.detection.edge_step import chosen, measure
 from app.metrology.detection.edge_survey import Survey
-from app.metrology.detection.objection import Objection
+from app.metrology.detection.objection import Objection, elsewhere
 from app.metrology.frames import Floats
 
 # Lines of the block are judged by at least so many points of their kind.
@@ -59,12 +59,7 @@ def missized(grey: Floats, found: Survey) -> Objection | None:
             off_mm = _elsewhere(found, lines, rows, axis)
             if off_mm is not None:
                 name = frame.names[lines.at.edge[rows[0]]]
-                return Objection(
-                    f"its edge {name} seems to lie {abs(off_mm):.2f} mm from where the"
-                    " certificate puts it",
-                    True,
-                    tuple(int(edge) for edge in edges),
-                )
+                return elsewhere(name, abs(off_mm), tuple(int(edge) for edge in edges))
     return None
 
 

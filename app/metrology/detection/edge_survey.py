@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from app.metrology.camera import Camera
 from app.metrology.detection.edge_fit import NO_DISTORTION, WITH_K1, WITH_K2, fit_edges, residuals
 from app.metrology.detection.edge_points import Stations, block_ahead, search, stations
+from app.metrology.detection.edge_scatter import scatter
 from app.metrology.detection.edge_step import Measured, chosen, joined, measure, with_room
 from app.metrology.detection.edge_texture import texture
 from app.metrology.detection.visibility import Wireframe
@@ -34,8 +35,6 @@ _MARKS = 0.3
 # An edge so many times as wide as the picture's others is a shadow's; every so many points
 # of it are looked at, and so many must tell.
 _SOFTER, _EVERY, _WIDTHS = 1.6, 3, 3
-# Points that make a part's mean, and means that tell how parts scatter.
-_IN_MEAN, _FEWEST_MEANS = 3, 6
 
 
 @dataclass(frozen=True)
@@ -43,12 +42,12 @@ class Survey:
     """Measured edges and the camera fitted to them.
 
     ``at``: the stations; ``uv_px`` (N, 2) where their edges lie; ``sigma_px`` (N,) standard
-    deviations, scaled to the scatter along the edges; ``marks_px`` (N,) how far marks along a
-    part may move the whole of it; ``off_px`` (N,) distance from
-    the camera's edge along the normal; ``step`` (N,) its height in grey levels, from the
-    second region to the first; ``shows`` (N,) whether the picture shows an
-    edge there; ``used`` (N,) whether it agrees with its neighbours; ``blur_px``:
-    the standard deviation of the picture's blur.
+    deviations, scaled to the scatter along the edges and of the edges, ``own_px`` (N,) to the
+    former alone; ``marks_px`` (N,) how far marks along a part may move the whole of it;
+    ``off_px`` (N,) distance from the camera's edge along the normal; ``step`` (N,) its
+    height in grey levels, from the second region to the first; ``shows`` (N,) whether the
+    picture shows an edge there; ``used`` (N,) whether it agrees with its neighbours;
+    ``blur_px``: the standard deviation of the picture's blur.
     """
 
     frame: Wireframe
@@ -56,6 +55,7 @@ class Survey:
     at: Stations
     uv_px: Floats
     sigma_px: Floats
+    own_px: Floats
     marks_px: Floats
     off_px: Floats
     step: Floats
@@ -182,7 +182,7 @@ def _measured(
     # Among marks as strong as itself an edge cannot be told.
     shows &= ratio < _MARKS
     shows &= ~_softer(masked, at, shows, blur)
-    return Survey(frame, camera, at, uv, sigma, moved, off, step, shows, shows.copy(), blur)
+    return Survey(frame, camera, at, uv, sigma, sigma, moved, off, step, shows, shows.copy(), blur)
 
 
 def _softer(
@@ -235,83 +235,21 @@ def _fitted(
     depth = (at.points_mm[keep] @ found.camera.rotation.T + found.camera.translation_mm)[:, 2]
     certificate_px = certificate_mm * found.camera.matrix[0, 0] / depth
     per_part = np.bincount(at.part[keep])[at.part[keep]]
-    together = per_edge * certificate_px**2 + per_part * found.marks_px[keep] ** 2
-    sigma = np.sqrt(found.sigma_px[keep] ** 2 + together)
+    as_a_whole = per_edge * certificate_px**2 + per_part * found.marks_px[keep] ** 2
+    sigma = np.sqrt(found.sigma_px[keep] ** 2 + as_a_whole)
     camera, covariance, _ = fit_edges(
         found.camera, at.points_mm[keep], found.uv_px[keep], at.normal[keep], sigma, free
     )
     off = residuals(camera, at.points_mm, found.uv_px, at.normal)
-    used, factor = _agreeing(off, found)
+    used, along, together = scatter(off, found.at, found.shows, found.sigma_px, found.marks_px)
     return replace(
         found,
         camera=camera,
         off_px=np.where(found.shows, off, np.nan),
         used=used,
-        sigma_px=found.sigma_px * factor,
+        sigma_px=found.sigma_px * along * together,
+        own_px=found.sigma_px * along,
     ), covariance
-
-
-def _agreeing(off: Floats, found: Survey) -> tuple[NDArray[np.bool_], Floats]:
-    """Which points agree with the others of their part, and what their sigmas lack (N,).
-
-    The factors bring the sigmas to the scatter along the parts, further to that of
-    parts' means where neighbouring points err alike (texture), and so far that the
-    parts' means scatter no more than they say.
-    """
-    used = np.zeros(len(off), dtype=bool)
-    scatter, products, squares = [], 0.0, 0.0
-    means: list[_Mean] = []
-    for part in np.unique(found.at.part[found.shows]):
-        rows = np.flatnonzero(found.shows & (found.at.part == part))
-        z = (off[rows] - np.median(off[rows])) / found.sigma_px[rows]
-        spread = max(float(np.median(np.abs(z))) / 0.6745, 1.0)
-        fine = np.abs(z) < 4.0 * spread
-        used[rows[fine]] = True
-        if fine.sum() >= _IN_MEAN:
-            weight = 1 / found.sigma_px[rows[fine]] ** 2
-            marks = float(found.marks_px[rows[0]])
-            mean = float(weight @ off[rows[fine]] / weight.sum())
-            means.append(_Mean(int(part), mean, 1 / float(weight.sum()), marks**2))
-        if fine.sum() >= 8:
-            z = z[fine] - z[fine].mean()
-            scatter.append(np.full(len(z), float(np.mean(z**2)) * len(z) / (len(z) - 1)))
-            products += float((z[1:] * z[:-1]).sum())
-            squares += float((z[1:] ** 2 + z[:-1] ** 2).sum()) / 2
-    factor = np.ones(len(off))
-    if scatter:
-        alike = float(np.clip(products / max(squares, 1e-12), 0.0, 0.8))
-        factor *= np.sqrt(np.median(np.concatenate(scatter)) * (1 + alike) / (1 - alike))
-    return used, factor * _together(found.at, means, factor[0] ** 2)
-
-
-@dataclass(frozen=True)
-class _Mean:
-    """Of a part: its number, its points' mean distance, and that mean's variance, by the
-    points and by marks along it, px squared."""
-
-    part: int
-    off_px: float
-    variance: float
-    marks: float
-
-
-def _together(at: Stations, means: list[_Mean], scale: float) -> Floats:
-    """Factors (N,) on the points' sigmas for what moves each edge as a whole.
-
-    Marks along an edge, a shadow at its foot, rounding. ``scale``: what the variances lack
-    already.
-    """
-    factor = np.ones(len(at.part))
-    off = np.array([one.off_px for one in means])
-    own = scale * np.array([one.variance for one in means])
-    marks = np.array([one.marks for one in means])
-    moved = 0.0
-    if len(means) >= _FEWEST_MEANS:
-        # About as much as makes the median of the squares what it is of unit variance.
-        moved = max(float(np.median(off**2 - 0.455 * (own + marks))) / 0.455, 0.0)
-    for one, variance in zip(means, own, strict=True):
-        factor[at.part == one.part] = np.sqrt(1 + (moved + one.marks) / variance)
-    return factor
 
 
 def _with_significant_lens(found: Survey, certificate_mm: float) -> Survey | None:

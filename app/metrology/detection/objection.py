@@ -14,3 +14,12 @@ class Objection:
     text: str
     definite: bool = False
     edges: tuple[int, ...] = ()
+
+
+def elsewhere(edge: str, off_mm: float, edges: tuple[int, ...]) -> Objection:
+    """The objection that a size differs: an edge of it, how far it lies off, all its edges."""
+    return Objection(
+        f"its edge {edge} seems to lie {off_mm:.2f} mm from where the certificate puts it",
+        True,
+        edges,
+    )
