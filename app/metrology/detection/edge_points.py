@@ -44,27 +44,27 @@ def _room(
 ) -> Floats:
     """Distances (N, 2) along and against each normal to the nearest other part (P, 4)."""
     room = np.full((len(uv), 2), np.inf)
+    du, dv = ends[:, 2] - ends[:, 0], ends[:, 3] - ends[:, 1]
+    length = np.sqrt(du * du + dv * dv)
     for i in range(len(uv)):
-        nu, nv = normal[i, 0], normal[i, 1]
+        u, v, nu, nv, own = uv[i, 0], uv[i, 1], normal[i, 0], normal[i, 1], part[i]
+        ahead, behind = np.inf, np.inf
         for p in range(len(ends)):
-            if p == part[i]:
+            det = nu * dv[p] - nv * du[p]
+            if p == own or abs(det) < 1e-6 * length[p]:
                 continue
-            row = ends[p]
-            du, dv = row[2] - row[0], row[3] - row[1]
-            det = nu * dv - nv * du
-            length = np.sqrt(du * du + dv * dv)
-            if abs(det) < 1e-6 * length:
+            ru, rv = ends[p, 0] - u, ends[p, 1] - v
+            # How far along the part, times det squared.
+            along = (nv * ru - nu * rv) * det
+            beyond = half_length / length[p] * det * det
+            if along < -beyond or along > det * det + beyond:
                 continue
-            ru, rv = row[0] - uv[i, 0], row[1] - uv[i, 1]
-            along = (nv * ru - nu * rv) / det
-            reach = half_length / length
-            if along < -reach or along > 1.0 + reach:
-                continue
-            away = (ru * dv - rv * du) / det
+            away = (ru * dv[p] - rv * du[p]) / det
             if away >= 0:
-                room[i, 0] = min(room[i, 0], away)
+                ahead = min(ahead, away)
             else:
-                room[i, 1] = min(room[i, 1], -away)
+                behind = min(behind, -away)
+        room[i, 0], room[i, 1] = ahead, behind
     return room
 
 
@@ -159,20 +159,21 @@ def _search(
     slope = np.empty(2 * reach + 1)
     for i in range(len(uv)):
         nu, nv = normal[i, 0], normal[i, 1]
-        for k in range(2 * reach + 1):
+        high = min(radius, max(0.5 * room[i, 0], 1.0))
+        low = -min(radius, max(0.5 * room[i, 1], 1.0))
+        first = max(reach + int(np.ceil(low)), 2)
+        last = min(reach + int(np.floor(high)), 2 * reach - 2)
+        for k in range(first - 2, last + 3):
             u, v = uv[i, 0] + (k - reach) * nu, uv[i, 1] + (k - reach) * nv
             total = 0.0
             for j in range(-half, half + 1):
                 total += _bilinear(image, u - j * nv, v + j * nu)
             profile[k] = total / (2 * half + 1)
-        high = min(radius, max(0.5 * room[i, 0], 1.0))
-        low = -min(radius, max(0.5 * room[i, 1], 1.0))
         best, at = -1.0, -1
-        for k in range(1, 2 * reach):
+        for k in range(first - 1, last + 2):
             slope[k] = 0.5 * (profile[k + 1] - profile[k - 1])
-        for k in range(2, 2 * reach - 1):
-            offset = k - reach
-            if low <= offset <= high and abs(slope[k]) > best:
+        for k in range(first, last + 1):
+            if abs(slope[k]) > best:
                 best, at = abs(slope[k]), k
         if at < 0:
             continue

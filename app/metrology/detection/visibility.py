@@ -95,19 +95,22 @@ def wireframe(block: Crenellated) -> Wireframe:
 
 
 @kernel
-def _enter(box: Floats, origin: Floats, along: Floats) -> tuple[float, int]:
-    """Distance in units of ``along`` at which a ray enters a box, and through which side.
+def _enter(
+    boxes: Floats, b: int, origin: Floats, per: tuple[float, float, float]
+) -> tuple[float, int]:
+    """Distance in units of a ray at which it enters box ``b``, and through which side.
 
-    Sides are numbered as the box's limits are; inf where the ray misses it.
+    Sides are numbered as the box's limits are; inf where the ray misses it. ``per``: one
+    over the ray's components, 0 where it has none.
     """
     enter, leave, side = -np.inf, np.inf, 0
     for k in range(3):
-        low, high = box[2 * k] - origin[k], box[2 * k + 1] - origin[k]
-        if along[k] == 0.0:
+        low, high = boxes[b, 2 * k] - origin[k], boxes[b, 2 * k + 1] - origin[k]
+        if per[k] == 0.0:
             if low > 0.0 or high < 0.0:
                 return np.inf, 0
             continue
-        near, far = low / along[k], high / along[k]
+        near, far = low * per[k], high * per[k]
         from_high = near > far
         if from_high:
             near, far = far, near
@@ -146,8 +149,10 @@ def first_hit(boxes: Floats, grooves: Floats, origin: Floats, along: Floats) -> 
     ``boxes`` and ``grooves`` as in ``Wireframe``; ``origin``, ``along``: (3,), object frame.
     """
     nearest, region = np.inf, 0
+    x, y, z = along
+    per = (1 / x if x != 0.0 else 0.0, 1 / y if y != 0.0 else 0.0, 1 / z if z != 0.0 else 0.0)
     for b in range(len(boxes)):
-        distance, side = _enter(boxes[b], origin, along)
+        distance, side = _enter(boxes, b, origin, per)
         if distance < nearest:
             nearest = distance
             at_x = origin[0] + distance * along[0]
@@ -156,25 +161,43 @@ def first_hit(boxes: Floats, grooves: Floats, origin: Floats, along: Floats) -> 
 
 
 @kernel
-def _cuts(starts: Floats, ends: Floats, centre: Floats, a: int, cuts: Floats) -> int:
-    """Fractions of edge ``a`` at which others cross it as seen from the centre; their number."""
-    a0, a1 = starts[a] - centre, ends[a] - centre
-    normal_a = np.cross(a0, a1)
+def _planes(starts: Floats, ends: Floats) -> Floats:
+    """Normals (E, 3) of the planes through the centre and each edge, both ends from there."""
+    normals = np.empty((len(starts), 3))
+    for e in range(len(starts)):
+        a, b, normal = starts[e], ends[e], normals[e]
+        normal[0] = a[1] * b[2] - a[2] * b[1]
+        normal[1] = a[2] * b[0] - a[0] * b[2]
+        normal[2] = a[0] * b[1] - a[1] * b[0]
+    return normals
+
+
+@kernel
+def _dot(a: Floats, b: Floats) -> float:
+    return float(a[0] * b[0] + a[1] * b[1] + a[2] * b[2])
+
+
+@kernel
+def _cuts(starts: Floats, ends: Floats, normals: Floats, a: int, cuts: Floats) -> int:
+    """Fractions of edge ``a`` at which others cross it as seen from the centre; their number.
+
+    Ends from the centre; ``normals`` as ``_planes`` gives them.
+    """
     cuts[0], cuts[1] = 0.0, 1.0
     n = 2
     for b in range(len(starts)):
-        b0, b1 = starts[b] - centre, ends[b] - centre
-        d0, d1 = (normal_a * b0).sum(), (normal_a * b1).sum()
+        d0, d1 = _dot(normals[a], starts[b]), _dot(normals[a], ends[b])
         if a == b or d0 * d1 > 0.0 or d0 == d1:
             continue
-        normal_b = np.cross(b0, b1)
-        c0, c1 = (normal_b * a0).sum(), (normal_b * a1).sum()
+        c0, c1 = _dot(normals[b], starts[a]), _dot(normals[b], ends[a])
         if c0 * c1 > 0.0 or c0 == c1:
             continue
-        at = c0 / (c0 - c1)
-        ray_a = a0 + at * (a1 - a0)
-        ray_b = b0 + d0 / (d0 - d1) * (b1 - b0)
-        if (ray_a * ray_b).sum() > 0.0:
+        at, along = c0 / (c0 - c1), d0 / (d0 - d1)
+        agreement = 0.0
+        for k in range(3):
+            ray_a = starts[a, k] + at * (ends[a, k] - starts[a, k])
+            agreement += ray_a * (starts[b, k] + along * (ends[b, k] - starts[b, k]))
+        if agreement > 0.0:
             cuts[n] = at
             n += 1
     return n
@@ -184,14 +207,21 @@ def _cuts(starts: Floats, ends: Floats, centre: Floats, a: int, cuts: Floats) ->
 def _beside(
     boxes: Floats, grooves: Floats, centre: Floats, ray: Floats, normal: Floats
 ) -> tuple[int, int]:
-    """Regions on either side of a point of an edge; twice the same where it is not seen."""
+    """Regions on either side of a point of an edge; twice the same where it is not seen.
+
+    ``ray`` (3,) to the point is moved.
+    """
     hit, _ = first_hit(boxes, grooves, centre, ray)
-    length = np.sqrt((normal**2).sum())
+    length = np.sqrt(_dot(normal, normal))
     if hit < 1.0 - _ON_SURFACE or length == 0.0:
         return 0, 0
-    aside = normal * (_BESIDE_RAD * np.sqrt((ray**2).sum()) / length)
-    _, one = first_hit(boxes, grooves, centre, ray + aside)
-    _, other = first_hit(boxes, grooves, centre, ray - aside)
+    aside = _BESIDE_RAD * np.sqrt(_dot(ray, ray)) / length
+    for k in range(3):
+        ray[k] += aside * normal[k]
+    _, one = first_hit(boxes, grooves, centre, ray)
+    for k in range(3):
+        ray[k] -= 2 * aside * normal[k]
+    _, other = first_hit(boxes, grooves, centre, ray)
     return one, other
 
 
@@ -206,16 +236,19 @@ def _seen(
     sides = np.empty((count * count, 2), np.int64)
     found = 0
     cuts = np.empty(count + 2)
+    begin, finish = starts - centre, ends - centre
+    normals = _planes(begin, finish)
+    ray = np.empty(3)
     for a in range(count):
-        order = np.sort(cuts[: _cuts(starts, ends, centre, a, cuts)])
-        a0, along = starts[a] - centre, ends[a] - starts[a]
-        normal = np.cross(a0, a0 + along)
+        order = np.sort(cuts[: _cuts(begin, finish, normals, a, cuts)])
         joined = False
         for k in range(len(order) - 1):
             if order[k + 1] - order[k] < _SHORTEST:
                 continue
-            ray = a0 + 0.5 * (order[k] + order[k + 1]) * along
-            one, other = _beside(boxes, grooves, centre, ray, normal)
+            middle = 0.5 * (order[k] + order[k + 1])
+            for m in range(3):
+                ray[m] = begin[a, m] + middle * (finish[a, m] - begin[a, m])
+            one, other = _beside(boxes, grooves, centre, ray, normals[a])
             if one == other:
                 joined = False
                 continue
