@@ -22,15 +22,19 @@ from app.metrology.adjustment.board_joint import calibrate_board, see_board
 from app.metrology.adjustment.board_problem import BoardInputs
 from app.metrology.adjustment.board_start import SeenBoard
 from app.metrology.adjustment.joint import JointInputs, NotSeen, calibrate_joint, see_pose
+from app.metrology.chessboard.board import Chessboard
+from app.metrology.crenellated import Crenellated
 from app.metrology.findings import LIMITS, Limits
 from app.metrology.one_pose import OnePoseInputs, calibrate_one_pose
 from app.metrology.refusal import Refusal
+from app.metrology.stripe_flanks import Image
 
 Method = Literal["one-pose", "joint"]
 NOTHING_KNOWN: Mapping[int, SeenPose | Refusal] = {}
 # Share of the time that looking at the pictures takes.
 LOOKING = 0.8
 Seen = TypeVar("Seen", SeenPose, SeenBoard)
+Target = TypeVar("Target", Crenellated, Chessboard)
 
 
 def calibrate_session(
@@ -134,7 +138,11 @@ def joint_inputs(
     """
     seen, unseen = _looked_at(
         session.poses,
-        lambda pose: known[pose.number] if pose.number in known else _seen(session, pose),
+        lambda pose: (
+            known[pose.number]
+            if pose.number in known
+            else _seen(see_pose, session.block, session, pose)
+        ),
         progress,
     )
     return JointInputs(
@@ -153,7 +161,9 @@ def board_inputs(
     session: BoardSession, limits: Limits = LIMITS, progress: Progress = no_progress
 ) -> BoardInputs:
     """The same of a session on a chessboard."""
-    seen, unseen = _looked_at(session.poses, lambda pose: _seen_board(session, pose), progress)
+    seen, unseen = _looked_at(
+        session.poses, lambda pose: _seen(see_board, session.board, session, pose), progress
+    )
     return BoardInputs(
         arm=session.arm,
         board=session.board,
@@ -184,22 +194,17 @@ def _looked_at(
     return seen, tuple(unseen)
 
 
-def _seen(session: Session, pose: Pose) -> SeenPose | Refusal:
+def _seen(
+    see: Callable[[int, Target, Image, Image | None, str], Seen],
+    target: Target,
+    session: Session | BoardSession,
+    pose: Pose,
+) -> Seen | Refusal:
     """A pose's pictures looked at; the refusal where they show nothing usable."""
     ambient = read_grey(pose.ambient)
     laser = None if pose.laser is None else read_grey(pose.laser)
     try:
-        return see_pose(pose.number, session.block, ambient, laser, session.sensor.stripe_axis)
-    except Refusal as refusal:
-        return refusal
-
-
-def _seen_board(session: BoardSession, pose: Pose) -> SeenBoard | Refusal:
-    """The same of a chessboard."""
-    ambient = read_grey(pose.ambient)
-    laser = None if pose.laser is None else read_grey(pose.laser)
-    try:
-        return see_board(pose.number, session.board, ambient, laser, session.sensor.stripe_axis)
+        return see(pose.number, target, ambient, laser, session.sensor.stripe_axis)
     except Refusal as refusal:
         return refusal
 

@@ -6,8 +6,6 @@ Without contacts the board's place in the arm's frame is found with everything e
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from app.metrology.adjustment.board_findings import ROBOT_ROW, BoardEvidence, board_findings
 from app.metrology.adjustment.board_lines import scatter_told
 from app.metrology.adjustment.board_problem import BoardInputs, BoardStart, board_problem
@@ -19,7 +17,12 @@ from app.metrology.adjustment.board_results import (
 )
 from app.metrology.adjustment.board_start import SeenBoard
 from app.metrology.adjustment.board_view import BoardView
-from app.metrology.adjustment.joint import sorted_anew, stripe_rms_mm
+from app.metrology.adjustment.joint import (
+    depth_range_mm,
+    refuse_nothing_seen,
+    sorted_anew,
+    stripe_rms_mm,
+)
 from app.metrology.adjustment.mounting import Mounting
 from app.metrology.adjustment.pose_results import PoseResult, left_out
 from app.metrology.adjustment.sheet import corners_at
@@ -34,8 +37,6 @@ from app.metrology.detection.picture import picture_findings
 from app.metrology.findings import Finding, WorstPoint
 from app.metrology.frames import Floats, inverse
 from app.metrology.laser_plane import LaserPlane
-from app.metrology.reconstruct import sensor_points
-from app.metrology.refusal import Refusal
 from app.metrology.stripe import extract_stripe
 from app.metrology.stripe_flanks import Image
 
@@ -90,12 +91,7 @@ def calibrate_board(inputs: BoardInputs, progress: Progress | None = None) -> Bo
         Refusal: whatever makes the calibration impossible, by its reason.
     """
     say = progress or (lambda _what, _share: None)
-    if not inputs.seen:
-        raise (
-            inputs.unseen[0].refusal
-            if inputs.unseen
-            else Refusal("no-images", "no pose was given", "", "take a picture of the board")
-        )
+    refuse_nothing_seen(inputs.seen, inputs.unseen, "board")
     say("Finding a start", 0.0)
     start = board_problem(inputs)
     say("Adjusting all poses together", 0.3)
@@ -132,9 +128,6 @@ def _assembled(inputs: BoardInputs, found: Adjusted, start: BoardStart) -> Board
     camera, plane, T_flange_sensor = sensor_of(state, T_cam_sensor)
     poses = _pose_results(inputs, found, start)
     contacts = board_contacts(found)
-    stripe = np.concatenate([view.stripe_px() for view in found.problem.views])
-    points = sensor_points(state.camera, state.plane, stripe)
-    distance = np.linalg.norm(points[np.isfinite(points).all(axis=1)], axis=1)
     evidence = BoardEvidence(
         inputs.board,
         inputs.seen,
@@ -157,7 +150,7 @@ def _assembled(inputs: BoardInputs, found: Adjusted, start: BoardStart) -> Board
         worth,
         contacts,
         1e3 * stripe_rms_mm(found),
-        (float(distance.min()), float(distance.max())),
+        depth_range_mm(found),
         board_findings(evidence),
         board_worst(found, poses, contacts),
     )

@@ -1,6 +1,5 @@
 """What is to agree in a calibration on a chessboard, and a start for it."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -18,7 +17,12 @@ from app.metrology.adjustment.board_start import (
 from app.metrology.adjustment.board_view import BoardView, without_line
 from app.metrology.adjustment.evidence import Problem, Touches
 from app.metrology.adjustment.joint import NotSeen
-from app.metrology.adjustment.mounting import Mounting, mounting_by_motion, refuse_alike
+from app.metrology.adjustment.mounting import (
+    Mounting,
+    mounting_by_motion,
+    refuse_alike,
+    refuse_contradictions,
+)
 from app.metrology.adjustment.readings import motion_of, plane_touches
 from app.metrology.adjustment.robot_noise import (
     PosesSeen,
@@ -89,7 +93,7 @@ def board_problem(inputs: BoardInputs) -> BoardStart:
     T_cam_obj = np.array([rigid(one.rotation, one.translation_mm) for one in found.cameras])
     mounting = mounting_by_motion(moves.T_arm_flange, T_cam_obj, board.size_mm)
     size = size_by_motion(mounting, board)
-    _refuse_contradictions(mounting, numbers)
+    refuse_contradictions(mounting, numbers, "board")
     lines = lines_of(views, found, numbers)
     noise = None
     if isinstance(arm, RobotArm):
@@ -195,16 +199,3 @@ def _with_line(view: BoardView, found: Bundle, pose: int, lines: Lines) -> Board
     n, t = in_cam.normal, camera.translation_mm
     plane = LaserPlane(camera.rotation.T @ n, float(in_cam.offset_mm - n @ t))
     return view.sorted_anew(camera, plane, found.coordinates)
-
-
-def _refuse_contradictions(mounting: Mounting, numbers: Sequence[int]) -> None:
-    out = mounting.contradicts
-    if out.sum() * 2 < len(out):
-        return
-    raise Refusal(
-        "poses-contradict",
-        f"poses {', '.join(map(str, numbers))} put the board up to"
-        f" {mounting.off_mm.max():.1f} mm apart",
-        "with half of them or more contradicting the others, none can be trusted",
-        "check that the board was not moved, and that every picture has its own pose",
-    )

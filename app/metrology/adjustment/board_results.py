@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.adjustment.board_start import SeenBoard
-from app.metrology.adjustment.pose_results import PoseResult, worst_in_pictures
+from app.metrology.adjustment.pose_results import PoseResult, off_um, rms, worst_in_pictures
 from app.metrology.adjustment.sheet import corners_at
 from app.metrology.adjustment.solve import Adjusted
 from app.metrology.adjustment.state import pose_scene
@@ -27,7 +27,7 @@ class BoardContacts:
     @property
     def rms_um(self) -> float:
         """Of those that count."""
-        return _rms(self.residuals_um[~self.left_out])
+        return rms(self.residuals_um[~self.left_out])
 
 
 def board_pose_results(
@@ -35,23 +35,20 @@ def board_pose_results(
 ) -> list[PoseResult]:
     """Of the poses that were used."""
     by_number = {pose.number: pose for pose in seen}
-    state, motion = found.state, found.problem.motion
     results = []
     for p, number in enumerate(found.problem.numbers):
         corners, stripe = found.linear.rows[p]
         kept_corners, kept_stripe = (one.kept for one in found.judgements[p])
-        twist = motion.by_links[p] @ state.links + motion.by_noise[p] @ state.noise[p]
-        at = state.T_arm_obj[:3, 3]
         results.append(
             PoseResult(
                 number,
                 True,
                 "",
-                _rms(corners.residuals[kept_corners]) * np.sqrt(2),
+                rms(corners.residuals[kept_corners]) * np.sqrt(2),
                 int(kept_corners.sum()) // 2,
-                _rms(stripe.residuals[kept_stripe]),
+                rms(stripe.residuals[kept_stripe]),
                 int(kept_stripe.sum()),
-                1e3 * float(np.linalg.norm(np.cross(twist[:3], at) + twist[3:])),
+                off_um(found, p),
                 _corners(found, p, by_number[number], board),
             )
         )
@@ -93,7 +90,3 @@ def board_worst(
         ]
     worst += worst_in_pictures(found, poses)
     return tuple(worst)
-
-
-def _rms(values: Floats) -> float:
-    return float(np.sqrt(np.mean(values**2))) if len(values) else 0.0

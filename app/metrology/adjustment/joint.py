@@ -7,14 +7,17 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from app.metrology.adjustment.arm_motion import arm_motion
 from app.metrology.adjustment.block_start import SeenPose, common_camera, seen_from
 from app.metrology.adjustment.block_view import BlockView, block_papers, block_touches
 from app.metrology.adjustment.evidence import Problem
 from app.metrology.adjustment.joint_findings import JointEvidence, joint_findings
-from app.metrology.adjustment.mounting import Mounting, mounting_by_contacts
+from app.metrology.adjustment.mounting import (
+    Mounting,
+    mounting_by_contacts,
+    refuse_contradictions,
+)
 from app.metrology.adjustment.pose_results import PoseResult, left_out, pose_results, worst_of_all
 from app.metrology.adjustment.solve import Adjusted, adjust
 from app.metrology.adjustment.state import State, pose_scene
@@ -36,8 +39,6 @@ from app.metrology.stripe import extract_stripe
 from app.metrology.stripe_flanks import Image
 
 Progress = Callable[[str, float], None]
-# Poses that are usually so far off agree with none.
-HOPELESS_MM = 5.0
 # Where the laser plane's offset stands among a scene's parameters.
 OFFSET = COUNT + 2
 
@@ -147,7 +148,7 @@ def _start(inputs: JointInputs, alignment: Alignment) -> tuple[Problem, State, M
     mounting = mounting_by_contacts(
         moves.T_arm_flange, T_cam_obj, alignment.T_arm_obj, block_size_mm(block)
     )
-    _refuse_contradictions(inputs, mounting)
+    refuse_contradictions(mounting, [pose.number for pose in inputs.seen], "object")
     papers = block_papers(block)
     views = tuple(
         _view(pose, block, camera, plane, T) for pose, T in zip(inputs.seen, T_cam_obj, strict=True)
@@ -235,7 +236,6 @@ def _assembled(
     evidence = JointEvidence(
         inputs.block, alignment, inputs.features, inputs.seen, found, worth, poses, inputs.limits
     )
-    distance = np.linalg.norm(_depths(found), axis=1)
     return JointCalibration(
         found,
         alignment,
@@ -246,7 +246,7 @@ def _assembled(
         poses,
         worth,
         1e3 * stripe_rms_mm(found),
-        (float(distance.min()), float(distance.max())),
+        depth_range_mm(found),
         joint_findings(evidence),
         worst_of_all(found, alignment, inputs.features, used),
     )
@@ -265,40 +265,29 @@ def stripe_rms_mm(found: Adjusted) -> float:
     return float(np.sqrt(square / max(count, 1)))
 
 
-def _depths(found: Adjusted) -> Floats:
-    """Points of all stripes in the camera's frame."""
+def depth_range_mm(found: Adjusted) -> tuple[float, float]:
+    """How near and how far from the camera the points of all stripes lie."""
     stripe = np.concatenate([view.stripe_px() for view in found.problem.views])
     points = sensor_points(found.state.camera, found.state.plane, stripe)
-    return points[np.isfinite(points).all(axis=1)]
+    distance = np.linalg.norm(points[np.isfinite(points).all(axis=1)], axis=1)
+    return float(distance.min()), float(distance.max())
 
 
-def _refuse_contradictions(inputs: JointInputs, mounting: Mounting) -> None:
-    """Refuses where the poses that agree are not more than those that do not."""
-    contradicts: NDArray[np.bool_] = mounting.contradicts
-    some = contradicts.sum() * 2 < len(contradicts) and np.median(mounting.off_mm) < HOPELESS_MM
-    if some or len(contradicts) < 2:
+def refuse_nothing_seen(seen: Sequence[object], unseen: Sequence[NotSeen], thing: str) -> None:
+    """Refuses where no picture shows the ``thing``, with the reason of the first.
+
+    Raises:
+        Refusal: the first picture's own, or that there is no picture.
+    """
+    if seen:
         return
-    numbers = _listed([pose.number for pose in inputs.seen])
-    raise Refusal(
-        "poses-contradict",
-        f"poses {numbers} put the object up to {mounting.off_mm.max():.1f} mm apart",
-        "with half of them or more contradicting the others, none can be trusted",
-        "check that the object was not moved, and that every picture has the joint angles of"
-        " its own pose",
-    )
-
-
-def _listed(numbers: Sequence[int]) -> str:
-    return ", ".join(str(number) for number in numbers)
+    if unseen:
+        raise unseen[0].refusal
+    raise Refusal("no-images", "no pose was given", "", f"take a picture of the {thing}")
 
 
 def _refuse_unusable(inputs: JointInputs) -> None:
-    if not inputs.seen:
-        raise (
-            inputs.unseen[0].refusal
-            if inputs.unseen
-            else Refusal("no-images", "no pose was given", "", "take a picture of the object")
-        )
+    refuse_nothing_seen(inputs.seen, inputs.unseen, "object")
     joints = inputs.arm.joint_count
     for name, q in (("the poses", inputs.q_rad), ("the contacts", inputs.contact_q_rad)):
         if q.ndim != 2 or q.shape[1] != joints:

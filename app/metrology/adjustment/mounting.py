@@ -1,5 +1,6 @@
 """How the sensor sits on the flange, from poses alone: a start, and poses that contradict it."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,6 +12,8 @@ from app.metrology.refusal import Refusal
 
 # Poses disagree with the others beyond this and this many times what is usual among them.
 CONTRADICTS_MM, CONTRADICTS_TIMES = 1.5, 6.0
+# Poses that scatter by this much have no place in common at all.
+HOPELESS_MM = 5.0
 # Turns between poses less than this tell nothing of where the sensor sits.
 LEAST_TURN_RAD = np.deg2rad(3.0)
 # Second direction of turning against the first, below which the turns are about one axis.
@@ -123,6 +126,30 @@ def refuse_alike(T_arm_flange: Floats) -> None:
             "where the sensor sits along that axis cannot be told",
             "add pictures turned about another axis",
         )
+
+
+def refuse_contradictions(mounting: Mounting, numbers: Sequence[int], thing: str) -> None:
+    """Refuses where the poses that agree are not more than those that do not.
+
+    Args:
+        numbers: the poses' own.
+        thing: what the pictures show, in the operator's words.
+
+    Raises:
+        Refusal: says how far apart the poses put it.
+    """
+    out = mounting.contradicts
+    some = out.sum() * 2 < len(out) and np.median(mounting.off_mm) < HOPELESS_MM
+    if some or len(out) < 2:
+        return
+    raise Refusal(
+        "poses-contradict",
+        f"poses {', '.join(map(str, numbers))} put the {thing} up to"
+        f" {mounting.off_mm.max():.1f} mm apart",
+        "with half of them or more contradicting the others, none can be trusted",
+        f"check that the {thing} was not moved, and that every picture has the arm's readings"
+        " of its own pose",
+    )
 
 
 def mean_of(T: Floats) -> Floats:

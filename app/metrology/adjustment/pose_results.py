@@ -14,7 +14,7 @@ from app.metrology.camera import project
 from app.metrology.crenellated import Crenellated, corners
 from app.metrology.findings import WORST_OF_A_KIND, WorstPoint
 from app.metrology.frames import Floats, inverse
-from app.metrology.scene import Rows, with_coordinates
+from app.metrology.scene import with_coordinates
 
 # A pose that contradicts the others fits another's readings if it then lies so near: this
 # many times what is usual among all poses, and this.
@@ -53,11 +53,11 @@ def pose_results(found: Adjusted, seen: Sequence[SeenPose], block: Crenellated) 
                 number,
                 True,
                 "",
-                _rms(shape, kept_shape),
+                rms(shape.residuals[kept_shape]),
                 int(kept_shape.sum()),
-                _rms(stripe, kept_stripe),
+                rms(stripe.residuals[kept_stripe]),
                 int(kept_stripe.sum()),
-                _off_um(found, p),
+                off_um(found, p),
                 _corners(found, p, by_number[number], block),
             )
         )
@@ -128,12 +128,13 @@ def worst_in_pictures(found: Adjusted, poses: Sequence[PoseResult]) -> list[Wors
     return worst
 
 
-def _rms(rows: Rows, kept: np.ndarray[tuple[int, ...], np.dtype[np.bool_]]) -> float:
-    own = rows.residuals[kept]
-    return float(np.sqrt(np.mean(own**2))) if len(own) else 0.0
+def rms(values: Floats) -> float:
+    """Of (N,) values; 0 where there are none."""
+    return float(np.sqrt(np.mean(values**2))) if len(values) else 0.0
 
 
-def _off_um(found: Adjusted, pose: int) -> float:
+def off_um(found: Adjusted, pose: int) -> float:
+    """How far the noise of a pose's readings moves the object."""
     moves, state = found.problem.motion, found.state
     twist = moves.by_noise[pose] @ state.noise[pose]
     at = state.T_arm_obj[:3, 3]
