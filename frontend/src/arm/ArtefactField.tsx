@@ -1,10 +1,12 @@
 import { SegmentedControl } from "@mantine/core";
-import { type FormEvent, useEffect, useState } from "react";
+import type { FormEvent } from "react";
 
 import { sendArm } from "../api/armCommands";
 import type { Artefact } from "../api/armTypes";
 import { PressButton } from "../parts/PressButton";
+import { useHeld } from "../state/useHeld";
 import styles from "./Fields.module.css";
+import { UnitInput } from "./UnitInput";
 
 const KINDS = [
   { value: "seat", label: "Seat" },
@@ -60,43 +62,20 @@ function Size({ kind, artefact, disabled }: SizeProps) {
         {SIZE[kind]}
       </label>
       <div className={styles.row}>
-        <div className={styles.unit} data-unit="mm">
-          <input
-            id="artefact-size"
-            className={styles.input}
-            type="number"
-            inputMode="decimal"
-            step="any"
-            value={size.text}
-            disabled={disabled}
-            onChange={(event) => size.setText(event.target.value)}
-          />
-        </div>
+        <UnitInput id="artefact-size" unit="mm" value={size.text} disabled={disabled} onText={size.setText} />
         {kind === "bar" && (
-          <div className={styles.unit} data-unit="µm, k = 1">
-            <input
-              className={styles.input}
-              data-long
-              type="number"
-              inputMode="decimal"
-              step="any"
-              min={0}
-              aria-label="Standard uncertainty of the length"
-              value={unsure.text}
-              disabled={disabled}
-              onChange={(event) => unsure.setText(event.target.value)}
-            />
-          </div>
+          <UnitInput
+            unit="µm, k = 1"
+            long
+            min={0}
+            aria-label="Standard uncertainty of the length"
+            value={unsure.text}
+            disabled={disabled}
+            onText={unsure.setText}
+          />
         )}
         {(size.changed || unsure.changed) && <PressButton onPress={set}>Set</PressButton>}
       </div>
     </form>
   );
-}
-
-/** A field's text: the server's, until it is typed over. */
-function useHeld(held: string) {
-  const [text, setText] = useState(held);
-  useEffect(() => setText(held), [held]);
-  return { text, setText, changed: text !== held };
 }

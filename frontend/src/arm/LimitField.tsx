@@ -1,15 +1,15 @@
-import { type FormEvent, useEffect, useState } from "react";
+import type { FormEvent } from "react";
 
 import { sendArm } from "../api/armCommands";
 import { PressButton } from "../parts/PressButton";
+import { useHeld } from "../state/useHeld";
 import styles from "./Fields.module.css";
+import { UnitInput } from "./UnitInput";
 
 /** The largest (max − min)/2 that the operator accepts; kept for the next checks. */
 export function LimitField({ limit_um }: { limit_um: number | null }) {
-  const held = limit_um === null ? "" : String(limit_um);
-  const [text, setText] = useState(held);
-  useEffect(() => setText(held), [held]);
-  const set = () => sendArm("set_limit", { limit_um: text.trim() === "" ? null : Number(text) });
+  const limit = useHeld(limit_um === null ? "" : String(limit_um));
+  const set = () => sendArm("set_limit", { limit_um: limit.text.trim() === "" ? null : Number(limit.text) });
   const submit = (event: FormEvent) => {
     event.preventDefault();
     void set();
@@ -20,21 +20,16 @@ export function LimitField({ limit_um }: { limit_um: number | null }) {
         Limit of (max − min)/2 on each axis
       </label>
       <div className={styles.row}>
-        <div className={styles.unit} data-unit="µm">
-          <input
-            id="arm-limit"
-            className={styles.input}
-            type="number"
-            inputMode="decimal"
-            min={1}
-            max={100000}
-            step="any"
-            value={text}
-            placeholder="none"
-            onChange={(event) => setText(event.target.value)}
-          />
-        </div>
-        {text !== held && <PressButton onPress={set}>Set</PressButton>}
+        <UnitInput
+          id="arm-limit"
+          unit="µm"
+          min={1}
+          max={100000}
+          value={limit.text}
+          placeholder="none"
+          onText={limit.setText}
+        />
+        {limit.changed && <PressButton onPress={set}>Set</PressButton>}
       </div>
     </form>
   );
