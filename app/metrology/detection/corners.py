@@ -16,7 +16,7 @@ from app.metrology.crenellated import Crenellated
 from app.metrology.crenellated import corners as corners_of
 from app.metrology.detection import acceptance, refusals
 from app.metrology.detection.corner_fit import Corner, corners_where_edges_meet
-from app.metrology.detection.edge_survey import Survey, survey
+from app.metrology.detection.edge_survey import Survey, pulled, softened, survey
 from app.metrology.detection.evidence import DetectionRefusal, with_evidence
 from app.metrology.detection.identify import mirrored
 from app.metrology.detection.locate import Cleaning, Located, Search, locate, working_picture
@@ -188,7 +188,8 @@ def _tried(
         return _Tried(found, [])
     best = found.found[0].support
     blur_px = edge_blur_px(grey)
-    masked = np.where(hidden, np.nan, grey)
+    coarse_px, made_mm = max(3.0, 2.0 / scale), block.standard_uncertainty_mm
+    masked, smooth = np.where(hidden, np.nan, grey), softened(grey, coarse_px)
     good: list[tuple[Located, Survey]] = []
     rejected: list[tuple[Survey, Objection]] = []
     for rival in found.found[:_RIVALS]:
@@ -196,8 +197,11 @@ def _tried(
         if rival.support < _RIVAL * best or _known(start, rival.mirrored, good, block):
             continue
         form = wireframe(mirrored(block) if rival.mirrored else block)
-        coarse_px, made_mm = max(3.0, 2.0 / scale), block.standard_uncertainty_mm
-        measured = survey(grey, hidden, form, start, coarse_px, blur_px, made_mm)
+        camera = pulled(smooth, form, start, coarse_px)
+        # Several starts may lead to one placing; it is measured once.
+        if camera is None or _known(camera, rival.mirrored, good, block):
+            continue
+        measured = survey(masked, form, camera, blur_px, made_mm)
         if measured is None:
             continue
         measured, against = acceptance.judged(masked, measured, made_mm)

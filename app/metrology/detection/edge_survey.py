@@ -64,38 +64,55 @@ class Survey:
     blur_px: float
 
 
+def softened(grey: Floats, coarse_px: float) -> Floats:
+    """The picture (H, W) in which a camera that is ``coarse_px`` off finds its edges."""
+    return np.asarray(cv2.GaussianBlur(grey, (0, 0), max(0.8, coarse_px / 4)), dtype=np.float64)
+
+
+def pulled(smooth: Floats, frame: Wireframe, camera: Camera, reach_px: float) -> Camera | None:
+    """The camera that draws the block's edges where the picture has its steepest places.
+
+    Args:
+        smooth: (H, W) the picture, ``softened``.
+        frame: the block.
+        camera: a camera for this picture that draws the edges within ``reach_px``.
+        reach_px: how far off it may be.
+
+    Returns:
+        None where too few edges show, or the block is not before the camera.
+    """
+    for radius in (reach_px, max(0.6 * reach_px, 2.0)):
+        at = stations(frame, camera, 2 * _SPACING_PX, radius + 2)
+        offset, slope = search(smooth, at, radius)
+        met = np.isfinite(offset)
+        steep = np.abs(slope)
+        if met.sum() < 30:
+            return None
+        met &= steep > 0.15 * np.nanpercentile(steep, 80)
+        uv = at.uv_px + np.nan_to_num(offset)[:, None] * at.normal
+        sigma = np.full(int(met.sum()), 0.5)
+        camera, _, _ = fit_edges(
+            camera, at.points_mm[met], uv[met], at.normal[met], sigma, WITH_K1, 3
+        )
+    return camera if block_ahead(frame, camera) else None
+
+
 def survey(
-    grey: Floats,
-    hidden: NDArray[np.bool_],
-    frame: Wireframe,
-    camera: Camera,
-    coarse_px: float,
-    blur_px: float,
-    certificate_mm: float,
+    masked: Floats, frame: Wireframe, camera: Camera, blur_px: float, certificate_mm: float
 ) -> Survey | None:
     """Measures every visible edge of the block and fits the camera to them.
 
     Args:
-        grey: (H, W) the picture, 0..255.
-        hidden: (H, W) pixels that must not count (clipped, lit by the laser).
+        masked: (H, W) the picture, 0..255, NaN where it must not count (clipped, lit by the
+            laser).
         frame: the block.
-        camera: a camera for this picture that draws the edges within ``coarse_px``.
-        coarse_px: how far off it may be.
+        camera: a camera for this picture, ``pulled``.
         blur_px: about the standard deviation of the picture's blur.
         certificate_mm: standard uncertainty of the block's coordinates.
 
     Returns:
         None where too few edges show to fit anything.
     """
-    masked = grey.copy()
-    masked[hidden] = np.nan
-    smooth: Floats = np.asarray(
-        cv2.GaussianBlur(grey, (0, 0), max(0.8, coarse_px / 4)), dtype=np.float64
-    )
-    pulled = _coarse(smooth, frame, camera, coarse_px)
-    if pulled is None or not block_ahead(frame, pulled):
-        return None
-    camera = pulled
     blur, contrast = _blur(masked, frame, camera, blur_px)
     # In a noisy picture each point gathers light along more of its edge.
     spacing = _SPACING_PX * float(np.clip((_GOOD_CONTRAST / contrast) ** 2, 1.0, _LONGEST))
@@ -114,28 +131,6 @@ def without(found: Survey, parts: list[int], certificate_mm: float) -> Survey | 
     left_out = np.isin(found.at.part, parts)
     again = replace(found, shows=found.shows & ~left_out)
     return _with_significant_lens(again, certificate_mm)
-
-
-def _coarse(smooth: Floats, frame: Wireframe, camera: Camera, reach_px: float) -> Camera | None:
-    for radius in (reach_px, max(0.6 * reach_px, 2.0)):
-        at = stations(frame, camera, 2 * _SPACING_PX, radius + 2)
-        offset, slope = search(smooth, at, radius)
-        met = np.isfinite(offset)
-        steep = np.abs(slope)
-        if met.sum() < 30:
-            return None
-        met &= steep > 0.15 * np.nanpercentile(steep, 80)
-        uv = at.uv_px + np.nan_to_num(offset)[:, None] * at.normal
-        camera, _, _ = fit_edges(
-            camera,
-            at.points_mm[met],
-            uv[met],
-            at.normal[met],
-            np.full(int(met.sum()), 0.5),
-            WITH_K1,
-            3,
-        )
-    return camera
 
 
 def _blur(masked: Floats, frame: Wireframe, camera: Camera, blur: float) -> tuple[float, float]:
