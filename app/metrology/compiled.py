@@ -15,3 +15,13 @@ def kernel(function: F) -> F:
     threads may call a kernel at a time.
     """
     return cast(F, njit(nogil=True, cache=True)(function))
+
+
+def vector_kernel(function: F) -> F:
+    """As ``kernel``, for loops that a processor takes many elements at a time of.
+
+    A division by zero gives inf or NaN, as in numpy, since a branch would keep the loop
+    from being vectorised; a product and a sum may be rounded once together. NaN stays NaN.
+    """
+    compiled = njit(nogil=True, cache=True, error_model="numpy", fastmath={"contract"})
+    return cast(F, compiled(function))

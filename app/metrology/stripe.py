@@ -2,42 +2,41 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Literal, cast
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from app.metrology import stripe_choice as choice
 from app.metrology import stripe_kernels as kernels
 from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
-from app.metrology.stripe_flanks import (
-    FEWEST_COLUMNS,
-    Cores,
-    FlankFits,
-    Image,
-    averaged,
-    clipped_cores,
-    fit_flanks,
-)
+from app.metrology.stripe_flanks import Image, clipped_cores, fit_flanks
+from app.metrology.stripe_noise import read_noise
+from app.metrology.stripe_overexposed import joined, of_the_line
+from app.metrology.stripe_room import Room, give_back, take_room
+from app.metrology.stripe_search import LEAST_ROWS, search
+
+Choice = Literal["continuity", "strength", "first", "last"]
 
 # A peak stands out of the noise by this many standard deviations of its score; what
 # noise passes makes no run.
 STANDS_OUT = 4.0
+# The variance of the score, in those of a pixel.
+SCORE_VARIANCE = 7 / 12
 # A point belongs to a run of at least this many neighbouring points.
 SHORTEST_RUN = 6
-LARGEST_GAP = 3
-# Rows by which the stripe may climb from one column to the next.
-STEEPEST = 4.0
-# Widths, in shares of the image's typical one, and misfit beyond which a peak is no stripe.
-WIDTHS = (0.45, 2.2)
-# Columns between which laser speckle has become independent.
-SPECKLE_LAG = 6
-# Where most of the line is clipped, points dimmer than this share of it are none of it.
-DIM = 0.25
-# Share of its columns in which a piece of the line must be clipped, and its least length
-# in widths of its core.
-DENSE, LONG = 0.7, 4
-# Columns within which a clipped piece goes on where the rest of the line ends.
-JOINING = 8
+# Width at half height of a Gaussian, in standard deviations.
+HALF_HEIGHT = 2.3548
+# Clipped pixels in a column from which its flanks may tell more than its core.
+CLIPPED_CORE = 4
+RULES = {
+    "continuity": choice.CONTINUITY,
+    "strength": choice.STRENGTH,
+    "first": choice.FIRST,
+    "last": choice.LAST,
+}
 
 
 @dataclass(frozen=True)
@@ -67,23 +66,34 @@ class Stripe:
 
 
 @dataclass(frozen=True)
-class Noise:
-    """Variance of a pixel at signal s: ``read + gain s + contrast s^2``, in grey levels squared.
+class StripeSettings:
+    """What an operator may set; None leaves it to the image.
 
-    The three terms are read noise, shot noise and what scales with the signal
-    (speckle, fixed pattern).
+    ``threshold``: grey levels by which the stripe stands out of its surroundings (else four
+    standard deviations of the noise). ``min_width_px``, ``max_width_px``: its width at half
+    height (else 0.45 and 2.2 times the usual one). ``min_run``: points of a piece.
+    ``choice``: which of several peaks of a column is the stripe. ``continuity``: the one
+    whose piece of line is the brightest on average, pieces of less than 40 points in
+    proportion to their length; ``strength``: the brightest; ``first`` and ``last``: the
+    uppermost and the lowest (axis v: leftmost and rightmost) that belongs to a piece.
     """
 
-    read: float
-    gain: float
-    contrast: float
-
-    @property
-    def terms(self) -> Floats:
-        return np.array([self.read, self.gain, self.contrast])
+    threshold: float | None = None
+    min_width_px: float | None = None
+    max_width_px: float | None = None
+    min_run: int = SHORTEST_RUN
+    choice: Choice = "continuity"
 
 
-def extract_stripe(image: Image, axis: str = "u", where: NDArray[np.bool_] | None = None) -> Stripe:
+AUTOMATIC = StripeSettings()
+
+
+def extract_stripe(
+    image: Image,
+    axis: str = "u",
+    where: NDArray[np.bool_] | None = None,
+    settings: StripeSettings = AUTOMATIC,
+) -> Stripe:
     """One point per column (axis ``u``) or row (axis ``v``) where the stripe crosses it.
 
     A Gaussian on a constant background is fitted to each peak, weighted by the
@@ -100,30 +110,66 @@ def extract_stripe(image: Image, axis: str = "u", where: NDArray[np.bool_] | Non
         The points in ascending order; none where the image holds no stripe.
 
     Raises:
-        Refusal: not a grey image of whole numbers, or an unknown axis.
+        Refusal: not a grey image of whole numbers, a mask of another size, an unknown
+            axis, or settings that contradict themselves.
     """
-    grey = _as_grey(image, axis)
-    if min(grey.shape) <= 2 * kernels.SURROUND:
-        return _empty(axis)
+    grey = as_grey(image, axis)
+    whole = np.array([[0, grey.shape[0], 0, grey.shape[1]]])
+    return extract_from(grey, axis, whole, _as_seen(where, grey, axis), settings)
+
+
+def extract_from(
+    grey: Image,
+    axis: str,
+    parts: NDArray[np.int64],
+    where: NDArray[np.bool_],
+    settings: StripeSettings,
+) -> Stripe:
+    """The stripe in parts of an image that is turned already; see ``extract_stripe``.
+
+    Args:
+        grey: (H, W) with the stripe across its columns, as ``as_grey`` makes it.
+        parts: (n, 4) first row and the one behind the last, first column and the one
+            behind the last, of what is looked at.
+        where: (H, W) pixels in which the stripe may lie, or (0, 0) for all.
+    """
+    _check(settings)
+    if grey.shape[0] <= LEAST_ROWS or grey.shape[1] < settings.min_run:
+        return empty_stripe(axis)
+    room = take_room(grey)
+    try:
+        return _as_stripe(_points(grey, room, parts, where, settings), axis)
+    finally:
+        give_back(room)
+
+
+def _points(
+    grey: Image,
+    room: Room,
+    parts: NDArray[np.int64],
+    where: NDArray[np.bool_],
+    settings: StripeSettings,
+) -> Floats:
+    """The stripe's points (4, N): along, across, height, standard deviation."""
     saturated = saturation_level(grey)
-    allowed = np.zeros((0, 0), dtype=np.bool_) if where is None else _as_seen(where, grey, axis)
-    cores = clipped_cores(grey, saturated)
-    if where is not None:
-        cores = cores.chosen(allowed[(cores.first + cores.last) // 2, cores.columns])
-    level, peak = np.empty(grey.shape[1]), np.empty(grey.shape[1], dtype=np.int64)
-    kernels.peak_rows(grey, allowed, level, peak)
-    beside = np.ones(grey.shape[1], dtype=np.bool_)
-    beside[cores.columns] = False
-    peaks = _peaks(grey, level, peak, beside, saturated)
-    ours = _of_the_line(cores, peaks)
-    if not ours.all():
-        cores = cores.chosen(ours)
-        beside[:] = True
-        beside[cores.columns] = False
-        peaks = _peaks(grey, level, peak, beside, saturated)
-    return _joined(
-        peaks, fit_flanks(grey, cores, saturated, _read_noise(grey)), cores, axis, saturated
-    )
+    read = float(read_noise(grey, room.counts))
+    highest = search(grey, where, parts, room.ring, room.wide, room.score, room.at)
+    everywhere = np.zeros(0, dtype=np.bool_)
+    peaks, clipped = _peaks(grey, room, everywhere, read, saturated, settings)
+    if highest >= saturated or clipped >= CLIPPED_CORE:
+        cores = clipped_cores(grey, saturated)
+        if len(where):
+            cores = cores.chosen(where[(cores.first + cores.last) // 2, cores.columns])
+        peaks = _peaks(grey, room, cores.beside(grey.shape[1]), read, saturated, settings)[0]
+        ours = of_the_line(cores, peaks, settings.min_run)
+        if not ours.all():
+            cores = cores.chosen(ours)
+            beside = cores.beside(grey.shape[1])
+            peaks = _peaks(grey, room, beside, read, saturated, settings)[0]
+        if len(cores.columns):
+            flanks = fit_flanks(grey, cores, saturated, read)
+            return joined(peaks, flanks, cores, saturated, settings.min_run)
+    return kernels.finish(peaks, settings.min_run, saturated)
 
 
 def together(parts: Sequence[Stripe]) -> Stripe:
@@ -153,7 +199,7 @@ def saturation_level(image: Image) -> float:
     return 65535.0
 
 
-def _as_grey(image: Image, axis: str) -> Image:
+def as_grey(image: Image, axis: str) -> Image:
     """The image with the stripe across its columns, rows contiguous in memory."""
     array = np.asarray(image)
     if array.ndim != 2 or array.dtype not in (np.uint8, np.uint16):
@@ -164,205 +210,92 @@ def _as_grey(image: Image, axis: str) -> Image:
         )
     if axis not in ("u", "v"):
         raise Refusal("axis-unknown", f'stripe axis "{axis}"', 'it is "u" or "v"')
-    return np.ascontiguousarray(array if axis == "u" else array.T)
+    if axis == "u":
+        return np.ascontiguousarray(array)
+    return cast(Image, cv2.transpose(cast(Image, array)))
 
 
-def _as_seen(where: NDArray[np.bool_], grey: Image, axis: str) -> NDArray[np.bool_]:
-    """The mask turned as the image was."""
-    turned = np.ascontiguousarray(where if axis == "u" else where.T)
+def _as_seen(where: NDArray[np.bool_] | None, grey: Image, axis: str) -> NDArray[np.bool_]:
+    """The mask turned as the image was; (0, 0) for none."""
+    if where is None:
+        return np.zeros((0, 0), dtype=np.bool_)
+    turned = np.ascontiguousarray(where if axis == "u" else where.T, dtype=np.bool_)
     if turned.shape != grey.shape:
-        raise Refusal("mask-size", f"a mask of shape {where.shape} for an image of another shape")
+        raise Refusal(
+            "mask-size",
+            f"a mask of {where.shape} pixels for an image of another size",
+            "a mask says of every pixel whether the stripe may lie there",
+        )
     return turned
 
 
-def _read_noise(image: Image) -> float:
-    """Variance of a dark pixel in grey levels squared, from differences of neighbours.
-
-    Most of an image is unlit, so the bulk of the differences is noise; what exceeds
-    three times their median is scene and is cut off. Rounding adds 1/12 at least.
-    """
-    counts = np.zeros(4096, dtype=np.int64)
-    kernels.neighbour_differences(image, max(image.shape[0] // 128, 1), counts)
-    cumulative = np.cumsum(counts)
-    median = int(np.searchsorted(cumulative, cumulative[-1] / 2))
-    kept = counts[: 4 * median + 3]
-    variance = float(np.sum(kept * np.arange(len(kept)) ** 2.0) / max(kept.sum(), 1)) / 2
-    return max(variance, 1 / 12)
-
-
-def _noise_of(
-    image: Image, columns: NDArray[np.int64], fits: Floats, saturated: float, read: float
-) -> Noise:
-    """The noise model that the residuals of a first round of fits show."""
-    bins = 32
-    sums, squares = np.zeros(bins), np.zeros(bins)
-    counts = np.zeros(bins, dtype=np.int64)
-    kernels.residual_moments(image, columns, fits, saturated, sums, squares, counts)
-    filled = counts > 20
-    if filled.sum() < 3:
-        return Noise(read, 0.01 * saturated / 255, 0.0)
-    signal = sums[filled] / counts[filled]
-    excess = np.maximum(squares[filled] / counts[filled] - read, 0.0)
-    # each bin's variance is known to a share of itself, so weigh by 1 / variance
-    weight = np.sqrt(counts[filled]) / (excess + read)
-    terms = np.column_stack([signal, signal**2])
-    gain, contrast = _non_negative(terms * weight[:, None], excess * weight)
-    return Noise(read, gain, contrast)
-
-
-def _non_negative(terms: Floats, values: Floats) -> tuple[float, float]:
-    """Least squares of two terms, neither below zero."""
-    both = np.linalg.lstsq(terms, values)[0]
-    if both.min() >= 0:
-        return float(both[0]), float(both[1])
-    alone = np.maximum(np.sum(terms * values[:, None], axis=0) / np.sum(terms**2, axis=0), 0.0)
-    left = [float(np.sum((values - terms[:, i] * alone[i]) ** 2)) for i in range(2)]
-    return (float(alone[0]), 0.0) if left[0] < left[1] else (0.0, float(alone[1]))
-
-
-@dataclass(frozen=True)
-class _Peaks:
-    """The fitted peaks by their column."""
-
-    along: Floats
-    across: Floats
-    amplitude: Floats
-    variance: Floats
-
-    def chosen(self, kept: NDArray[np.bool_]) -> "_Peaks":
-        return _Peaks(
-            self.along[kept], self.across[kept], self.amplitude[kept], self.variance[kept]
+def _check(settings: StripeSettings) -> None:
+    """Refuses what cannot be meant."""
+    least, most = settings.min_width_px, settings.max_width_px
+    wrong = ""
+    if settings.threshold is not None and not settings.threshold >= 0:
+        wrong = f"a threshold of {settings.threshold}"
+    elif least is not None and not least >= 0:
+        wrong = f"a minimum width of {least} px"
+    elif most is not None and not most > (least or 0):
+        wrong = f"a maximum width of {most} px"
+    elif settings.min_run < 1:
+        wrong = f"pieces of {settings.min_run} points"
+    elif settings.choice not in RULES:
+        wrong = f'the choice "{settings.choice}"'
+    if wrong:
+        raise Refusal(
+            "stripe-settings",
+            f"{wrong} of the stripe",
+            f"widths are positive and ascend; the choice is one of {', '.join(RULES)}",
         )
 
 
 def _peaks(
     grey: Image,
-    level: Floats,
-    peak: NDArray[np.int64],
+    room: Room,
     sought: NDArray[np.bool_],
+    read: float,
     saturated: float,
-) -> _Peaks:
-    """The peaks of the columns sought (W,) that look like a stripe: of its width, in runs."""
-    read = _read_noise(grey)
-    # the score's variance: 4 of 5 core pixels' mean and a mean of 3
-    threshold = STANDS_OUT * np.sqrt(read * (1 / 4 + 1 / 3))
-    columns = np.flatnonzero(sought & (level > threshold) & (peak >= 0))
-    fits = np.empty((len(columns), 7))
-    guess = Noise(read, 0.01 * saturated / 255, 0.0)
-    kernels.fit_columns(grey, columns, peak[columns], guess.terms, saturated, fits)
-    noise = _noise_of(grey, columns, fits, saturated, read)
-    kernels.fit_columns(grey, columns, peak[columns], noise.terms, saturated, fits)
-    fitted = np.isfinite(fits[:, kernels.CENTRE])
-    along, fits = columns[fitted].astype(np.float64), fits[fitted]
-    widths = fits[:, kernels.SIGMA]
-    typical = float(np.median(widths)) if len(widths) else 0.0
-    good = (widths > WIDTHS[0] * typical) & (widths < WIDTHS[1] * typical) & (widths > 0.5)
-    along, fits = along[good], fits[good]
-    misfit = fits[:, kernels.CHI2] / np.maximum(fits[:, kernels.PIXELS] - 4, 1)
-    variance = fits[:, kernels.VARIANCE] * np.where(misfit > 3, misfit, 1.0)
-    return _Peaks(along, fits[:, kernels.CENTRE], fits[:, kernels.AMPLITUDE], variance)
+    settings: StripeSettings,
+) -> tuple[Floats, int]:
+    """The fitted peaks (4, n) of the columns sought, and the most pixels clipped in one."""
+    threshold = settings.threshold
+    if threshold is None:
+        threshold = STANDS_OUT * np.sqrt(SCORE_VARIANCE * read)
+    least, most = settings.min_width_px, settings.max_width_px
+    found, clipped = kernels.measure(
+        grey,
+        room.score,
+        room.at,
+        sought,
+        RULES[settings.choice],
+        settings.min_run,
+        float(threshold),
+        (
+            np.nan if least is None else least / HALF_HEIGHT,
+            np.nan if most is None else most / HALF_HEIGHT,
+        ),
+        read,
+        saturated,
+        room.marks,
+        room.words,
+        room.places,
+        room.chosen,
+        room.raw,
+        room.blocks,
+        room.profiles,
+        room.fits,
+        room.peaks,
+    )
+    return room.peaks[:, :found].copy(), clipped
 
 
-def _of_the_line(cores: Cores, peaks: _Peaks) -> NDArray[np.bool_]:
-    """Which clipped cores (n,) belong to the line, and not to a highlight beside it.
-
-    A track does that is longer than all that is not clipped, or begins or ends where the
-    unclipped line ends or begins; and that is several times as long as wide.
-    """
-    ours = np.zeros(len(cores.columns), dtype=np.bool_)
-    if len(cores.columns) == 0:
-        return ours
-    widths = cores.last - cores.first + 1
-    wide = (widths > WIDTHS[0] * cores.width) & (widths < WIDTHS[1] * cores.width)
-    runs = in_runs(peaks.along, peaks.across)
-    along, across = peaks.along[runs], peaks.across[runs]
-    middle = (cores.first + cores.last) / 2
-    for track in np.unique(cores.track):
-        own = np.flatnonzero(cores.track == track)
-        span = cores.columns[own[-1]] - cores.columns[own[0]] + 1
-        if len(own) < max(DENSE * span, LONG * cores.width):
-            continue  # hardly overexposed: the peak is told by what is beside the clipped pixels
-        joins = len(own) >= len(along)
-        for end in (own[0], own[-1]):
-            gap = np.abs(along - cores.columns[end])
-            near = (gap <= JOINING) & (np.abs(across - middle[end]) <= STEEPEST * gap)
-            joins = joins or bool(near.any())
-        ours[own] = joins
-    ours &= wide
-    return ours if ours.sum() >= FEWEST_COLUMNS else np.zeros_like(ours)
+def _as_stripe(points: Floats, axis: str) -> Stripe:
+    along, across, height, sigma = points
+    return Stripe(*((along, across) if axis == "u" else (across, along)), height, sigma, axis)
 
 
-def _joined(peaks: _Peaks, flanks: FlankFits, cores: Cores, axis: str, saturated: float) -> Stripe:
-    """Fitted peaks and flanks as one stripe, points in runs only, with their deviations."""
-    if len(flanks.columns) > len(peaks.along):
-        peaks = peaks.chosen(peaks.amplitude > DIM * saturated)
-    columns = flanks.columns.astype(np.float64)
-    along = np.concatenate([peaks.along, columns])
-    across = np.concatenate([peaks.across, flanks.centre])
-    order = np.argsort(along, kind="stable")
-    kept = order[in_runs(along[order], across[order])]
-    clipped = kept >= len(peaks.along)
-    along, across = along[kept], across[kept]
-    height, variance = np.full(len(kept), saturated), np.empty(len(kept))
-    rest = kept[~clipped]
-    height[~clipped] = np.minimum(peaks.amplitude[rest], saturated)
-    known = peaks.variance[rest]
-    scatter = _speckle_variance(peaks.along[rest], peaks.across[rest], known, SPECKLE_LAG)
-    if clipped.any():
-        line = averaged(flanks.chosen(kept[clipped] - len(peaks.along)), cores.width)
-        unsure = line.variance + line.uneven
-        # points that share no column are as far apart as the core is wide
-        lag = int(cores.width) + 1
-        rough = _speckle_variance(along[clipped], line.centre, unsure, lag, lag)
-        across[clipped], variance[clipped] = line.centre, unsure + rough
-        # a few points between clipped ones lie on the same rough surface
-        scatter = max(scatter, rough)
-    variance[~clipped] = known + scatter
-    u, v = (along, across) if axis == "u" else (across, along)
-    return Stripe(u, v, height, np.sqrt(variance), axis)
-
-
-def in_runs(along: Floats, across: Floats) -> NDArray[np.bool_]:
-    """Which points (N,) lie in a run of neighbours that is long enough."""
-    if len(along) == 0:
-        return np.zeros(0, dtype=np.bool_)
-    gap = np.diff(along)
-    breaks = (gap > LARGEST_GAP) | (np.abs(np.diff(across)) > STEEPEST * gap)
-    run = np.concatenate([[0], np.cumsum(breaks)])
-    return np.asarray(np.bincount(run)[run] >= SHORTEST_RUN)
-
-
-def _speckle_variance(
-    along: Floats, across: Floats, variance: Floats, lag: int, alike: int = 0
-) -> float:
-    """What the points scatter by beyond the pixels' noise, in px squared.
-
-    Speckle shifts the light itself and is alike in neighbouring columns, so it shows
-    only between points ``lag`` columns apart: the fourth difference over such lags
-    of a smooth surface is noise alone. The median is robust to steps and
-    texture. Where ``alike`` neighbours share their noise, few points are independent: what
-    their median may exceed the known variance by in chance is none.
-    """
-    unbroken = along[4 * lag :] - along[: -4 * lag] == 4 * lag
-    if unbroken.sum() < 30:
-        return 0.0
-    parts = [slice(i * lag, len(along) - (4 - i) * lag) for i in range(5)]
-    factors = (1, -4, 6, -4, 1)
-    pairs = list(zip(factors, parts, strict=True))
-    squares = np.sum([f * across[p] for f, p in pairs], axis=0)[unbroken] ** 2
-    known = np.sum([f**2 * variance[p] for f, p in pairs], axis=0)[unbroken]
-    # the standard deviation of a median of squared deviates, in shares of itself
-    chance = 2.33 * np.sqrt(alike / len(squares))
-    if float(np.median(squares / known)) / 0.4549 - 1 < chance:
-        return 0.0
-    total = sum(f**2 for f in factors)
-    speckle = 0.0
-    for _ in range(30):
-        # the median of a squared standard normal deviate is 0.4549
-        surplus = float(np.median(squares / (known + total * speckle))) / 0.4549 - 1
-        speckle = max(speckle + surplus * (float(np.median(known)) / total + speckle), 0.0)
-    return speckle
-
-
-def _empty(axis: str) -> Stripe:
-    return Stripe(np.zeros(0), np.zeros(0), np.zeros(0), np.zeros(0), axis)
+def empty_stripe(axis: str) -> Stripe:
+    """A stripe of no points."""
+    return _as_stripe(np.zeros((4, 0)), axis)

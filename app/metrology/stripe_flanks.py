@@ -61,6 +61,12 @@ class Cores:
     def chosen(self, kept: NDArray[np.bool_]) -> "Cores":
         return Cores(self.columns[kept], self.first[kept], self.last[kept], self.track[kept])
 
+    def beside(self, width: int) -> NDArray[np.bool_]:
+        """The columns of an image (width,) that hold no core."""
+        beside = np.ones(width, dtype=np.bool_)
+        beside[self.columns] = False
+        return beside
+
 
 @dataclass(frozen=True)
 class FlankFits:

@@ -1,0 +1,149 @@
+"""Which of several peaks of a column is the stripe, and which of all peaks make a line."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.compiled import kernel
+from app.metrology.frames import Floats
+
+# The rules by which one of several peaks of a column is chosen.
+CONTINUITY, STRENGTH, FIRST, LAST = range(4)
+# Columns that a track may skip, and rows by which it may climb from one column to the next;
+# the rows of peaks are known to COARSE.
+SKIP, STEEPEST, COARSE = 3, 4, 3
+# A track counts by how high it is on average; in full if it has so many peaks.
+LONG = 40
+
+Places = NDArray[np.int32]
+
+
+@kernel
+def by_columns(columns: Places, width: int, begin: Places, order: Places) -> bool:
+    """Sorts peaks (n,) by columns; True where a column holds several.
+
+    Args:
+        begin: (width + 1,) filled with where each column's peaks begin in ``order``.
+        order: (n,) filled with the peaks, in each column as they came.
+    """
+    begin[:] = 0
+    for column in columns:
+        begin[column + 1] += 1
+    several = False
+    for i in range(width):
+        several |= begin[i + 1] > 1
+        begin[i + 1] += begin[i]
+    for p in range(len(columns)):
+        column = columns[p]
+        order[begin[column]] = p
+        begin[column] += 1
+    for i in range(width, 0, -1):
+        begin[i] = begin[i - 1]
+    begin[0] = 0
+    return several
+
+
+@kernel
+def link(
+    rows: Places, begin: Places, order: Places, track: Places, reached: NDArray[np.int64]
+) -> int:
+    """Numbers the peaks so that those that follow one another share a track; their number.
+
+    Each peak goes on with the nearest one before it that no nearer peak has gone on with.
+    """
+    tracks = 0
+    width = len(begin) - 1
+    reached[:] = -1
+    for i in range(width):
+        for place in range(begin[i], begin[i + 1]):
+            p = order[place]
+            nearest, best = 1 << 30, -1
+            for back in range(1, min(SKIP, i) + 1):
+                for earlier in range(begin[i - back], begin[i - back + 1]):
+                    q = order[earlier]
+                    climb = abs(rows[p] - rows[q])
+                    free = reached[track[q]] != i
+                    if climb <= STEEPEST * back + COARSE and climb < nearest and free:
+                        nearest, best = climb, q
+                if best >= 0:
+                    break
+            if best >= 0:
+                track[p] = track[best]
+            else:
+                track[p] = tracks
+                tracks += 1
+            reached[track[p]] = i
+    return tracks
+
+
+@kernel
+def choose(
+    columns: Places,
+    rows: Places,
+    heights: Places,
+    width: int,
+    rule: int,
+    shortest: int,
+    chosen_columns: Places,
+    chosen_rows: Places,
+) -> int:
+    """One peak a column, by a rule; returns how many.
+
+    Args:
+        columns, rows, heights: (n,) the peaks, from the top of the image down.
+        rule: CONTINUITY takes the peak whose track is the highest on average (short ones
+            count in proportion to their length), STRENGTH the highest peak, FIRST and LAST
+            the uppermost and the lowest that lies on a track of at least ``shortest``.
+        chosen_columns, chosen_rows: (width,) filled, in ascending order of columns.
+    """
+    n = len(columns)
+    begin, order = np.empty(width + 1, np.int32), np.empty(n, np.int32)
+    several = by_columns(columns, width, begin, order)
+    worth = np.empty(n, np.float64)
+    for p in range(n):
+        worth[p] = heights[p]
+    if several and rule != STRENGTH:
+        track = np.empty(n, np.int32)
+        tracks = link(rows, begin, order, track, np.empty(n, np.int64))
+        total, count = np.zeros(tracks), np.zeros(tracks, np.int64)
+        for p in range(n):
+            total[track[p]] += heights[p]
+            count[track[p]] += 1
+        for p in range(n):
+            length = count[track[p]]
+            worth[p] = total[track[p]] / length * min(length / LONG, 1.0)
+            if rule != CONTINUITY:
+                # a short track is taken where there is no other
+                downwards = rows[p] if rule == LAST else -rows[p]
+                worth[p] = downwards + (1e6 if length >= shortest else -1e6)
+    found = 0
+    for i in range(width):
+        best = -1
+        for place in range(begin[i], begin[i + 1]):
+            p = order[place]
+            if best < 0 or worth[p] > worth[best]:
+                best = p
+        if best >= 0:
+            chosen_columns[found], chosen_rows[found] = i, rows[best]
+            found += 1
+    return found
+
+
+@kernel
+def in_long_runs(
+    along: Floats,
+    across: Floats,
+    largest_gap: float,
+    steepest: float,
+    shortest: int,
+    kept: NDArray[np.bool_],
+) -> None:
+    """Marks the points (N,) that lie in a run of enough neighbours."""
+    n, begin = len(along), 0
+    for i in range(1, n + 1):
+        if i < n:
+            gap = along[i] - along[i - 1]
+            if gap <= largest_gap and abs(across[i] - across[i - 1]) <= steepest * gap:
+                continue
+        for j in range(begin, i):
+            kept[j] = i - begin >= shortest
+        begin = i

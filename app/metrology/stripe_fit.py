@@ -1,0 +1,380 @@
+"""Fitting a Gaussian on a background to the peaks of many columns at once.
+
+Columns are taken LANES at a time, side by side, so that every step is one for all of
+them: a block's numbers lie in one array of single precision, in rows of LANES. Indices
+are unsigned, since a signed one could count from the end, which keeps a loop slow.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.compiled import vector_kernel
+from app.metrology.frames import Floats
+from app.metrology.stripe_search import Grey
+
+Singles = NDArray[np.float32]
+
+LANES = 64
+# Rows of a block: the lower half of the normal matrix (row by row), its right-hand side,
+# chi squared and the number of pixels; the parameters and their inverses; first and last
+# pixel of the fit, what became of the lane, its last step in shares of the width, the centre's
+# variance, and how many pixels are clipped.
+_SUMS, _PARAMETERS, _STATES = 16, 6, 6
+(N00, N10, N11, N20, N21, N22, N30, N31, N32, N33, G0, G1, G2, G3, CHI2, USED) = (
+    np.uintp(LANES * i) for i in range(_SUMS)
+)
+C, A, S, B, PER_A, PER_S = (np.uintp(LANES * (_SUMS + i)) for i in range(_PARAMETERS))
+FIRST, LAST, STATE, MOVED, VAR, CLIPPED = (
+    np.uintp(LANES * (_SUMS + _PARAMETERS + i)) for i in range(_STATES)
+)
+ALL = np.uintp(LANES)
+TWO = np.uintp(2)
+ONE = np.uintp(1)
+BLOCK_ROWS = _SUMS + _PARAMETERS + _STATES
+# What became of a lane: no peak; a peak that needs more rows than the block holds; a peak.
+NO_PEAK, WIDER, PEAK = np.float32(0), np.float32(1), np.float32(2)
+
+# A fit reaches so many standard deviations and pixels from the centre, and further out
+# beside clipped pixels: a clipped profile looks wider, and has its foot further out.
+REACH, REACH_PX, BESIDE_CLIPPED_PX = np.float32(2.6), np.float32(1), np.float32(2)
+FEWEST_PIXELS = np.float32(5)
+# Half a width and half a height is the most that a step may move by.
+LONGEST_STEP = np.float32(0.5)
+HALF_WIDTHS = np.float32(1 / 2.3548)
+# The longest step, in shares of the width, after which what is left to go is none: the
+# next would be a tenth as long.
+SETTLED = np.float32(0.05)
+# Rows about a peak that are looked at where the usual number does not do.
+WIDEST_REACH = 40
+# Rows of the table of fits.
+CENTRE, AMPLITUDE, SIGMA, BACKGROUND, VARIANCE, CHI2_OF, PIXELS, CLIPPED_OF, BECAME = range(9)
+NARROWEST, LEAST_START = np.float32(0.2), np.float32(0.4)
+
+
+@vector_kernel
+def gather(
+    pixels: Grey,
+    width: int,
+    columns: NDArray[np.int32],
+    rows: NDArray[np.int32],
+    reach: int,
+    raw: Grey,
+    profile: Singles,
+) -> None:
+    """Takes the pixels about the peaks, for a block.
+
+    Args:
+        pixels: (H W,) the image's pixels.
+        columns, rows: (n <= LANES,) where the peaks are; the last fills up the block.
+        reach: rows about ``rows``; those beyond the image repeat its border.
+        raw: room to work in, as long as profile.
+        profile: ((2 reach + 1) LANES,) or more, filled row by row.
+    """
+    n = len(columns)
+    height = len(pixels) // width
+    for i in range(LANES):
+        lane = min(i, n - 1)
+        row = rows[lane] - reach
+        to = np.uintp(i)
+        if row >= 0 and row + 2 * reach < height:
+            at = np.uintp(row * width + columns[lane])
+            for _ in range(2 * reach + 1):
+                raw[to] = pixels[at]
+                at += np.uintp(width)
+                to += ALL
+        else:
+            for k in range(2 * reach + 1):
+                inside = min(max(row + k, 0), height - 1)
+                raw[to] = pixels[np.uintp(inside * width + columns[lane])]
+                to += ALL
+    for j in range(np.uintp(LANES * (2 * reach + 1))):
+        profile[j] = np.float32(raw[j])
+
+
+@vector_kernel
+def start(block: Singles, profile: Singles, reach: int, saturated: np.float32) -> None:
+    """Centre, width at half height, height and background of every lane's peak."""
+    rows = np.uintp(2 * reach + 1)
+    middle = np.uintp(reach)
+    third = np.float32(1 / 3)
+    half = np.float32(0.5)
+    for i in range(ALL):
+        here = middle * ALL + i
+        top = max(max(profile[here - ALL], profile[here + ALL]), profile[here])
+        top = max(max(profile[here - TWO * ALL], profile[here + TWO * ALL]), top)
+        low = (profile[i] + profile[ALL + i] + profile[TWO * ALL + i]) * third
+        end = (rows - ONE) * ALL + i
+        high = (profile[end] + profile[end - ALL] + profile[end - TWO * ALL]) * third
+        background = min(low, high)
+        block[B + i] = background
+        block[A + i] = top - background
+        # the level of half height, the crossings of it, and whether they are found
+        block[CHI2 + i] = half * (min(top, saturated) + max(low, high))
+        block[FIRST + i], block[LAST + i] = np.float32(-1), np.float32(-1)
+    for k in range(ONE, middle + ONE):
+        left, right = np.float32(middle - k), np.float32(middle + k)
+        for i in range(ALL):
+            level = block[CHI2 + i]
+            outer, inner = profile[(middle - k) * ALL + i], profile[(middle - k + ONE) * ALL + i]
+            cross = left + (level - outer) / (inner - outer)
+            found = (block[FIRST + i] < 0) & (outer <= level)
+            block[FIRST + i] = cross if found else block[FIRST + i]
+            outer, inner = profile[(middle + k) * ALL + i], profile[(middle + k - ONE) * ALL + i]
+            cross = right - (level - outer) / (inner - outer)
+            found = (block[LAST + i] < 0) & (outer <= level)
+            block[LAST + i] = cross if found else block[LAST + i]
+    for i in range(ALL):
+        left, right = block[FIRST + i], block[LAST + i]
+        whole = (left >= 0) & (right >= 0)
+        state = PEAK if whole else WIDER
+        state = state if block[A + i] > 0 else NO_PEAK
+        state = NO_PEAK if whole & (right - left < np.float32(1)) else state
+        block[STATE + i] = state
+        block[C + i] = half * (left + right) if whole else np.float32(middle)
+        block[S + i] = max((right - left) * HALF_WIDTHS, LEAST_START) if whole else np.float32(1)
+        block[A + i] = block[A + i] if block[A + i] > 0 else np.float32(1)
+
+
+@vector_kernel
+def set_windows(block: Singles, profile: Singles, reach: int, saturated: np.float32) -> None:
+    """The pixels that every lane's fit takes: both flanks, even beside clipped pixels."""
+    rows = np.uintp(2 * reach + 1)
+    last = np.float32(2 * reach)
+    for i in range(ALL):
+        away = REACH * block[S + i] + REACH_PX
+        block[FIRST + i] = np.ceil(block[C + i] - away)
+        block[LAST + i] = np.floor(block[C + i] + away)
+        block[CLIPPED + i] = np.float32(0)
+    for k in range(rows):
+        x = np.float32(k)
+        for i in range(ALL):
+            within = (x >= block[FIRST + i]) & (x <= block[LAST + i])
+            clipped = within & (profile[k * ALL + i] >= saturated)
+            block[CLIPPED + i] += np.float32(1) if clipped else np.float32(0)
+    for i in range(ALL):
+        out = BESIDE_CLIPPED_PX if block[CLIPPED + i] > 0 else np.float32(0)
+        block[FIRST + i] -= out
+        block[LAST + i] += out
+        short = (block[FIRST + i] < 0) | (block[LAST + i] > last)
+        block[STATE + i] = min(block[STATE + i], WIDER) if short else block[STATE + i]
+
+
+@vector_kernel
+def bell(t: np.float32) -> np.float32:
+    """``exp(-t^2 / 2)``, to five digits where it counts: a polynomial's sixteenth power."""
+    x = max(np.float32(-0.5 / 16) * t * t, np.float32(-0.75))
+    y = np.float32(1 / 120) * x + np.float32(1 / 24)
+    y = (((y * x + np.float32(1 / 6)) * x + np.float32(0.5)) * x + np.float32(1)) * x
+    y += np.float32(1)
+    y *= y
+    y *= y
+    y *= y
+    return y * y
+
+
+@vector_kernel
+def normal_equations(
+    block: Singles, profile: Singles, noise: Singles, saturated: np.float32
+) -> None:
+    """Fills every lane's normal equations, chi squared and number of pixels.
+
+    In shares of the lane's own height and width, so that all terms are about one.
+
+    Args:
+        noise: (3,) the variance of a pixel at signal s is
+            ``noise[0] + noise[1] s + noise[2] s^2``.
+    """
+    first, last = block[FIRST], block[LAST]
+    for i in range(ALL):
+        first, last = min(first, block[FIRST + i]), max(last, block[LAST + i])
+        block[PER_A + i] = np.float32(1) / block[A + i]
+        block[PER_S + i] = np.float32(1) / block[S + i]
+    for i in range(np.uintp(_SUMS) * ALL):
+        block[i] = np.float32(0)
+    n0, n1, n2 = noise[0], noise[1], noise[2]
+    k = np.uintp(max(first, np.float32(0)))
+    end = min(np.uintp(last), np.uintp(len(profile)) // ALL - ONE)
+    while k <= end:
+        x = np.float32(k)
+        row = k * ALL
+        for i in range(ALL):
+            t = (x - block[C + i]) * block[PER_S + i]
+            e = bell(t)
+            signal = block[A + i] * e
+            pixel = profile[row + i]
+            counts = (x >= block[FIRST + i]) & (x <= block[LAST + i]) & (pixel < saturated)
+            weight = np.float32(1) / (n0 + signal * (n1 + signal * n2))
+            weight = weight if counts else np.float32(0)
+            left = pixel - block[B + i] - signal
+            block[CHI2 + i] += weight * left * left
+            block[USED + i] += np.float32(1) if counts else np.float32(0)
+            weight *= block[A + i] * block[A + i]
+            left *= block[PER_A + i]
+            et = e * t
+            ett = et * t
+            wet, we, wett = weight * et, weight * e, weight * ett
+            block[N00 + i] += wet * et
+            block[N10 + i] += wet * e
+            block[N11 + i] += we * e
+            block[N20 + i] += wett * et
+            block[N21 + i] += wett * e
+            block[N22 + i] += wett * ett
+            block[N30 + i] += wet
+            block[N31 + i] += we
+            block[N32 + i] += wett
+            block[N33 + i] += weight
+            block[G0 + i] += wet * left
+            block[G1 + i] += we * left
+            block[G2 + i] += wett * left
+            block[G3 + i] += weight * left
+        k += ONE
+
+
+@vector_kernel
+def step(block: Singles) -> None:
+    """Moves every lane's parameters by one Gauss-Newton step.
+
+    A lane whose fit leaves its window, or has no solution, is no peak and stays.
+    """
+    least = np.float32(1e-6)
+    for i in range(ALL):
+        # N = L D L'
+        d0 = block[N00 + i]
+        l1, l2, l3 = block[N10 + i] / d0, block[N20 + i] / d0, block[N30 + i] / d0
+        d1 = block[N11 + i] - l1 * block[N10 + i]
+        m2 = (block[N21 + i] - l1 * block[N20 + i]) / d1
+        m3 = (block[N31 + i] - l1 * block[N30 + i]) / d1
+        d2 = block[N22 + i] - l2 * block[N20 + i] - m2 * m2 * d1
+        o3 = (block[N32 + i] - l2 * block[N30 + i] - m2 * m3 * d1) / d2
+        d3 = block[N33 + i] - l3 * block[N30 + i] - m3 * m3 * d1 - o3 * o3 * d2
+        y0 = block[G0 + i]
+        y1 = block[G1 + i] - l1 * y0
+        y2 = block[G2 + i] - l2 * y0 - m2 * y1
+        y3 = block[G3 + i] - l3 * y0 - m3 * y1 - o3 * y2
+        x3 = y3 / d3
+        x2 = y2 / d2 - o3 * x3
+        x1 = y1 / d1 - m2 * x2 - m3 * x3
+        x0 = y0 / d0 - l1 * x1 - l2 * x2 - l3 * x3
+        # the inverse's first element
+        z2 = l1 * m2 - l2
+        z3 = l1 * m3 - l3 - o3 * z2
+        inverse = np.float32(1) / d0 + l1 * l1 / d1 + z2 * z2 / d2 + z3 * z3 / d3
+        sound = (d0 > 0) & (d1 > least * block[N11 + i]) & (d2 > least * block[N22 + i])
+        sound &= (d3 > least * block[N33 + i]) & (block[USED + i] >= FEWEST_PIXELS)
+        largest = max(max(abs(x0), abs(x2)), np.float32(0.5) * abs(x1))
+        share = min(np.float32(1), LONGEST_STEP / max(largest, np.float32(1e-9)))
+        width, height = block[S + i], block[A + i]
+        centre = block[C + i] + share * x0 * width
+        wider = width * (np.float32(1) + share * x2)
+        higher = height * (np.float32(1) + share * x1)
+        sound &= (wider >= NARROWEST) & (higher > 0)
+        sound &= (centre >= block[FIRST + i]) & (centre <= block[LAST + i])
+        moving = sound & (block[STATE + i] == PEAK)
+        block[STATE + i] = block[STATE + i] if moving else min(block[STATE + i], WIDER)
+        block[STATE + i] = block[STATE + i] if sound else NO_PEAK
+        block[C + i] = centre if moving else block[C + i]
+        block[S + i] = wider if moving else width
+        block[A + i] = higher if moving else height
+        block[B + i] = block[B + i] + share * x3 * height if moving else block[B + i]
+        block[MOVED + i] = largest if moving else np.float32(0)
+        block[VAR + i] = inverse * width * width
+
+
+@vector_kernel
+def farthest(block: Singles) -> np.float32:
+    """The longest of all lanes' last steps."""
+    longest = np.float32(0)
+    for i in range(ALL):
+        longest = max(longest, block[MOVED + i])
+    return longest
+
+
+@vector_kernel
+def settle(
+    block: Singles, profile: Singles, noise: Singles, saturated: np.float32, steps: int
+) -> None:
+    """Steps until no lane moves further; those that still do need more room."""
+    for _ in range(steps):
+        normal_equations(block, profile, noise, saturated)
+        step(block)
+        if farthest(block) < SETTLED:
+            return
+    for i in range(ALL):
+        unsettled = block[MOVED + i] >= SETTLED
+        block[STATE + i] = min(block[STATE + i], WIDER) if unsettled else block[STATE + i]
+
+
+@vector_kernel
+def usual_width(
+    pixels: Grey,
+    width: int,
+    columns: NDArray[np.int32],
+    rows: NDArray[np.int32],
+    saturated: np.float32,
+    raw: Grey,
+    block: Singles,
+    profile: Singles,
+) -> np.float32:
+    """The median standard deviation of some of the peaks, by their width at half height."""
+    n = len(columns)
+    taken = min(n, LANES)
+    some_columns, some_rows = np.empty(taken, np.int32), np.empty(taken, np.int32)
+    for i in range(taken):
+        some_columns[i], some_rows[i] = columns[i * n // taken], rows[i * n // taken]
+    gather(pixels, width, some_columns, some_rows, WIDEST_REACH, raw, profile)
+    start(block, profile, WIDEST_REACH, saturated)
+    found = 0
+    widths = np.empty(taken, np.float32)
+    for i in range(taken):
+        if block[STATE + np.uintp(i)] == PEAK:
+            widths[found] = block[S + np.uintp(i)]
+            found += 1
+    return np.float32(np.sort(widths[:found])[found // 2]) if found else np.float32(1)
+
+
+@vector_kernel
+def fit_peaks(
+    pixels: Grey,
+    width: int,
+    columns: NDArray[np.int32],
+    rows: NDArray[np.int32],
+    reach: int,
+    noise: Singles,
+    saturated: np.float32,
+    steps: int,
+    raw: Grey,
+    block: Singles,
+    profile: Singles,
+    fits: Floats,
+) -> None:
+    """Fits every peak.
+
+    Args:
+        pixels: (H W,) the image's pixels.
+        columns, rows: (n,) where the peaks are, to a row or two.
+        reach: rows about them that are looked at.
+        noise: see ``normal_equations``.
+        saturated: the grey level from which a pixel is clipped.
+        steps: Gauss-Newton steps at most.
+        raw, block, profile: room to work in, for ``WIDEST_REACH``.
+        fits: (9, n) filled, in the order CENTRE ... BECAME.
+    """
+    n = len(columns)
+    for b in range(0, n, LANES):
+        end = min(b + LANES, n)
+        gather(pixels, width, columns[b:end], rows[b:end], reach, raw, profile)
+        part = profile[: LANES * (2 * reach + 1)]
+        start(block, part, reach, saturated)
+        set_windows(block, part, reach, saturated)
+        settle(block, part, noise, saturated, steps)
+        for i in range(end - b):
+            lane, to = np.uintp(i), b + i
+            fits[CENTRE][to] = rows[to] - reach + np.float64(block[C + lane])
+            fits[AMPLITUDE][to] = block[A + lane]
+            fits[SIGMA][to] = block[S + lane]
+            fits[BACKGROUND][to] = block[B + lane]
+            fits[VARIANCE][to] = block[VAR + lane]
+            fits[CHI2_OF][to] = block[CHI2 + lane]
+            fits[PIXELS][to] = block[USED + lane]
+            fits[CLIPPED_OF][to] = block[CLIPPED + lane]
+            fits[BECAME][to] = block[STATE + lane]

@@ -1,0 +1,212 @@
+"""The sensor's noise, told by the image itself."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.compiled import kernel, vector_kernel
+from app.metrology.frames import Floats
+from app.metrology.stripe_fit import (
+    ALL,
+    FIRST,
+    LANES,
+    LAST,
+    MOVED,
+    PEAK,
+    PER_S,
+    SETTLED,
+    STATE,
+    USED,
+    A,
+    B,
+    C,
+    Singles,
+    bell,
+    gather,
+    normal_equations,
+    set_windows,
+    start,
+    step,
+)
+from app.metrology.stripe_search import Grey
+
+# Pieces of rows, evenly over the image, whose neighbours are compared, and their length.
+PIECES, PIECE_PX = 32, 192
+# Levels by which neighbours may differ; what differs by more is told as this.
+LEVELS = 4096
+# Peaks, taken evenly, whose fits tell how the noise grows with the signal, in blocks.
+BLOCKS = 6
+# A residual beyond so many variances is no noise, once the noise is roughly known.
+OUTLYING = 25.0
+# Fewer pixels tell nothing.
+FEWEST = 60
+# Steps of the fits that show the noise.
+STEPS = 2
+# What the noise is before it is told: grey levels squared per level, of a full scale of 255.
+FIRST_GAIN = 0.01 / 255
+
+
+@dataclass(frozen=True)
+class Noise:
+    """Variance of a pixel at signal s: ``read + gain s + contrast s^2``, in grey levels squared.
+
+    The three terms are read noise, shot noise and what scales with the signal
+    (speckle, fixed pattern).
+    """
+
+    read: float
+    gain: float
+    contrast: float
+
+    @property
+    def terms(self) -> Floats:
+        return np.array([self.read, self.gain, self.contrast])
+
+
+@kernel
+def read_noise(image: Grey, counts: NDArray[np.int64]) -> float:
+    """Variance of a dark pixel in grey levels squared, from differences of neighbours.
+
+    Most of an image is unlit, so the bulk of the differences is noise; what exceeds
+    three times their median is scene and is cut off. Rounding adds 1/12 at least.
+
+    Args:
+        counts: (LEVELS,) room to work in.
+    """
+    height, width = image.shape
+    pieces = min(PIECES, height)
+    length = min(PIECE_PX, width - 1)
+    most = len(counts) - 1
+    counts[:] = 0
+    for piece in range(pieces):
+        row = image[(2 * piece + 1) * height // (2 * pieces)]
+        # a third of the width further on each time, so that no place is left out
+        first = (piece * width // 3 + piece * length) % (width - length)
+        part = row[first : first + length + 1]
+        for i in range(length):
+            difference = abs(np.int64(part[i]) - np.int64(part[i + 1]))
+            counts[min(int(difference), most)] += 1
+    half, seen, median = pieces * length / 2, 0, 0
+    while seen + counts[median] < half:
+        seen += counts[median]
+        median += 1
+    kept, total = 0, 0
+    for level in range(min(4 * median + 3, most)):
+        kept += counts[level]
+        total += counts[level] * level * level
+    return max(total / max(kept, 1) / 2, 1 / 12)
+
+
+@vector_kernel
+def moments(
+    block: Singles,
+    profile: Singles,
+    noise: Singles,
+    saturated: np.float32,
+    outlying: np.float32,
+    sums: Singles,
+) -> None:
+    """Adds up what a block's residuals tell of the noise, lane by lane.
+
+    Args:
+        noise: (3,) the model by which they are weighed, see ``normal_equations``.
+        outlying: the most that a squared residual counts for, in variances.
+        sums: (6 LANES,) sums of s^2, s^3, s^4, s d, s^2 d and 1, where s is a pixel's signal
+            and d its squared residual, freed of the fit's own share, less the read noise.
+    """
+    n0, n1, n2 = noise[0], noise[1], noise[2]
+    rows = np.uintp(len(profile)) // ALL
+    one, four = np.float32(1), np.float32(4)
+    for k in range(rows):
+        x = np.float32(k)
+        row = k * ALL
+        for i in range(ALL):
+            t = (x - block[C + i]) * block[PER_S + i]
+            s = block[A + i] * bell(t)
+            pixel = profile[row + i]
+            counts = (x >= block[FIRST + i]) & (x <= block[LAST + i]) & (pixel < saturated)
+            counts &= (block[STATE + i] == PEAK) & (block[USED + i] > four + one)
+            counts &= block[MOVED + i] < SETTLED
+            # a narrow spike that the speckle made is fitted far above what the pixels hold
+            counts &= block[A + i] < saturated
+            variance = n0 + s * (n1 + s * n2)
+            left = pixel - block[B + i] - s
+            share = block[USED + i] / max(block[USED + i] - four, one)
+            d = min(left * left * share, outlying * variance) - n0
+            weight = one / (variance * variance) if counts else np.float32(0)
+            ws = weight * s
+            wss = ws * s
+            sums[i] += wss
+            sums[ALL + i] += wss * s
+            sums[ALL + ALL + i] += wss * s * s
+            sums[ALL + ALL + ALL + i] += ws * d
+            sums[ALL + ALL + ALL + ALL + i] += wss * d
+            sums[ALL + ALL + ALL + ALL + ALL + i] += one if counts else np.float32(0)
+
+
+@kernel
+def non_negative(sums: Singles, noise: Singles) -> None:
+    """Least squares of gain and contrast, neither below zero, into ``noise``."""
+    total = np.zeros(6)
+    for j in range(6):
+        for i in range(LANES):
+            total[j] += sums[j * LANES + i]
+    ss, sc, cc, sd, cd = total[0], total[1], total[2], total[3], total[4]
+    if total[5] < FEWEST:
+        return
+    det = ss * cc - sc * sc
+    gain, contrast = -1.0, -1.0
+    if det > 1e-9 * ss * cc:
+        gain, contrast = (cc * sd - sc * cd) / det, (ss * cd - sc * sd) / det
+    if gain < 0.0 or contrast < 0.0:
+        gain, contrast = max(sd / ss, 0.0), max(cd / cc, 0.0)
+        # the one that takes more off the sum of squares
+        if gain * sd > contrast * cd:
+            contrast = 0.0
+        else:
+            gain = 0.0
+    noise[1], noise[2] = gain, contrast
+
+
+@vector_kernel
+def tell_noise(
+    pixels: Grey,
+    width: int,
+    columns: NDArray[np.int32],
+    rows: NDArray[np.int32],
+    reach: int,
+    saturated: np.float32,
+    raw: Grey,
+    blocks: Singles,
+    profiles: Singles,
+    noise: Singles,
+) -> None:
+    """How the noise grows with the signal, told by what fits to some of the peaks leave.
+
+    Args:
+        pixels, columns, rows, reach, saturated: see ``stripe_fit.fit_peaks``.
+        blocks, profiles: (BLOCKS, ...) room to work in.
+        noise: (3,) the read noise, and a first guess of the others; filled.
+    """
+    n = len(columns)
+    taken = min((n + LANES - 1) // LANES, BLOCKS)
+    some_columns, some_rows = np.empty(LANES, np.int32), np.empty(LANES, np.int32)
+    used = LANES * (2 * reach + 1)
+    for b in range(taken):
+        for i in range(LANES):
+            one = (b * LANES + i) * n // (taken * LANES)
+            some_columns[i], some_rows[i] = columns[one], rows[one]
+        block, profile = blocks[b], profiles[b][:used]
+        gather(pixels, width, some_columns, some_rows, reach, raw, profile)
+        start(block, profile, reach, saturated)
+        set_windows(block, profile, reach, saturated)
+        for _ in range(STEPS):
+            normal_equations(block, profile, noise, saturated)
+            step(block)
+    sums = np.empty(6 * LANES, np.float32)
+    for outlying in (np.inf, OUTLYING):
+        sums[:] = 0
+        for b in range(taken):
+            moments(blocks[b], profiles[b][:used], noise, saturated, np.float32(outlying), sums)
+        non_negative(sums, noise)
