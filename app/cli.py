@@ -3,7 +3,6 @@
 import signal
 import sys
 import time
-from dataclasses import asdict
 from enum import StrEnum
 from pathlib import Path
 from typing import Annotated, NoReturn
@@ -12,6 +11,7 @@ import typer
 
 from app.cli_arm import articulation, identify
 from app.cli_bench import bench
+from app.cli_scan import reconstruct
 from app.console import (
     print_figures,
     print_json,
@@ -213,52 +213,11 @@ def extract(
 
 @cli.command()
 @refusing
-def reconstruct(
-    recording: Annotated[Path, typer.Argument(metavar="SCAN.mcap", help="A scan recording.")],
-    calibration: Annotated[Path, typer.Option(help="The sensor's calibration.json.")],
-    arm: Annotated[Path, typer.Option(help="The arm's arm.json.")],
-    output: Annotated[Path, typer.Option("-o", "--output", help="The cloud: a .ply file.")] = Path(
-        "cloud.ply"
-    ),
-    as_json: AsJson = False,
-) -> None:
-    """Rebuild the cloud of a recording in the arm frame, with any calibration."""
-    if output.suffix.lower() != ".ply":
-        raise typer.BadParameter(
-            f"'{output}': clouds are written as PLY; name it {output.with_suffix('.ply').name}",
-            param_hint="'-o'",
-        )
-    from app.files.arm import read_arm
-    from app.files.atomic import checked_target
-    from app.files.calibration import read_calibration
-    from app.files.rebuild import rebuild
-
-    began = time.perf_counter()
-    checked_target(output, (recording, calibration, arm))
-    sensor, arm_model = read_calibration(calibration), read_arm(arm)
-    with progress_bar("Reconstructing", not as_json) as tell:
-        rebuilt = rebuild(recording, sensor, arm_model, output, tell)
-    seconds = time.perf_counter() - began
-    for text in rebuilt.warnings:
-        warn(text)
-    if as_json:
-        told = {"file": str(output), "seconds": seconds, "warnings": rebuilt.warnings}
-        print_json({**asdict(rebuilt), **told})
-        return
-    figures = (
-        ("points", f"{rebuilt.points:,}".replace(",", " ")),
-        ("frames", f"{rebuilt.frames} with points, {rebuilt.frames_without_stripe} without stripe"),
-        ("speed", f"{rebuilt.all_frames / seconds:.0f} frames/s"),
-    )
-    print_figures(f"Cloud of {recording}", figures)
-    print(f"{output} written in {seconds:.2f} s")
-
-
-@cli.command()
-@refusing
 def verify(
     shape: Annotated[Shape, typer.Argument(help="What the gauge is.")],
-    clouds: Annotated[list[Path], typer.Argument(help="Clouds of the gauge: .ply or .xyz.")],
+    clouds: Annotated[
+        list[Path], typer.Argument(help="Clouds of the gauge, in any format written here.")
+    ],
     nominal: Annotated[
         Path | None, typer.Option(help="nominal.json: where the gauge truly is.")
     ] = None,
@@ -287,6 +246,7 @@ def verify(
         print(f"{output} written")
 
 
+cli.command()(reconstruct)
 cli.command()(identify)
 cli.command()(articulation)
 cli.add_typer(bench, name="bench")

@@ -23,13 +23,19 @@ def atomic_file(path: Path) -> Iterator[BinaryIO]:
         Refusal: the folder is missing or not writable, the disk is full, or the
             name belongs to a folder or a device.
     """
+    with atomic_path(path) as part, open(part, "xb") as file:
+        yield file
+
+
+@contextmanager
+def atomic_path(path: Path) -> Iterator[Path]:
+    """As ``atomic_file``, for a library that opens its file itself: the name to give it."""
     target = checked_target(path)
     part = target.with_name(f".{target.name[:80]}.{secrets.token_hex(4)}.part")
     with files_refused(path):
         try:
-            with open(part, "xb") as file:
-                yield file
-                file.flush()
+            yield part
+            with open(part, "rb") as file:
                 os.fsync(file.fileno())
             os.replace(part, target)
         except BaseException:

@@ -1,102 +1,141 @@
-"""Point clouds: PLY written in pieces, PLY and XYZ text read."""
+"""Clouds: written in pieces and read, in whatever format the file's name asks for."""
 
-import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
-from typing import BinaryIO
 
 import numpy as np
 
-from app.files.atomic import atomic_file
+from app.files.atomic import atomic_file, atomic_path
+from app.files.cloud_e57 import E57Sink, read_e57
+from app.files.cloud_las import LasSink, read_las
+from app.files.cloud_pcd import PcdSink, read_pcd
+from app.files.cloud_points import POINT, Cloud, Points, PointSink, packed
+from app.files.cloud_xyz import XyzSink, read_xyz
 from app.files.failures import files_refused
-from app.files.ply import find_vertices, read_vertices
+from app.files.ply import PlySink, read_ply
 from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
 
-VERTEX = np.dtype(
-    [
-        ("x", "<f8"),
-        ("y", "<f8"),
-        ("z", "<f8"),
-        ("intensity", "<f4"),
-        ("sigma_px", "<f4"),
-        ("frame", "<i4"),
-    ]
-)
-PLY_TYPES = {"f8": "double", "f4": "float", "i4": "int"}
-COUNT_WIDTH = 20
+SUFFIXES = (".ply", ".pcd", ".e57", ".xyz", ".las", ".laz")
+AT_ONCE = 1 << 16
+"""Points are handed to a format in pieces of at least so many."""
 FARTHEST_MM = 1e7
 """Nothing that an arm measures lies further away."""
 
-
-@dataclass(frozen=True)
-class Cloud:
-    """A cloud as read; ``intensity`` and ``frame`` where the file has them."""
-
-    points_mm: Floats
-    """(N, 3)"""
-    intensity: Floats | None = None
-    """(N,)"""
-    frame: Floats | None = None
-    """(N,) number of the frame that each point came from."""
+__all__ = ["POINT", "SUFFIXES", "Cloud", "CloudWriter", "cloud_writer", "packed", "read_cloud"]
 
 
-class PlyWriter:
-    """Appends points to an open PLY file; see ``ply_writer``."""
+class CloudWriter:
+    """Appends points to an open cloud; see ``cloud_writer``."""
 
-    def __init__(self, file: BinaryIO) -> None:
-        self._file = file
+    def __init__(self, sink: PointSink) -> None:
+        self._sink = sink
+        self._waiting: list[Points] = []
+        self._waiting_count = 0
         self.points = 0
-        file.write(_header(0))
 
     def write(
-        self, points_mm: Floats, intensity: Floats, sigma_px: Floats, frame: int | Floats
+        self, points_mm: Floats, intensity: Floats, uncertainty_um: Floats, frame: int | Floats
     ) -> None:
         """Appends points (N, 3); rows with NaN are left out.
 
         Args:
-            intensity, sigma_px: (N,) as of the stripe.
+            intensity: (N,) as of the stripe.
+            uncertainty_um: (N,) k = 1, see ``metrology.point_spread``.
             frame: which frame they came from, one for all or (N,).
         """
-        vertices = np.empty(len(points_mm), VERTEX)
-        for i, axis in enumerate("xyz"):
-            vertices[axis] = points_mm[:, i]
-        vertices["intensity"], vertices["sigma_px"] = intensity, sigma_px
-        vertices["frame"] = frame
-        vertices = vertices[np.isfinite(points_mm).all(axis=1)]
-        self._file.write(vertices.tobytes())
-        self.points += len(vertices)
+        self.append(packed(points_mm, intensity, uncertainty_um, frame))
+
+    def append(self, points: Points) -> None:
+        """Appends finite points (N,) of ``POINT``."""
+        if not len(points):
+            return
+        self.points += len(points)
+        self._waiting.append(points)
+        self._waiting_count += len(points)
+        if self._waiting_count >= AT_ONCE:
+            self._hand_over()
 
     def finish(self) -> None:
-        """Puts the final count into the header."""
-        self._file.seek(0)
-        self._file.write(_header(self.points))
+        """Completes the file."""
+        if self._waiting:
+            self._hand_over()
+        self._sink.finish()
+
+    def _hand_over(self) -> None:
+        one = self._waiting[0] if len(self._waiting) == 1 else np.concatenate(self._waiting)
+        self._waiting, self._waiting_count = [], 0
+        self._sink.write(one)
 
 
 @contextmanager
-def ply_writer(path: Path) -> Iterator[PlyWriter]:
-    """A PLY file (binary little-endian) to append to, which appears once it is complete.
+def cloud_writer(path: Path) -> Iterator[CloudWriter]:
+    """A cloud to append to, which appears once it is complete.
+
+    Only some pieces are in memory at a time, however large it grows.
 
     Raises:
-        Refusal: the file cannot be written.
+        Refusal: its suffix is none of ``SUFFIXES``, the format's library is not
+            installed, the format cannot hold a point, or the file cannot be written.
     """
+    suffix = checked_suffix(path)
+    if suffix == ".e57":
+        with atomic_path(path) as part:
+            sink = E57Sink(path, part)
+            try:
+                writer = CloudWriter(sink)
+                yield writer
+                writer.finish()
+            except BaseException:
+                sink.abandon()
+                raise
+        return
     with atomic_file(path) as file:
-        writer = PlyWriter(file)
+        if suffix == ".ply":
+            writer = CloudWriter(PlySink(file))
+        elif suffix == ".pcd":
+            writer = CloudWriter(PcdSink(path, file))
+        elif suffix == ".xyz":
+            writer = CloudWriter(XyzSink(path, file))
+        else:
+            writer = CloudWriter(LasSink(path, file))
         yield writer
         writer.finish()
 
 
+def checked_suffix(path: Path) -> str:
+    """The format a cloud's name asks for; raises ``Refusal`` where it is none that is known."""
+    suffix = path.suffix.lower()
+    if suffix not in SUFFIXES:
+        raise Refusal(
+            "cloud-format",
+            str(path),
+            f"clouds are written as {', '.join(SUFFIXES)}",
+            f"Name it {path.with_suffix('.ply').name}",
+        )
+    return suffix
+
+
 def read_cloud(path: Path) -> Cloud:
-    """Reads a PLY (binary of either order, or ascii) or an XYZ text file.
+    """Reads a cloud, whatever its name: PLY, PCD, E57, LAS, LAZ or XYZ text.
 
     Raises:
-        Refusal: missing, cut off, malformed, or without points.
+        Refusal: missing, cut off, malformed, or without points; or the format's
+            library is not installed.
     """
     with files_refused(path), open(path, "rb") as file:
-        is_ply = file.read(4).rstrip() == b"ply"
-        cloud = _read_ply(path, file) if is_ply else _read_xyz(path)
+        head = file.read(16)
+        if head[:4].rstrip() == b"ply":
+            cloud = read_ply(path, file)
+        elif head.startswith(b"ASTM-E57"):
+            cloud = read_e57(path)
+        elif head.startswith(b"LASF"):
+            cloud = read_las(path, file)
+        elif head.startswith((b"# .PCD", b"VERSION ")):
+            cloud = read_pcd(path, file)
+        else:
+            cloud = read_xyz(path)
     if not len(cloud.points_mm):
         raise Refusal("cloud-empty", str(path), "it holds no points", "Scan the gauge again")
     largest = float(
@@ -110,63 +149,3 @@ def read_cloud(path: Path) -> Cloud:
             "Give a cloud in millimetres",
         )
     return cloud
-
-
-def _header(count: int) -> bytes:
-    """The header, of one length whatever the count: a comment takes up the slack."""
-    digits = str(count)
-    lines = [
-        "ply",
-        "format binary_little_endian 1.0",
-        "comment crenel cloud: mm, arm frame " + "." * (COUNT_WIDTH - len(digits)),
-        f"element vertex {digits}",
-        *(f"property {PLY_TYPES[VERTEX[name].str[1:]]} {name}" for name in VERTEX.names or ()),
-        "end_header",
-    ]
-    return ("\n".join(lines) + "\n").encode()
-
-
-def _read_ply(path: Path, file: BinaryIO) -> Cloud:
-    vertices = read_vertices(path, file, find_vertices(path, file))
-    return Cloud(
-        np.column_stack([vertices[axis] for axis in "xyz"]).astype(np.float64, copy=False),
-        vertices.get("intensity"),
-        vertices.get("frame"),
-    )
-
-
-def _read_xyz(path: Path) -> Cloud:
-    with open(path, encoding="utf-8-sig", errors="replace") as text:
-        start = text.read(4096)
-    lines = [line for line in start.splitlines() if line.strip() and line[0] not in "#/"]
-    if not lines or "\0" in start:
-        why = "it is neither PLY nor XYZ text" if lines else "it is empty"
-        raise Refusal("cloud-unreadable", str(path), why, "Give a .ply or .xyz cloud")
-    delimiter = next((sign for sign in ";," if sign in lines[0]), None)
-    skip = 0 if _is_point(lines[0], delimiter) else start.splitlines().index(lines[0]) + 1
-    try:
-        with warnings.catch_warnings(action="ignore"):  # of a file without rows
-            points = np.loadtxt(
-                path,
-                comments=("#", "//"),
-                delimiter=delimiter,
-                usecols=(0, 1, 2),
-                ndmin=2,
-                skiprows=skip,
-                encoding="utf-8-sig",
-            )
-    except (ValueError, IndexError) as error:
-        raise Refusal(
-            "cloud-unreadable",
-            str(path),
-            f"a line of x y z numbers is expected, but {str(error).split(';')[0]}",
-            "Give a .ply or .xyz cloud",
-        ) from error
-    return Cloud(points.reshape(-1, 3))
-
-
-def _is_point(line: str, delimiter: str | None) -> bool:
-    try:
-        return len([float(cell) for cell in line.split(delimiter)[:3]]) == 3
-    except ValueError:
-        return False

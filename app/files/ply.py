@@ -1,4 +1,4 @@
-"""The PLY format, as far as clouds need it: any order of scalar vertex properties."""
+"""The PLY format, as far as clouds need it: any order of scalar vertex properties is read."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -6,6 +6,7 @@ from typing import BinaryIO
 
 import numpy as np
 
+from app.files.cloud_points import POINT, Cloud, Points, cloud_of
 from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
 
@@ -21,6 +22,31 @@ TYPES = {
 }
 ORDERS = {"binary_little_endian": "<", "binary_big_endian": ">", "ascii": "="}
 LONGEST_HEADER = 1000
+WRITTEN = {"f8": "double", "f4": "float", "i4": "int"}
+COUNT_WIDTH = 20
+
+
+class PlySink:
+    """Appends points, binary little-endian, to an open file."""
+
+    def __init__(self, file: BinaryIO) -> None:
+        self._file = file
+        self._points = 0
+        file.write(_header(0))
+
+    def write(self, points: Points) -> None:
+        self._file.write(np.ascontiguousarray(points).data)
+        self._points += len(points)
+
+    def finish(self) -> None:
+        """Puts the final count into the header."""
+        self._file.seek(0)
+        self._file.write(_header(self._points))
+
+
+def read_ply(path: Path, file: BinaryIO) -> Cloud:
+    """Reads a PLY's vertices; raises ``Refusal`` if malformed or cut off."""
+    return cloud_of(read_vertices(path, file, find_vertices(path, file)))
 
 
 @dataclass(frozen=True)
@@ -71,6 +97,20 @@ def read_vertices(path: Path, file: BinaryIO, vertices: Vertices) -> dict[str, F
     table = np.fromfile(file, vertices.layout, vertices.count)
     with np.errstate(invalid="ignore"):  # of NaN that are marked as signalling
         return {name: table[name].astype(np.float64) for name in vertices.layout.names or ()}
+
+
+def _header(count: int) -> bytes:
+    """The header, of one length whatever the count: a comment takes up the slack."""
+    digits = str(count)
+    lines = [
+        "ply",
+        "format binary_little_endian 1.0",
+        "comment crenel cloud: mm, arm frame " + "." * (COUNT_WIDTH - len(digits)),
+        f"element vertex {digits}",
+        *(f"property {WRITTEN[POINT[name].str[1:]]} {name}" for name in POINT.names or ()),
+        "end_header",
+    ]
+    return ("\n".join(lines) + "\n").encode()
 
 
 def _header_lines(path: Path, file: BinaryIO) -> list[str]:

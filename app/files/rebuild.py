@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from app.files.calibration import Calibration
-from app.files.clouds import PlyWriter, ply_writer
+from app.files.clouds import CloudWriter, cloud_writer
 from app.files.joint_track import JointTrack
 from app.files.progress import Progress, no_progress
 from app.files.recorded_joints import JointReader
@@ -25,6 +25,7 @@ from app.files.recording import (
 )
 from app.metrology.arm import Arm, flange_poses
 from app.metrology.frames import Floats, apply
+from app.metrology.point_spread import spread_um
 from app.metrology.reconstruct import sensor_points
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import Stripe, extract_stripe
@@ -74,6 +75,7 @@ class _Seen:
     number: int
     stamp_ns: int
     points_mm: Floats
+    spread_um: Floats
     stripe: Stripe
 
 
@@ -84,7 +86,7 @@ def rebuild(
     cloud_path: Path,
     progress: Progress = no_progress,
 ) -> Rebuilt:
-    """Reconstructs a recording's cloud in the arm frame and writes it as PLY.
+    """Reconstructs a recording's cloud in the arm frame and writes it, as its name says.
 
     Pictures are decoded, extracted and brought to the sensor frame on all cores; only
     a few of them are in memory at a time.
@@ -96,7 +98,7 @@ def rebuild(
     """
     _check_serials(calibration, arm)
     recording = open_recording(recording_path)
-    with ply_writer(cloud_path) as cloud:
+    with cloud_writer(cloud_path) as cloud:
         job = _Job(recording, calibration, arm, cloud)
         workers = os.cpu_count() or 1
         with ThreadPoolExecutor(workers, "stripe") as pool:
@@ -112,7 +114,7 @@ class _Job:
     """One pass over a recording."""
 
     def __init__(
-        self, recording: Recording, calibration: Calibration, arm: Arm, cloud: PlyWriter
+        self, recording: Recording, calibration: Calibration, arm: Arm, cloud: CloudWriter
     ) -> None:
         self._recording = recording
         self._calibration = calibration
@@ -175,8 +177,10 @@ class _Job:
             self._check_size(number, picture.shape[1], picture.shape[0])
             stripe = extract_stripe(picture, self._calibration.stripe_axis)
         uv_px = np.column_stack([stripe.u, stripe.v])
-        points = sensor_points(self._calibration.camera, self._calibration.plane, uv_px)
-        return _Seen(number, record.stamp_ns, points, stripe)
+        camera, plane = self._calibration.camera, self._calibration.plane
+        points = sensor_points(camera, plane, uv_px)
+        spread = spread_um(camera, plane, points, stripe.sigma_px, stripe.axis)
+        return _Seen(number, record.stamp_ns, points, spread, stripe)
 
     def _settle(self, up_to_ns: int | None) -> None:
         """Places waiting frames once the joints reach past them; None: no more will come."""
@@ -196,7 +200,7 @@ class _Job:
         for T, (seen, _) in zip(T_arm_flange, placed, strict=True):
             # Eq. 9, its two rigid steps in one
             points_mm = apply(T @ self._calibration.T_flange_sensor, seen.points_mm)
-            self._cloud.write(points_mm, seen.stripe.intensity, seen.stripe.sigma_px, seen.number)
+            self._cloud.write(points_mm, seen.stripe.intensity, seen.spread_um, seen.number)
         self._frames += len(placed)
 
     def _check_size(self, number: int, width_px: int, height_px: int) -> None:

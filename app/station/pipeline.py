@@ -14,13 +14,14 @@ from typing import Literal
 
 import numpy as np
 
-from app.files.clouds import PlyWriter, ply_writer
+from app.files.clouds import CloudWriter, cloud_writer
 from app.files.failures import refusal_of
 from app.metrology.arm import Arm, flange_pose
 from app.metrology.camera import Camera
-from app.metrology.frames import Floats
+from app.metrology.frames import Floats, apply
 from app.metrology.laser_plane import LaserPlane
-from app.metrology.reconstruct import arm_points
+from app.metrology.point_spread import spread_um
+from app.metrology.reconstruct import sensor_points
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import Stripe, extract_stripe
 from app.station.arm_side import LATE_S, ArmSide
@@ -170,7 +171,7 @@ class ScanPipeline:
     def _make_cloud(self) -> None:
         """Writes the cloud; goes on showing points where the disk fails."""
         try:
-            with ply_writer(self._cloud_path) as cloud:
+            with cloud_writer(self._cloud_path) as cloud:
                 self._points_of_all(cloud)
         except Refusal as refusal:
             self.failure = self.failure or refusal
@@ -182,24 +183,24 @@ class ScanPipeline:
         if self.failure is not None:
             self._drain()
 
-    def _points_of_all(self, cloud: PlyWriter) -> None:
+    def _points_of_all(self, cloud: CloudWriter) -> None:
         while (taken := self._stripes.get()) is not None:
             q_rad = self._arm.at(taken.stamp_ns, LATE_S if self._arm.fresh else 0.0)
             if q_rad is None:
                 self.counts.frames_without_joints += 1
                 continue
-            points = self._points(taken, q_rad)
-            cloud.write(points, taken.stripe.intensity, taken.stripe.sigma_px, taken.number)
+            points, spread = self._points(taken, q_rad)
+            cloud.write(points, taken.stripe.intensity, spread, taken.number)
             self.counts.points = cloud.points
             self._note(len(points))
             self._show(points, taken.stripe.intensity)
 
-    def _points(self, taken: StripeFrame, q_rad: Floats) -> Floats:
-        use = self._calibration
-        uv = np.column_stack([taken.stripe.u, taken.stripe.v])
-        return arm_points(
-            use.camera, use.plane, use.T_flange_sensor, uv, flange_pose(use.arm, q_rad)
-        )
+    def _points(self, taken: StripeFrame, q_rad: Floats) -> tuple[Floats, Floats]:
+        """Points (N, 3) in the arm frame (Eq. 9), and how well each is known in µm."""
+        use, stripe = self._calibration, taken.stripe
+        points = sensor_points(use.camera, use.plane, np.column_stack([stripe.u, stripe.v]))
+        spread = spread_um(use.camera, use.plane, points, stripe.sigma_px, stripe.axis)
+        return apply(flange_pose(use.arm, q_rad) @ use.T_flange_sensor, points), spread
 
     def _note(self, count: int) -> None:
         now = time.monotonic()

@@ -16,7 +16,7 @@ import pytest
 from typer.testing import CliRunner, Result
 
 from app.cli import cli
-from app.files.clouds import ply_writer, read_cloud
+from app.files.clouds import cloud_writer, read_cloud
 from app.files.recording_writer import RecordingWriter
 from app.files.report import GaugeReport
 from tests.files.builders import ARM, edit_text, joints_every, write_session
@@ -73,7 +73,7 @@ def scan(tmp_path: Path) -> dict[str, Path]:
 def write_plane(path: Path, z_mm: float = 0.0) -> Path:
     rng = np.random.default_rng(int(z_mm * 1000))
     points = np.column_stack([rng.uniform(-20, 20, (500, 2)), rng.normal(z_mm, 0.01, 500)])
-    with ply_writer(path) as cloud:
+    with cloud_writer(path) as cloud:
         cloud.write(points, np.zeros(500), np.zeros(500), 0)
     return path
 
@@ -188,9 +188,9 @@ def test_reconstruct_refuses_what_does_not_fit(tmp_path: Path, scan: dict[str, P
 
 
 def test_clouds_of_another_kind_are_wrong_usage(tmp_path: Path, scan: dict[str, Path]) -> None:
-    result = crenel(*reconstruct_arguments(scan), "-o", tmp_path / "cloud.las")
+    result = crenel(*reconstruct_arguments(scan), "-o", tmp_path / "cloud.stl")
     assert result.exit_code == 2
-    assert "PLY" in result.stderr
+    assert ".ply" in result.stderr
 
 
 def test_verify_a_plane(tmp_path: Path) -> None:
@@ -252,7 +252,7 @@ def test_verify_refuses(tmp_path: Path) -> None:
 
 def write_flat(path: Path) -> Path:
     points = np.random.default_rng(0).uniform(-20, 20, (100, 3)) * [1, 1, 0]
-    with ply_writer(path) as cloud:
+    with cloud_writer(path) as cloud:
         cloud.write(points, np.zeros(100), np.zeros(100), 0)
     return path
 

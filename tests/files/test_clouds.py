@@ -8,7 +8,7 @@ import trimesh
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from app.files.clouds import ply_writer, read_cloud
+from app.files.clouds import cloud_writer, read_cloud
 from app.metrology.refusal import Refusal
 
 POINTS = np.random.default_rng(3).uniform(-1000, 1000, (257, 3))
@@ -16,7 +16,7 @@ POINTS = np.random.default_rng(3).uniform(-1000, 1000, (257, 3))
 
 def write_pieces(path: Path, sizes: list[int]) -> int:
     rng = np.random.default_rng(4)
-    with ply_writer(path) as cloud:
+    with cloud_writer(path) as cloud:
         for frame, size in enumerate(sizes):
             cloud.write(
                 rng.uniform(-1000, 1000, (size, 3)), np.full(size, 50.0), np.full(size, 0.1), frame
@@ -45,7 +45,7 @@ def test_points_that_are_none_are_left_out(tmp_path: Path) -> None:
     points = POINTS[:5].copy()
     points[1, 2] = np.nan
     points[3] = np.inf
-    with ply_writer(tmp_path / "c.ply") as cloud:
+    with cloud_writer(tmp_path / "c.ply") as cloud:
         cloud.write(points, np.arange(5.0), np.zeros(5), 7)
         assert cloud.points == 3
     back = read_cloud(tmp_path / "c.ply")
@@ -116,7 +116,7 @@ def test_xyz_text_is_read(tmp_path: Path, separator: str, head: str) -> None:
         (b"1 2\n3 4\n", "x y z"),
         (b"1 2 3\n4 5 hello\n", "hello"),
         (b"1 2 3\n4 5e200 6\n", "5e\\+200 mm"),
-        (b"\x00\x01\x02", "neither PLY nor XYZ"),
+        (b"\x00\x01\x02", "no cloud that is known"),
         (b"ply\nformat ascii 1.0\n", "does not end"),
         (b"ply\nformat morse 1.0\nend_header\n", "format"),
         (b"ply\nformat ascii 1.0\nend_header\n", "no element vertex"),

@@ -8,7 +8,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from app.files.calibration import read_calibration
-from app.files.clouds import ply_writer, read_cloud
+from app.files.clouds import cloud_writer, read_cloud
 from app.files.images import read_grey
 from app.files.rebuild import rebuild
 from app.files.recording_writer import RecordingWriter
@@ -72,7 +72,7 @@ def test_a_damaged_calibration(tmp_path: Path, damage: list[tuple[float, bytes, 
 @relaxed
 def test_a_damaged_cloud(tmp_path: Path, damage: list[tuple[float, bytes, int]]) -> None:
     path = tmp_path / "c.ply"
-    with ply_writer(path) as cloud:
+    with cloud_writer(path) as cloud:
         cloud.write(POINTS[:9], POINTS[:9, 0], POINTS[:9, 0], 0)
     path.write_bytes(damaged(path.read_bytes(), damage))
     with suppress(Refusal):
