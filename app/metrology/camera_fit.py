@@ -16,7 +16,8 @@ from app.metrology.camera import Camera
 from app.metrology.crenellated import Crenellated
 from app.metrology.detection.corners import Corner, EdgePoints
 from app.metrology.frames import Floats
-from app.metrology.laser_plane import LaserPlane, LaserPlaneFit, neighbours_alike
+from app.metrology.laser_plane import LaserPlane, LaserPlaneFit
+from app.metrology.line_scatter import variances_of_lines
 from app.metrology.projection import COUNT, LENS
 from app.metrology.refusal import Refusal
 from app.metrology.scene import (
@@ -187,18 +188,13 @@ def _agreeing(rows: Rows) -> NDArray[np.bool_]:
 def _inflation(rows: Rows, kept: NDArray[np.bool_]) -> Floats:
     """Factors (N,) on the deviations, one for each line: scatter beyond what its points
     say, likeness of neighbours (speckle), and what all points of a line share."""
-    factor = np.ones(len(kept))
     off = rows.residuals / rows.sigma
-    for number in np.unique(rows.line):
-        own = (rows.line == number) & kept
-        if own.sum() < FEWEST_TO_JUDGE:
-            continue
-        variance = max(float(np.mean(off[own] ** 2)), 1.0)
-        variance *= neighbours_alike(rows.places[own], off[own])
-        # a shared error does not average out along the line
-        variance += float(np.sum((rows.shared_px / rows.sigma[own]) ** 2))
-        factor[rows.line == number] = np.sqrt(variance)
-    return factor
+    variance = variances_of_lines(off, rows.line, kept, rows.places, False, FEWEST_TO_JUDGE)
+    # a shared error does not average out along the line
+    lines, line = int(rows.line.max(initial=0)) + 1, rows.line[kept]
+    shared = np.bincount(line, (rows.shared_px / rows.sigma[kept]) ** 2, lines)
+    told = np.bincount(line, minlength=lines) >= FEWEST_TO_JUDGE
+    return np.asarray(np.sqrt(variance + np.where(told, shared, 0.0)[rows.line]))
 
 
 def _normal(rows: Rows, kept: NDArray[np.bool_], inflation: Floats) -> tuple[Floats, Floats]:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from app.metrology.camera import Camera, rays
 from app.metrology.crenellated import Crenellated
 from app.metrology.frames import Floats
+from app.metrology.line_scatter import neighbours_alike
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import Stripe, extract_stripe, together
 from app.metrology.stripe_flanks import Image
@@ -301,27 +302,6 @@ def _refuse_edge_on(camera: Camera, plane: LaserPlane, points: Floats) -> None:
             "a plane through the camera's centre gives no depth",
             "the camera must look at the stripe from the side: check how the sensor is built",
         )
-
-
-def neighbours_alike(uv_px: Floats, normalised_residuals: Floats) -> float:
-    """How many neighbouring points (N,) carry the information of one: 1 for white noise.
-
-    The sum of the residuals' autocorrelation up to where it has died away.
-    """
-    lag_sum = 1.0
-    residuals = normalised_residuals - float(np.mean(normalised_residuals))
-    power = float(np.mean(residuals**2))
-    if len(residuals) < 50 or power == 0.0:
-        return lag_sum
-    for lag in range(1, 20):
-        near = np.linalg.norm(uv_px[lag:] - uv_px[:-lag], axis=1) < 2.0 * lag + 1.0
-        if near.sum() < 30:
-            break
-        alike = float(np.mean((residuals[lag:] * residuals[:-lag])[near])) / power
-        if alike < 0.05:
-            break
-        lag_sum += 2 * alike
-    return lag_sum
 
 
 def _covariance(plane: LaserPlane, points: Floats, sigma: Floats) -> tuple[Floats, Floats]:

@@ -7,11 +7,12 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.camera import Camera, rays
+from app.metrology.camera import Camera
 from app.metrology.crenellated import Crenellated, corners, edges
 from app.metrology.detection.corners import Corner, EdgePoints
 from app.metrology.frames import Floats
 from app.metrology.laser_plane import LaserPlane, tangents
+from app.metrology.line_images import across_lines
 from app.metrology.projection import COUNT, PARAMETERS, project_with_jacobian, stepped
 from app.metrology.stripe import Stripe
 
@@ -126,8 +127,9 @@ def edge_rows(scene: Scene, measured: Sequence[EdgePoints]) -> Rows:
     uv = np.concatenate([edge.uv_px for edge in measured])
     start = values[ends[:, 0]]
     along = values[ends[:, 1]] - start
-    share = _nearest_share(scene.camera, uv, start, along)
-    residuals, _, J, to_normal = _across_lines(scene, uv, start, along, share)
+    residuals, _, J, to_normal, share = across_lines(
+        scene.camera, uv, start, along, BLOCK.start + len(values)
+    )
     every = np.arange(len(uv))
     for k in range(3):
         J[every, BLOCK.start + ends[:, 0, k]] += to_normal[:, k] * (1 - share)
@@ -148,16 +150,16 @@ def stripe_rows(scene: Scene, stripe: Stripe, level: NDArray[np.str_]) -> Rows:
     z = np.array([scene.block.crest_z_mm, scene.block.floor_z_mm])[line]
     # across the line within its level: how the line moves when the plane does
     across = np.array([*plane.normal[:2], 0.0]) / float(plane.normal[:2] @ plane.normal[:2])
-    along = np.broadcast_to([plane.normal[1], -plane.normal[0], 0.0], (len(uv), 3))
+    along = np.full((len(uv), 3), [plane.normal[1], -plane.normal[0], 0.0])
     start = (plane.offset_mm - plane.normal[2] * z)[:, None] * across
     start[:, 2] = z
-    share = _nearest_share(scene.camera, uv, start, along)
-    residuals, normal, J, to_normal = _across_lines(scene, uv, start, along, share)
+    count = BLOCK.start + len(scene.block.edges_x_mm) + 5
+    residuals, normal, J, to_normal, share = across_lines(scene.camera, uv, start, along, count)
     tilts = (start + share[:, None] * along) @ tangents(plane.normal).T
     J[:, PLANE.start : PLANE.start + 2] = -tilts * (to_normal @ across)[:, None]
     J[:, PLANE.start + 2] = to_normal @ across
     by_z = to_normal[:, 2] - plane.normal[2] * (to_normal @ across)
-    level = np.array([len(scene.names) - 3, len(scene.names) - 2])[line]
+    level = np.array([count - 3, count - 2])[line]
     J[np.arange(len(uv)), level] += by_z
     return Rows(residuals, sigma * np.abs(normal @ stripe.across), -J, uv, line)
 
@@ -191,33 +193,3 @@ def no_rows(scene: Scene) -> Rows:
     return Rows(
         none, none, np.zeros((0, len(scene.names))), np.zeros((0, 2)), none.astype(np.int64)
     )
-
-
-def _nearest_share(camera: Camera, uv_px: Floats, start: Floats, along: Floats) -> Floats:
-    """Where (N,) on ``start + share along`` (N, 3) the rays of pixels (N, 2) come nearest."""
-    origin, rays_along = rays(camera, uv_px)
-    # r x (r x a), written out
-    across = np.sum(rays_along * along, axis=1, keepdims=True)
-    square = np.sum(rays_along**2, axis=1, keepdims=True)
-    normal = across * rays_along - square * along
-    return np.asarray(np.sum((origin - start) * normal, axis=1) / np.sum(normal * along, axis=1))
-
-
-def _across_lines(
-    scene: Scene, uv_px: Floats, start: Floats, along: Floats, share: Floats
-) -> tuple[Floats, Floats, Floats, Floats]:
-    """How pixels (N, 2) lie across the images of the lines ``start + share along`` (N, 3).
-
-    Returns:
-        (N,) distances in px; (N, 2) unit normals of the lines' images; (N, P) how far
-        the lines move along them by the camera's parameters (zero for the others),
-        and (N, 3) by their points.
-    """
-    uv, J_camera, by_point = project_with_jacobian(scene.camera, start + share[:, None] * along)
-    tangent = np.einsum("nij,nj->ni", by_point, along)
-    tangent /= np.linalg.norm(tangent, axis=1, keepdims=True)
-    normal = np.column_stack([-tangent[:, 1], tangent[:, 0]])
-    J = np.zeros((len(uv), len(scene.names)))
-    J[:, :COUNT] = normal[:, :1] * J_camera[:, 0] + normal[:, 1:] * J_camera[:, 1]
-    to_normal = normal[:, :1] * by_point[:, 0] + normal[:, 1:] * by_point[:, 1]
-    return np.sum((uv_px - uv) * normal, axis=1), normal, J, to_normal

@@ -12,9 +12,9 @@ from app.metrology.laser_plane import (
     LaserPlaneFit,
     fit_laser_plane,
     levels_of,
-    neighbours_alike,
     tangents,
 )
+from app.metrology.line_scatter import neighbours_alike
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import Stripe
 from tests.metrology.builders import BLOCK

@@ -107,11 +107,15 @@ def normal(linear: Linear, judgements: Judgements) -> Normal:
     count = linear.at.count
     pictures = {source: np.zeros((count, count)) for source in ("edges", "stripe", "camera")}
     g = np.zeros(count)
-    for scene, groups, by_kind in zip(linear.scenes, linear.rows, judgements, strict=True):
+    kinds = zip(linear.scenes, linear.rows, judgements, strict=True)
+    for pose, (scene, groups, by_kind) in enumerate(kinds):
+        # A pose's picture says nothing of other poses' noise.
+        own = linear.at.seen_by(pose)
+        by, where = scene.by_unknowns[:, own], np.ix_(own, own)
         for source, rows, judgement in zip(("edges", "stripe"), groups, by_kind, strict=True):
             N, pull = normal_equations(rows, judgement)
-            pictures[source] += scene.by_unknowns.T @ N @ scene.by_unknowns
-            g += scene.by_unknowns.T @ pull
+            pictures[source][where] += by.T @ N @ by
+            g[own] += by.T @ pull
     N, pull = usual_camera(linear.state.camera)
     pictures["camera"][CAMERA, CAMERA] += N
     g[CAMERA] += pull

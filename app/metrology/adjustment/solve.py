@@ -76,22 +76,24 @@ def adjust(problem: Problem, start: State, known: Scales | None = None) -> Adjus
     free = np.ones(at.count, dtype=np.bool_)
     scales = known or usual_scales(problem.motion.usual_factor)
     rounds = 0 if known else ROUNDS_OF_SCALES
-    state, judgements = start, _judged(problem, at, start)
+    linear = linearise(problem, at, start)
+    judgements = _judged(linear)
     for _ in range(MOST_JUDGEMENTS):
-        found = _settled(problem, at, state, scales, free, judgements, rounds)
+        found = _settled(*_merged(linear, judgements), scales, free, rounds)
         found = _lens_chosen(found, rounds)
-        again = _judged(problem, at, found.state)
-        state, scales, free = found.state, found.scales, found.free
+        scales, free = found.scales, found.free
+        # With every point, not the few that were made of them.
+        linear = linearise(problem, at, found.state)
+        again = _judged(linear)
         if _alike(again, judgements):
-            return _reported(problem, found, judgements)
+            break
         judgements = again
-    return _reported(problem, found, judgements)
+    return replace(found, linear=linear, judgements=judgements)
 
 
-def _judged(problem: Problem, at: Layout, state: State) -> Judgements:
-    linear = linearise(problem, at, state)
+def _judged(linear: Linear) -> Judgements:
     judgements = tuple((judged(shape), judged(stripe)) for shape, stripe in linear.rows)
-    _require_enough(judgements, problem)
+    _require_enough(judgements, linear.problem)
     return judgements
 
 
@@ -129,10 +131,8 @@ def _lens_chosen(found: Adjusted, rounds_of_scales: int) -> Adjusted:
         free[where] = False
     if np.array_equal(free, found.free):
         return found
-    problem, at = found.problem, found.layout
-    state = _without_lens(state, free)
-    judgements, scales = found.judgements, found.scales
-    return _settled(problem, at, state, scales, free, judgements, rounds_of_scales, merged=True)
+    linear = linearise(found.problem, found.layout, _without_lens(state, free))
+    return _settled(linear, found.judgements, found.scales, free, rounds_of_scales)
 
 
 def _without_lens(state: State, free: NDArray[np.bool_]) -> State:
@@ -142,34 +142,27 @@ def _without_lens(state: State, free: NDArray[np.bool_]) -> State:
     return replace(state, camera=replace(state.camera, distortion=distortion))
 
 
-def _merged(
-    problem: Problem, at: Layout, state: State, judgements: Judgements
-) -> tuple[Problem, Judgements]:
+def _merged(linear: Linear, judgements: Judgements) -> tuple[Linear, Judgements]:
     """The same with neighbouring points put together, for the rounds of the adjustment."""
-    linear = linearise(problem, at, state)
+    problem = linear.problem
     few = [
         view.merged(rows, judgement)
         for view, rows, judgement in zip(problem.views, linear.rows, judgements, strict=True)
     ]
-    views = tuple(view for view, _ in few)
-    return replace(problem, views=views), tuple(judgement for _, judgement in few)
+    fewer = replace(problem, views=tuple(view for view, _ in few))
+    return linearise(fewer, linear.at, linear.state), tuple(judgement for _, judgement in few)
 
 
 def _settled(
-    problem: Problem,
-    at: Layout,
-    state: State,
+    linear: Linear,
+    judgements: Judgements,
     scales: Scales,
     free: NDArray[np.bool_],
-    judgements: Judgements,
     rounds_of_scales: int,
-    merged: bool = False,
 ) -> Adjusted:
     """Gauss-Newton with points and weights as they were judged, the scales told on the way."""
-    if not merged:
-        problem, judgements = _merged(problem, at, state, judgements)
+    at = linear.at
     for turn in range(MOST_ROUNDS):
-        linear = linearise(problem, at, state)
         equations = normal(linear, judgements)
         if turn < rounds_of_scales:
             scales = settled(scales, partial(_told, equations, free))
@@ -179,7 +172,7 @@ def _settled(
         largest = float(np.max(np.abs(step[free]) / np.sqrt(np.diag(covariance)[free])))
         if largest < SETTLED and turn > 0:
             return Adjusted(linear, scales, free, covariance, parts, judgements, turn + 1)
-        state = state.moved(step, at)
+        linear = linearise(linear.problem, at, linear.state.moved(step, at))
     raise Refusal(
         "adjustment-failed",
         "the calibration's unknowns did not settle on what was seen and touched",
@@ -187,12 +180,6 @@ def _settled(
         "check that this is the object in the pictures, and that every picture belongs to"
         " its arm pose",
     )
-
-
-def _reported(problem: Problem, found: Adjusted, judgements: Judgements) -> Adjusted:
-    """The same result, with the residuals of every point."""
-    linear = linearise(problem, found.layout, found.state)
-    return replace(found, linear=linear, judgements=judgements)
 
 
 def _told(equations: Normal, free: NDArray[np.bool_], scales: Scales) -> Scales:

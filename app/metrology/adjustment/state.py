@@ -3,6 +3,7 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from app.metrology.adjustment.evidence import Problem
 from app.metrology.adjustment.twists import carried_back, motion
@@ -37,6 +38,11 @@ class Layout:
     def noise_of(self, pose: int) -> slice:
         start = self.noise.start + pose * self.noise_per_pose
         return slice(start, start + self.noise_per_pose)
+
+    def seen_by(self, pose: int) -> NDArray[np.int64]:
+        """Numbers of the unknowns that a pose's picture depends on."""
+        own = self.noise_of(pose)
+        return np.concatenate([np.arange(self.noise.start), np.arange(own.start, own.stop)])
 
 
 def layout_of(problem: Problem) -> Layout:
@@ -156,6 +162,6 @@ def _plane_rows(
     across = tangents(in_obj.normal) @ R.T  # object's tangents, seen in the camera's frame
     J[:2] = across @ skew(n) @ twist[:3]  # the normal turns against the object
     J[:2, PLANE.start : PLANE.start + 2] += across @ tangents(n).T
-    J[2] = -(np.cross(t, n) @ twist[:3] + n @ twist[3:])
+    J[2] = -(skew(t) @ n @ twist[:3] + n @ twist[3:])
     J[2, PLANE.start : PLANE.start + 2] += -tangents(n) @ t
     J[2, PLANE.start + 2] += 1.0

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.frames import Floats
-from app.metrology.laser_plane import neighbours_alike
+from app.metrology.line_scatter import neighbours_alike, variances_of_lines
 from app.metrology.scene import Rows
 
 OUTLIER_SIGMAS = 4.5
@@ -29,20 +29,27 @@ def judged(rows: Rows) -> Judgement:
     off = rows.residuals / rows.sigma
     spread = max(float(np.median(np.abs(off))) / 0.6745, 1.0) if len(off) else 1.0
     kept = np.abs(off) < OUTLIER_SIGMAS * spread
+    if rows.shared is not None:
+        return Judgement(kept, _beside_shared(rows, rows.shared, off, kept))
+    # what all points of a line share is an error of its own, no scatter
+    about_mean = rows.shared_px > 0.0
+    variances = variances_of_lines(off, rows.line, kept, rows.places, about_mean, FEWEST_TO_JUDGE)
+    return Judgement(kept, np.sqrt(variances))
+
+
+def _beside_shared(rows: Rows, shared: Floats, off: Floats, kept: NDArray[np.bool_]) -> Floats:
+    """Inflation (N,) of rows whose lines' points follow errors that they have in common."""
     inflation = np.ones(len(off))
     for number in np.unique(rows.line):
         own = (rows.line == number) & kept
         if own.sum() < FEWEST_TO_JUDGE:
             continue
-        # what all points of a line share is an error of its own, no scatter
-        scatter = off[own] - (np.mean(off[own]) if rows.shared_px else 0.0)
-        if rows.shared is not None:
-            ways = rows.shared[own] / rows.sigma[own][:, None]
-            scatter = scatter - ways @ (np.linalg.pinv(ways) @ scatter)
+        ways = shared[own] / rows.sigma[own][:, None]
+        scatter = off[own] - ways @ (np.linalg.pinv(ways) @ off[own])
         variance = max(float(np.mean(scatter**2)), 1.0)
         variance *= neighbours_alike(rows.places[own], off[own])
         inflation[rows.line == number] = np.sqrt(variance)
-    return Judgement(kept, inflation)
+    return inflation
 
 
 @dataclass(frozen=True)
