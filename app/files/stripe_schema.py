@@ -29,9 +29,12 @@ from google.protobuf.descriptor_pb2 import FieldDescriptorProto, FileDescriptorP
 from google.protobuf.descriptor_pb2 import FileDescriptorSet as DescriptorSet
 from google.protobuf.descriptor_pool import DescriptorPool
 
+from app.metrology.frames import Floats
 from app.metrology.stripe import Stripe
 
 STRIPE_SCHEMA = "crenel.StripeProfile"
+NUMBERS = {"u": 4, "v": 5, "intensity": 6, "sigma_px": 7}
+LENGTH_DELIMITED = 2
 
 
 class Stamp(Protocol):
@@ -63,16 +66,42 @@ def stripe_descriptors() -> bytes:
 
 
 def encode_stripe(stripe: Stripe, stamp_ns: int, width_px: int, height_px: int) -> bytes:
-    """One frame's stripe as the bytes of a message."""
+    """One frame's stripe as the bytes of a message.
+
+    Messages put one behind the other are one message, and packed numbers are the bytes of
+    their array (Protocol Buffers' encoding): so the lists need not pass through Python.
+    """
     message = cast(StripeMessage, _message_class()())
     message.timestamp.seconds, message.timestamp.nanos = divmod(stamp_ns, 1_000_000_000)
     message.width_px, message.height_px = width_px, height_px
-    message.u.extend(stripe.u.tolist())
-    message.v.extend(stripe.v.tolist())
-    message.intensity.extend(stripe.intensity.tolist())
-    message.sigma_px.extend(stripe.sigma_px.tolist())
     message.axis = stripe.axis
-    return message.SerializeToString()
+    return b"".join(
+        (
+            message.SerializeToString(),
+            *_packed("u", stripe.u, "<f8"),
+            *_packed("v", stripe.v, "<f8"),
+            *_packed("intensity", stripe.intensity, "<f4"),
+            *_packed("sigma_px", stripe.sigma_px, "<f4"),
+        )
+    )
+
+
+def _packed(field: str, values: Floats, kind: str) -> tuple[bytes, ...]:
+    """A list of numbers: its field's number and length, and the numbers; nothing of none."""
+    if not len(values):
+        return ()
+    data = values.astype(kind, copy=False).tobytes()
+    return _varint(NUMBERS[field] << 3 | LENGTH_DELIMITED) + _varint(len(data)), data
+
+
+def _varint(value: int) -> bytes:
+    """Seven bits a byte, the lowest first; the eighth says that more follow."""
+    coded = bytearray()
+    while value > 0x7F:
+        coded.append(value & 0x7F | 0x80)
+        value >>= 7
+    coded.append(value)
+    return bytes(coded)
 
 
 def stripe_of(message: StripeMessage) -> Stripe:

@@ -65,6 +65,19 @@ def scan_points(
         (N, 3) mm; NaN as in ``sensor_points``.
     """
     in_sensor = sensor_points(camera, plane, uv_px)
-    T_arm_sensor = T_arm_flange @ T_flange_sensor
+    return placed_points(in_sensor, frame_of_point, T_arm_flange @ T_flange_sensor)
+
+
+def placed_points(
+    in_sensor: Floats,
+    frame_of_point: np.ndarray[tuple[int, ...], np.dtype[np.int64]],
+    T_arm_sensor: Floats,
+) -> Floats:
+    """Points of a whole scan brought from the sensor frame (N, 3) to the arm frame (N, 3).
+
+    Args:
+        frame_of_point: (N,) which of the F frames each point belongs to.
+        T_arm_sensor: (F, 4, 4) at each frame's mid-exposure.
+    """
     turned = np.einsum("nij,nj->ni", T_arm_sensor[frame_of_point, :3, :3], in_sensor)
     return np.asarray(turned + T_arm_sensor[frame_of_point, :3, 3])

@@ -6,6 +6,7 @@ import numpy as np
 
 from app.metrology.arm import Arm, flange_poses, tip_centres
 from app.metrology.frames import Floats, vector_from_rotation
+from app.metrology.joint_stamps import Stamps
 from app.metrology.refusal import Refusal
 from app.station.bus import Bus
 from app.station.device_state import DeviceState, device_state
@@ -67,6 +68,12 @@ class ArmSide:
         """Encoder angles (n,) at a stamp; None where the arm sent none around it."""
         ring = self._ring
         return None if ring is None else ring.at(stamp_ns, wait_s)
+
+    def at_all(self, stamps_ns: Stamps, wait_s: float = LATE_S) -> Floats | None:
+        """The same (F, n) at stamps (F,) that lie near together, NaN where the arm sent none;
+        None before it first connected."""
+        ring = self._ring
+        return None if ring is None else ring.at_all(stamps_ns, wait_s)
 
     def window(self, first_ns: int, last_ns: int) -> JointWindow | None:
         """The kept samples between two stamps; None before the arm first connected."""

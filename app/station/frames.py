@@ -35,11 +35,12 @@ class FrameTap:
             self._frames.append(frame)
             self._arrived.notify()
 
-    def get(self, timeout_s: float) -> Frame | None:
-        """The oldest waiting frame; None after the timeout, or at once when closed and empty."""
+    def get(self, most: int, timeout_s: float) -> list[Frame]:
+        """Up to ``most`` waiting frames, oldest first; none after the timeout, or at once
+        when closed and empty."""
         with self._arrived:
             self._arrived.wait_for(lambda: self._frames or self._closed, timeout_s)
-            return self._frames.popleft() if self._frames else None
+            return [self._frames.popleft() for _ in range(min(most, len(self._frames)))]
 
     def close(self) -> None:
         """No frame comes after this; those that wait can still be taken."""

@@ -4,7 +4,6 @@ import threading
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from app.files.joint_track import (
     GAP_LIMIT_PERIODS,
@@ -12,11 +11,10 @@ from app.files.joint_track import (
     SHORTEST_GAP_LIMIT_NS,
 )
 from app.metrology.frames import Floats
+from app.metrology.joint_stamps import Stamps, angles_at, turn
 from hardware.interfaces import JointSample
 
 KEPT_SAMPLES = 16_384
-
-Stamps = NDArray[np.int64]
 
 
 @dataclass(frozen=True)
@@ -90,22 +88,15 @@ class JointRing:
         Waits up to ``wait_s`` for the neighbour after it. None where there is no
         sample on one side, or where they lie further apart than ``gap_limit_ns``.
         """
-        self.wait_past(stamp_ns, wait_s)
-        with self._grown:
-            after = self._position(stamp_ns, "left")
-            if after >= self._count:
-                return None
-            b = after % KEPT_SAMPLES
-            if self._stamps[b] == stamp_ns:
-                return np.array(self._q[b])
-            if after == self._oldest():
-                return None
-            a = (after - 1) % KEPT_SAMPLES
-            gap_ns = int(self._stamps[b] - self._stamps[a])
-            if gap_ns > self.gap_limit_ns:
-                return None
-            share = int(stamp_ns - self._stamps[a]) / gap_ns
-            return np.asarray(self._q[a] + share * turn(self._q[b] - self._q[a]))
+        angles = self.at_all(np.array([stamp_ns]), wait_s)[0]
+        return None if np.isnan(angles).any() else angles
+
+    def at_all(self, stamps_ns: Stamps, wait_s: float = 0.0) -> Floats:
+        """The same (F, n) of stamps (F,) that lie near together; NaN where ``at`` has None."""
+        first_ns, last_ns = int(stamps_ns.min()), int(stamps_ns.max())
+        self.wait_past(last_ns, wait_s)
+        around = self.between(first_ns - self.gap_limit_ns, last_ns + self.gap_limit_ns)
+        return angles_at(around.stamps_ns, around.q_rad, stamps_ns, self.gap_limit_ns)
 
     def last_stamp_ns(self) -> int | None:
         with self._grown:
@@ -128,11 +119,6 @@ class JointRing:
             else:
                 high = middle
         return low
-
-
-def turn(difference_rad: Floats) -> Floats:
-    """The shortest turn, in [-pi, pi), of a difference of angles: encoders roll over."""
-    return np.asarray((difference_rad + np.pi) % (2 * np.pi) - np.pi)
 
 
 @dataclass(frozen=True)

@@ -6,37 +6,42 @@ import queue
 import threading
 import time
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from app.files.clouds import CloudWriter, cloud_writer
 from app.files.failures import refusal_of
-from app.metrology.arm import Arm, flange_pose
+from app.metrology.arm import Arm, flange_poses
 from app.metrology.camera import Camera
-from app.metrology.frames import Floats, apply
+from app.metrology.frames import Floats
 from app.metrology.laser_plane import LaserPlane
 from app.metrology.point_spread import spread_um
-from app.metrology.reconstruct import sensor_points
+from app.metrology.reconstruct import placed_points, sensor_points
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import Stripe, extract_stripe
 from app.station.arm_side import LATE_S, ArmSide
-from app.station.recorder import Recorder, StripeFrame
+from app.station.recorder import Recorder, StripeFrame, size_of
 from app.station.sensor_side import SensorSide
 from hardware.interfaces import Frame
 
 log = logging.getLogger(__name__)
 
 CORES = os.cpu_count() or 1
-TAP_FRAMES = 64
-POINTS_QUEUE_FRAMES = 256
+# Frames are worked on so many at a time, where they come faster than the wait for more.
+BATCH_FRAMES = 16
+GATHER_S = 0.01
+TAP_FRAMES = 128
+POINTS_QUEUE = 64
 POLL_S = 0.1
 RATE_WINDOW_S = 1.0
 Show = Callable[[Floats, Floats], None]
+Numbers = NDArray[np.int64]
 
 
 @dataclass(frozen=True)
@@ -90,8 +95,8 @@ class ScanPipeline:
         self._cloud_path = folder / "cloud.ply"
         self._show = show
         self._made: deque[tuple[float, int]] = deque()
-        self._extracting: queue.Queue[tuple[Frame, Future[Stripe]] | None] = queue.Queue(2 * CORES)
-        self._stripes: queue.Queue[StripeFrame | None] = queue.Queue(POINTS_QUEUE_FRAMES)
+        self._extracting: queue.Queue[Future[list[StripeFrame]] | None] = queue.Queue(2 * CORES)
+        self._stripes: queue.Queue[list[StripeFrame] | None] = queue.Queue(POINTS_QUEUE)
         self._lost_before = sensor.reader.link().lost
         self._recorder = Recorder(
             folder / "scan.mcap",
@@ -116,7 +121,7 @@ class ScanPipeline:
     @property
     def backlog(self) -> float:
         """How far the slowest stage is behind, 0 to 1 (frames are lost beyond)."""
-        return max(self._recorder.backlog, self._stripes.qsize() / POINTS_QUEUE_FRAMES)
+        return max(self._recorder.backlog, self._stripes.qsize() / POINTS_QUEUE)
 
     @property
     def rate_points_s(self) -> float:
@@ -137,33 +142,35 @@ class ScanPipeline:
         self._recorder.close()
 
     def _take_all(self) -> None:
-        """Sends frames to be extracted on all cores; waits when they are behind."""
+        """Sends frames to be extracted on all cores, some at a time; waits when they are behind."""
         with ThreadPoolExecutor(CORES, "scan-extract") as pool:
             while not self._tap.finished:
-                frame = self._tap.get(POLL_S)
-                if frame is None:
-                    continue
-                if frame.laser_on:
-                    work = pool.submit(extract_stripe, frame.image, self._calibration.stripe_axis)
-                    self._extracting.put((frame, work))
-                else:
-                    self.counts.frames_without_laser += 1
+                time.sleep(GATHER_S)
+                taken = self._tap.get(BATCH_FRAMES, POLL_S)
+                frames = [frame for frame in taken if frame.laser_on]
+                self.counts.frames_without_laser += len(taken) - len(frames)
+                if frames:
+                    self._extracting.put(pool.submit(self._seen, frames))
         self._extracting.put(None)
+
+    def _seen(self, frames: Sequence[Frame]) -> list[StripeFrame]:
+        """On a worker's thread: the frames' stripes."""
+        axis = self._calibration.stripe_axis
+        return [
+            StripeFrame(frame.mid_exposure_ns, extract_stripe(frame.image, axis), *size_of(frame))
+            for frame in frames
+        ]
 
     def _record_all(self) -> None:
         """Hands stripes on in the order of their frames, to the recording first."""
-        while (taken := self._extracting.get()) is not None:
-            frame, work = taken
+        while (work := self._extracting.get()) is not None:
             try:
-                stripe = work.result()
+                found = work.result()
             except Refusal as refusal:
                 self.failure = self.failure or refusal
                 continue
-            self.counts.frames += 1
-            self.counts.frames_without_stripe += not len(stripe.u)
-            height, width = frame.image.shape
-            number = self.counts.frames - 1
-            found = StripeFrame(number, frame.mid_exposure_ns, stripe, width, height)
+            self.counts.frames += len(found)
+            self.counts.frames_without_stripe += sum(not len(one.stripe.u) for one in found)
             if self._recorder.put(found):
                 self._stripes.put(found)
         self._stripes.put(None)
@@ -184,23 +191,37 @@ class ScanPipeline:
             self._drain()
 
     def _points_of_all(self, cloud: CloudWriter) -> None:
-        while (taken := self._stripes.get()) is not None:
-            q_rad = self._arm.at(taken.stamp_ns, LATE_S if self._arm.fresh else 0.0)
-            if q_rad is None:
-                self.counts.frames_without_joints += 1
-                continue
-            points, spread = self._points(taken, q_rad)
-            cloud.write(points, taken.stripe.intensity, spread, taken.number)
-            self.counts.points = cloud.points
-            self._note(len(points))
-            self._show(points, taken.stripe.intensity)
+        number = 0
+        while (frames := self._stripes.get()) is not None:
+            stamps_ns = np.array([frame.stamp_ns for frame in frames])
+            q_rad = self._arm.at_all(stamps_ns, LATE_S if self._arm.fresh else 0.0)
+            known = np.isfinite(q_rad).all(axis=1) if q_rad is not None else np.zeros(len(frames))
+            placed = [int(i) for i in np.flatnonzero(known)]
+            self.counts.frames_without_joints += len(frames) - len(placed)
+            if q_rad is not None and placed:
+                stripes = [frames[i].stripe for i in placed]
+                self._add(cloud, stripes, q_rad[placed], number + np.array(placed))
+            number += len(frames)
 
-    def _points(self, taken: StripeFrame, q_rad: Floats) -> tuple[Floats, Floats]:
-        """Points (N, 3) in the arm frame (Eq. 9), and how well each is known in µm."""
-        use, stripe = self._calibration, taken.stripe
-        points = sensor_points(use.camera, use.plane, np.column_stack([stripe.u, stripe.v]))
-        spread = spread_um(use.camera, use.plane, points, stripe.sigma_px, stripe.axis)
-        return apply(flange_pose(use.arm, q_rad) @ use.T_flange_sensor, points), spread
+    def _add(
+        self, cloud: CloudWriter, stripes: Sequence[Stripe], q_rad: Floats, numbers: Numbers
+    ) -> None:
+        """Points of some frames, to the cloud and to the display (Eq. 9)."""
+        use = self._calibration
+        frame = np.repeat(np.arange(len(stripes)), [len(stripe.u) for stripe in stripes])
+        columns = [
+            np.concatenate([getattr(stripe, name) for stripe in stripes])
+            for name in ("u", "v", "intensity", "sigma_px")
+        ]
+        u, v, intensity, sigma_px = columns
+        in_sensor = sensor_points(use.camera, use.plane, np.column_stack([u, v]))
+        T_arm_sensor = flange_poses(use.arm, q_rad) @ use.T_flange_sensor
+        points = placed_points(in_sensor, frame, T_arm_sensor)
+        spread = spread_um(use.camera, use.plane, in_sensor, sigma_px, use.stripe_axis)
+        cloud.write(points, intensity, spread, numbers[frame].astype(np.float64))
+        self.counts.points = cloud.points
+        self._note(len(points))
+        self._show(points, intensity)
 
     def _note(self, count: int) -> None:
         now = time.monotonic()

@@ -12,8 +12,9 @@ from app.metrology.refusal import Refusal
 from app.metrology.stripe import Stripe
 from app.station.arm_side import LATE_S, ArmSide
 from hardware.clock import now_ns
+from hardware.interfaces import Frame
 
-QUEUE_FRAMES = 256
+QUEUE_BATCHES = 64
 POLL_S = 0.05
 # What a killed process may lose.
 FLUSH_S = 0.5
@@ -25,11 +26,16 @@ LEAD_NS = 200_000_000
 class StripeFrame:
     """The stripe of one frame, by the stamp of its mid-exposure."""
 
-    number: int
     stamp_ns: int
     stripe: Stripe
     width_px: int
     height_px: int
+
+
+def size_of(frame: Frame) -> tuple[int, int]:
+    """Width and height in pixels."""
+    height, width = frame.image.shape
+    return width, height
 
 
 class Recorder:
@@ -45,7 +51,7 @@ class Recorder:
         self.failure: Refusal | None = None
         self._arm = arm
         self._joints_after_ns = now_ns() - LEAD_NS
-        self._frames: queue.Queue[StripeFrame | None] = queue.Queue(QUEUE_FRAMES)
+        self._frames: queue.Queue[list[StripeFrame] | None] = queue.Queue(QUEUE_BATCHES)
         self._writer = RecordingWriter(path, joint_names, station)
         self._thread = threading.Thread(target=self._run, name="scan-recorder", daemon=True)
         self._thread.start()
@@ -53,17 +59,17 @@ class Recorder:
     @property
     def backlog(self) -> float:
         """How full the queue to the disk is, 0 to 1."""
-        return self._frames.qsize() / QUEUE_FRAMES
+        return self._frames.qsize() / QUEUE_BATCHES
 
     @property
     def bytes_written(self) -> int:
         return self._writer.bytes_written
 
-    def put(self, frame: StripeFrame) -> bool:
-        """Hands a frame to the disk; waits while the queue is full. False after a failure."""
+    def put(self, frames: list[StripeFrame]) -> bool:
+        """Hands frames to the disk; waits while the queue is full. False after a failure."""
         while self.failure is None:
             try:
-                self._frames.put(frame, timeout=POLL_S)
+                self._frames.put(frames, timeout=POLL_S)
                 return True
             except queue.Full:
                 continue
@@ -97,15 +103,16 @@ class Recorder:
                 self._writer.flush()
                 flushed_s = time.monotonic()
             try:
-                frame = self._frames.get(timeout=POLL_S)
+                frames = self._frames.get(timeout=POLL_S)
             except queue.Empty:
                 self._write_joints()
                 continue
-            if frame is None:
+            if frames is None:
                 return last_ns
-            last_ns = frame.stamp_ns
             self._write_joints()
-            self._writer.stripe(frame.stamp_ns, frame.stripe, frame.width_px, frame.height_px)
+            for frame in frames:
+                last_ns = frame.stamp_ns
+                self._writer.stripe(last_ns, frame.stripe, frame.width_px, frame.height_px)
 
     def _write_joints(self) -> None:
         window = self._arm.window(self._joints_after_ns + 1, now_ns())

@@ -6,7 +6,8 @@ import numpy as np
 
 from app.metrology.arm import Arm, flange_poses, geometric_jacobian
 from app.metrology.frames import Floats
-from app.station.joints import JointWindow, turn
+from app.metrology.joint_stamps import turn
+from app.station.joints import JointWindow
 
 WINDOW_S = 0.3
 TIP_LIMIT_UM = 40.0

@@ -27,6 +27,7 @@ scanner = Scanner(bus, rig, Scene(10_000), folder / "scans")
 scanner.set_calibration(calibration())
 until(lambda: scanner.why_not() is None, 60)
 scanner.start("killed")
+until(lambda: scanner.state().frames > 10, 60)
 print("scanning", flush=True)
 time.sleep(60)
 """

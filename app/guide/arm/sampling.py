@@ -7,7 +7,8 @@ import numpy as np
 
 from app.guide.arm.state import Angles
 from app.metrology.arm import Arm, tip_centres
-from app.station.joints import JointWindow, turn
+from app.metrology.joint_stamps import turn
+from app.station.joints import JointWindow
 
 TURN_RAD = float(np.deg2rad(3.0))
 """A point is taken whenever a joint has turned so far since the last."""
