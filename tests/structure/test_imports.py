@@ -12,7 +12,16 @@ NUMERICS = {"numpy", "scipy", "numba", "cv2"}
 ROOMS_ALLOWED = {
     "app.metrology": {"app.metrology"},
     "app.files": {"app.files", "app.metrology"},
-    "app.bench": {"app.bench", "app.metrology", "app.files", "hardware"},
+    # it measures all of them, up to the whole station
+    "app.bench": {
+        "app.bench",
+        "app.main",
+        "app.api",
+        "app.station",
+        "app.metrology",
+        "app.files",
+        "hardware",
+    },
     "app.station": {"app.station", "app.metrology", "app.files", "hardware"},
     "app.guide": {"app.guide", "app.station", "app.files", "app.metrology"},
     "app.store": {"app.store", "app.files", "app.metrology"},
