@@ -1,6 +1,7 @@
 """How pixels lie across the images of straight lines, with all derivatives: one pass, compiled."""
 
 import numpy as np
+from numpy.typing import NDArray
 
 from app.metrology.camera import Camera
 from app.metrology.compiled import kernel
@@ -52,7 +53,7 @@ def _across_lines(
     fx, fy, cx, cy, k1, k2, p1, p2, k3 = lens
     count = len(uv)
     off, shares = np.empty(count), np.empty(count)
-    normals, to_normal = np.empty((count, 2)), np.empty((count, 3))
+    normals, by_points = np.empty((count, 2)), np.empty((count, 3))
     J = np.zeros((count, columns))
     for i in range(count):
         start, along, row = starts[i], alongs[i], J[i]
@@ -86,18 +87,33 @@ def _across_lines(
         # Along the normal: by the point in the camera's frame, then by all parameters.
         n_x, n_y = nu * u_x + nv * v_x, nu * u_y + nv * v_y
         n_X, n_Y, n_Z = n_x / Z, n_y / Z, -(n_x * x + n_y * y) / Z
-        row[0], row[1], row[2], row[3] = nu * xd, nv * yd, nu, nv
-        row[4], row[5], row[6] = Y * n_Z - Z * n_Y, Z * n_X - X * n_Z, X * n_Y - Y * n_X
-        row[7], row[8], row[9] = n_X, n_Y, n_Z
-        row[10] = (nu * fx * x + nv * fy * y) * r2
+        row[0], row[1], row[2], row[3] = -nu * xd, -nv * yd, -nu, -nv
+        row[4], row[5], row[6] = Z * n_Y - Y * n_Z, X * n_Z - Z * n_X, Y * n_X - X * n_Y
+        row[7], row[8], row[9] = -n_X, -n_Y, -n_Z
+        row[10] = -(nu * fx * x + nv * fy * y) * r2
         row[11] = row[10] * r2
-        row[12] = nu * fx * 2 * x * y + nv * fy * (r2 + 2 * y * y)
-        row[13] = nu * fx * (r2 + 2 * x * x) + nv * fy * 2 * x * y
+        row[12] = -nu * fx * 2 * x * y - nv * fy * (r2 + 2 * y * y)
+        row[13] = -nu * fx * (r2 + 2 * x * x) - nv * fy * 2 * x * y
         for k in range(3):
-            to_normal[i, k] = n_X * pose[0, k] + n_Y * pose[1, k] + n_Z * pose[2, k]
+            by_points[i, k] = -(n_X * pose[0, k] + n_Y * pose[1, k] + n_Z * pose[2, k])
         off[i] = (uv[i, 0] - fx * xd - cx) * nu + (uv[i, 1] - fy * yd - cy) * nv
         normals[i, 0], normals[i, 1], shares[i] = nu, nv, share
-    return off, normals, J, to_normal, shares
+    return off, normals, J, by_points, shares
+
+
+@kernel
+def add_ends(
+    J: Floats, by_points: Floats, shares: Floats, ends: NDArray[np.int64], first: int
+) -> None:
+    """Adds to J (N, P) what the coordinates of the lines' ends do to residuals.
+
+    ``ends`` (N, 2, 3) numbers these coordinates, which stand from column ``first`` on; the
+    others as ``across_lines`` gives them.
+    """
+    for i in range(len(J)):
+        for k in range(3):
+            J[i, first + ends[i, 0, k]] += by_points[i, k] * (1 - shares[i])
+            J[i, first + ends[i, 1, k]] += by_points[i, k] * shares[i]
 
 
 def across_lines(
@@ -108,9 +124,9 @@ def across_lines(
     Each at the share where its ray comes nearest to the line.
 
     Returns:
-        (N,) distances in px; (N, 2) unit normals of the lines' images; (N, columns) how far
-        the lines move along them by the camera's parameters (zero beyond these); (N, 3) by
-        their points; and (N,) the shares.
+        (N,) distances in px, residuals; (N, 2) unit normals of the lines' images; their
+        derivatives (N, columns) by the camera's parameters, zero beyond these, and (N, 3) by
+        the lines' points; (N,) the shares.
     """
     K = camera.matrix
     pose = np.column_stack([camera.rotation, camera.translation_mm])

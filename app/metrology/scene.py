@@ -12,7 +12,7 @@ from app.metrology.crenellated import Crenellated, corners, edges
 from app.metrology.detection.corners import Corner, EdgePoints
 from app.metrology.frames import Floats
 from app.metrology.laser_plane import LaserPlane, tangents
-from app.metrology.line_images import across_lines
+from app.metrology.line_images import across_lines, add_ends
 from app.metrology.projection import COUNT, PARAMETERS, project_with_jacobian, stepped
 from app.metrology.stripe import Stripe
 
@@ -127,15 +127,12 @@ def edge_rows(scene: Scene, measured: Sequence[EdgePoints]) -> Rows:
     uv = np.concatenate([edge.uv_px for edge in measured])
     start = values[ends[:, 0]]
     along = values[ends[:, 1]] - start
-    residuals, _, J, to_normal, share = across_lines(
+    residuals, _, J, by_points, share = across_lines(
         scene.camera, uv, start, along, BLOCK.start + len(values)
     )
-    every = np.arange(len(uv))
-    for k in range(3):
-        J[every, BLOCK.start + ends[:, 0, k]] += to_normal[:, k] * (1 - share)
-        J[every, BLOCK.start + ends[:, 1, k]] += to_normal[:, k] * share
+    add_ends(J, by_points, share, ends, BLOCK.start)
     sigma = np.concatenate([edge.sigma_px for edge in measured])
-    return Rows(residuals, sigma, -J, uv, line, SHARED_EDGE_PX)
+    return Rows(residuals, sigma, J, uv, line, SHARED_EDGE_PX)
 
 
 def stripe_rows(scene: Scene, stripe: Stripe, level: NDArray[np.str_]) -> Rows:
@@ -154,14 +151,14 @@ def stripe_rows(scene: Scene, stripe: Stripe, level: NDArray[np.str_]) -> Rows:
     start = (plane.offset_mm - plane.normal[2] * z)[:, None] * across
     start[:, 2] = z
     count = BLOCK.start + len(scene.block.edges_x_mm) + 5
-    residuals, normal, J, to_normal, share = across_lines(scene.camera, uv, start, along, count)
+    residuals, normal, J, by_points, share = across_lines(scene.camera, uv, start, along, count)
     tilts = (start + share[:, None] * along) @ tangents(plane.normal).T
-    J[:, PLANE.start : PLANE.start + 2] = -tilts * (to_normal @ across)[:, None]
-    J[:, PLANE.start + 2] = to_normal @ across
-    by_z = to_normal[:, 2] - plane.normal[2] * (to_normal @ across)
+    by_offset = by_points @ across
+    J[:, PLANE.start : PLANE.start + 2] = -tilts * by_offset[:, None]
+    J[:, PLANE.start + 2] = by_offset
     level = np.array([count - 3, count - 2])[line]
-    J[np.arange(len(uv)), level] += by_z
-    return Rows(residuals, sigma * np.abs(normal @ stripe.across), -J, uv, line)
+    J[np.arange(len(uv)), level] += by_points[:, 2] - plane.normal[2] * by_offset
+    return Rows(residuals, sigma * np.abs(normal @ stripe.across), J, uv, line)
 
 
 def corner_rows(scene: Scene, measured: Sequence[Corner]) -> Rows:

@@ -104,18 +104,24 @@ def linearise(problem: Problem, at: Layout, state: State) -> Linear:
 
 def normal(linear: Linear, judgements: Judgements) -> Normal:
     """The pictures' part of the normal equations."""
-    count = linear.at.count
+    count, shared = linear.at.count, linear.at.noise.start
     pictures = {source: np.zeros((count, count)) for source in ("edges", "stripe", "camera")}
     g = np.zeros(count)
     kinds = zip(linear.scenes, linear.rows, judgements, strict=True)
     for pose, (scene, groups, by_kind) in enumerate(kinds):
         # A pose's picture says nothing of other poses' noise.
-        own = linear.at.seen_by(pose)
-        by, where = scene.by_unknowns[:, own], np.ix_(own, own)
+        noise = linear.at.noise_of(pose)
+        by = np.hstack([scene.by_unknowns[:, :shared], scene.by_unknowns[:, noise]])
         for source, rows, judgement in zip(("edges", "stripe"), groups, by_kind, strict=True):
             N, pull = normal_equations(rows, judgement)
-            pictures[source][where] += by.T @ N @ by
-            g[own] += by.T @ pull
+            part, own = pictures[source], by.T @ N @ by
+            part[:shared, :shared] += own[:shared, :shared]
+            part[:shared, noise] += own[:shared, shared:]
+            part[noise, :shared] += own[shared:, :shared]
+            part[noise, noise] += own[shared:, shared:]
+            along = by.T @ pull
+            g[:shared] += along[:shared]
+            g[noise] += along[shared:]
     N, pull = usual_camera(linear.state.camera)
     pictures["camera"][CAMERA, CAMERA] += N
     g[CAMERA] += pull

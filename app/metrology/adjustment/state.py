@@ -3,7 +3,6 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from app.metrology.adjustment.evidence import Problem
 from app.metrology.adjustment.twists import carried_back, motion
@@ -38,11 +37,6 @@ class Layout:
     def noise_of(self, pose: int) -> slice:
         start = self.noise.start + pose * self.noise_per_pose
         return slice(start, start + self.noise_per_pose)
-
-    def seen_by(self, pose: int) -> NDArray[np.int64]:
-        """Numbers of the unknowns that a pose's picture depends on."""
-        own = self.noise_of(pose)
-        return np.concatenate([np.arange(self.noise.start), np.arange(own.start, own.stop)])
 
 
 def layout_of(problem: Problem) -> Layout:
