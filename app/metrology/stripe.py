@@ -60,6 +60,11 @@ class Stripe:
         return np.column_stack([self.u, self.v])
 
     @property
+    def along_across(self) -> tuple[Floats, Floats]:
+        """(N,) each: the coordinate that is counted, and the measured one."""
+        return (self.u, self.v) if self.axis == "u" else (self.v, self.u)
+
+    @property
     def across(self) -> Floats:
         """(2,) the unit pixel direction in which ``sigma_px`` counts."""
         return np.array([0.0, 1.0]) if self.axis == "u" else np.array([1.0, 0.0])
@@ -71,10 +76,11 @@ class StripeSettings:
 
     ``threshold``: grey levels by which the stripe stands out of its surroundings (else four
     standard deviations of the noise). ``min_width_px``, ``max_width_px``: its width at half
-    height (else 0.45 and 2.2 times the usual one). ``min_run``: points of a piece.
+    height (else 0.45 and 2.2 times the usual one). ``min_run``: points of a piece, which is
+    always more than a round spot of its width would show.
     ``choice``: which of several peaks of a column is the stripe. ``continuity``: the one
-    whose piece of line is the brightest on average, pieces of less than 40 points in
-    proportion to their length; ``strength``: the brightest; ``first`` and ``last``: the
+    whose piece of line is the brightest on average, where pieces of less than 40 points
+    count by the square of their length; ``strength``: the brightest; ``first`` and ``last``: the
     uppermost and the lowest (axis v: leftmost and rightmost) that belongs to a piece.
     """
 
@@ -115,7 +121,7 @@ def extract_stripe(
     """
     grey = as_grey(image, axis)
     whole = np.array([[0, grey.shape[0], 0, grey.shape[1]]])
-    return extract_from(grey, axis, whole, _as_seen(where, grey, axis), settings)
+    return extract_from(grey, axis, whole, as_seen(where, grey, axis), settings)
 
 
 def extract_from(
@@ -215,7 +221,7 @@ def as_grey(image: Image, axis: str) -> Image:
     return cast(Image, cv2.transpose(cast(Image, array)))
 
 
-def _as_seen(where: NDArray[np.bool_] | None, grey: Image, axis: str) -> NDArray[np.bool_]:
+def as_seen(where: NDArray[np.bool_] | None, grey: Image, axis: str) -> NDArray[np.bool_]:
     """The mask turned as the image was; (0, 0) for none."""
     if where is None:
         return np.zeros((0, 0), dtype=np.bool_)
@@ -259,7 +265,7 @@ def _peaks(
     saturated: float,
     settings: StripeSettings,
 ) -> tuple[Floats, int]:
-    """The fitted peaks (4, n) of the columns sought, and the most pixels clipped in one."""
+    """The fitted peaks (5, n) of the columns sought, and the most pixels clipped in one."""
     threshold = settings.threshold
     if threshold is None:
         threshold = STANDS_OUT * np.sqrt(SCORE_VARIANCE * read)

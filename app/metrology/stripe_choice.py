@@ -11,15 +11,20 @@ CONTINUITY, STRENGTH, FIRST, LAST = range(4)
 # Columns that a track may skip, and rows by which it may climb from one column to the next;
 # the rows of peaks are known to COARSE.
 SKIP, STEEPEST, COARSE = 3, 4, 3
-# A track counts by how high it is on average; in full if it has so many peaks.
-LONG = 40
+# A track counts by how high it is on average; in full if it has so many peaks, else by the
+# square of its share of them. Lower than this share of a column's highest peak, none is
+# in question.
+LONG, RIVAL = 40, 0.2
+# A piece that is as long as a round spot of its width shows is none of a line, in standard
+# deviations of its width.
+ROUND = 6.0
 
 Places = NDArray[np.int32]
 
 
 @kernel
-def by_columns(columns: Places, width: int, begin: Places, order: Places) -> bool:
-    """Sorts peaks (n,) by columns; True where a column holds several.
+def by_columns(columns: Places, width: int, begin: Places, order: Places) -> None:
+    """Sorts peaks (n,) by columns.
 
     Args:
         begin: (width + 1,) filled with where each column's peaks begin in ``order``.
@@ -28,9 +33,7 @@ def by_columns(columns: Places, width: int, begin: Places, order: Places) -> boo
     begin[:] = 0
     for column in columns:
         begin[column + 1] += 1
-    several = False
     for i in range(width):
-        several |= begin[i + 1] > 1
         begin[i + 1] += begin[i]
     for p in range(len(columns)):
         column = columns[p]
@@ -39,7 +42,24 @@ def by_columns(columns: Places, width: int, begin: Places, order: Places) -> boo
     for i in range(width, 0, -1):
         begin[i] = begin[i - 1]
     begin[0] = 0
-    return several
+
+
+@kernel
+def rivals(heights: Places, begin: Places, order: Places, share: float) -> bool:
+    """True where a column holds several peaks, none far lower than the highest."""
+    for i in range(len(begin) - 1):
+        if begin[i + 1] - begin[i] < 2:
+            continue
+        first, second = 0, 0
+        for place in range(begin[i], begin[i + 1]):
+            height = heights[order[place]]
+            if height > first:
+                first, second = height, first
+            elif height > second:
+                second = height
+        if second >= share * first:
+            return True
+    return False
 
 
 @kernel
@@ -91,17 +111,18 @@ def choose(
     Args:
         columns, rows, heights: (n,) the peaks, from the top of the image down.
         rule: CONTINUITY takes the peak whose track is the highest on average (short ones
-            count in proportion to their length), STRENGTH the highest peak, FIRST and LAST
+            count for less), STRENGTH the highest peak, FIRST and LAST
             the uppermost and the lowest that lies on a track of at least ``shortest``.
         chosen_columns, chosen_rows: (width,) filled, in ascending order of columns.
     """
     n = len(columns)
     begin, order = np.empty(width + 1, np.int32), np.empty(n, np.int32)
-    several = by_columns(columns, width, begin, order)
+    by_columns(columns, width, begin, order)
     worth = np.empty(n, np.float64)
     for p in range(n):
         worth[p] = heights[p]
-    if several and rule != STRENGTH:
+    share = RIVAL if rule == CONTINUITY else 0.0
+    if rule != STRENGTH and rivals(heights, begin, order, share):
         track = np.empty(n, np.int32)
         tracks = link(rows, begin, order, track, np.empty(n, np.int64))
         total, count = np.zeros(tracks), np.zeros(tracks, np.int64)
@@ -110,7 +131,7 @@ def choose(
             count[track[p]] += 1
         for p in range(n):
             length = count[track[p]]
-            worth[p] = total[track[p]] / length * min(length / LONG, 1.0)
+            worth[p] = total[track[p]] / length * min(length / LONG, 1.0) ** 2
             if rule != CONTINUITY:
                 # a short track is taken where there is no other
                 downwards = rows[p] if rule == LAST else -rows[p]
@@ -132,18 +153,28 @@ def choose(
 def in_long_runs(
     along: Floats,
     across: Floats,
+    sigma: Floats,
     largest_gap: float,
     steepest: float,
     shortest: int,
     kept: NDArray[np.bool_],
 ) -> None:
-    """Marks the points (N,) that lie in a run of enough neighbours."""
+    """Marks the points (N,) that lie in a run of enough neighbours, and are no round spot.
+
+    Args:
+        sigma: (N,) the standard deviations of the peaks' widths.
+    """
     n, begin = len(along), 0
     for i in range(1, n + 1):
         if i < n:
             gap = along[i] - along[i - 1]
             if gap <= largest_gap and abs(across[i] - across[i - 1]) <= steepest * gap:
                 continue
+        width = 0.0
         for j in range(begin, i):
-            kept[j] = i - begin >= shortest
+            width += sigma[j]
+        length = i - begin
+        enough = length >= shortest and length >= ROUND * width / length
+        for j in range(begin, i):
+            kept[j] = enough
         begin = i

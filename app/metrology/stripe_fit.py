@@ -27,6 +27,9 @@ C, A, S, B, PER_A, PER_S = (np.uintp(LANES * (_SUMS + i)) for i in range(_PARAME
 FIRST, LAST, STATE, MOVED, VAR, CLIPPED = (
     np.uintp(LANES * (_SUMS + _PARAMETERS + i)) for i in range(_STATES)
 )
+# Of the start, in the place of sums: the level of half height, pixels above and below it, and
+# how far the latter is.
+LEVEL, INSIDE, OUTSIDE, FAR = N00, N10, N11, N20
 ALL = np.uintp(LANES)
 TWO = np.uintp(2)
 ONE = np.uintp(1)
@@ -46,9 +49,26 @@ HALF_WIDTHS = np.float32(1 / 2.3548)
 SETTLED = np.float32(0.05)
 # Rows about a peak that are looked at where the usual number does not do.
 WIDEST_REACH = 40
+# Rows about some peaks that tell the usual width.
+USUAL_REACH = 20
 # Rows of the table of fits.
 CENTRE, AMPLITUDE, SIGMA, BACKGROUND, VARIANCE, CHI2_OF, PIXELS, CLIPPED_OF, BECAME = range(9)
 NARROWEST, LEAST_START = np.float32(0.2), np.float32(0.4)
+
+
+@vector_kernel
+def to_brightest(
+    pixels: Grey, width: int, columns: NDArray[np.int32], rows: NDArray[np.int32], core: int
+) -> None:
+    """Moves the rows (n,) of peaks to the brightest pixel of their core, the row before on."""
+    for i in range(len(columns)):
+        at = np.uintp((rows[i] - 1) * width + columns[i])
+        best, top = 0, pixels[at]
+        for k in range(1, core):
+            at += np.uintp(width)
+            if pixels[at] > top:
+                best, top = k, pixels[at]
+        rows[i] += best - 1
 
 
 @vector_kernel
@@ -94,45 +114,57 @@ def gather(
 @vector_kernel
 def start(block: Singles, profile: Singles, reach: int, saturated: np.float32) -> None:
     """Centre, width at half height, height and background of every lane's peak."""
-    rows = np.uintp(2 * reach + 1)
-    middle = np.uintp(reach)
-    third = np.float32(1 / 3)
-    half = np.float32(0.5)
+    middle = np.uintp(reach) * ALL
+    end = np.uintp(2 * reach) * ALL
+    third, half = np.float32(1 / 3), np.float32(0.5)
     for i in range(ALL):
-        here = middle * ALL + i
+        here = middle + i
         top = max(max(profile[here - ALL], profile[here + ALL]), profile[here])
         top = max(max(profile[here - TWO * ALL], profile[here + TWO * ALL]), top)
         low = (profile[i] + profile[ALL + i] + profile[TWO * ALL + i]) * third
-        end = (rows - ONE) * ALL + i
-        high = (profile[end] + profile[end - ALL] + profile[end - TWO * ALL]) * third
+        to = end + i
+        high = (profile[to] + profile[to - ALL] + profile[to - TWO * ALL]) * third
         background = min(low, high)
         block[B + i] = background
         block[A + i] = top - background
-        # the level of half height, the crossings of it, and whether they are found
-        block[CHI2 + i] = half * (min(top, saturated) + max(low, high))
-        block[FIRST + i], block[LAST + i] = np.float32(-1), np.float32(-1)
-    for k in range(ONE, middle + ONE):
-        left, right = np.float32(middle - k), np.float32(middle + k)
-        for i in range(ALL):
-            level = block[CHI2 + i]
-            outer, inner = profile[(middle - k) * ALL + i], profile[(middle - k + ONE) * ALL + i]
-            cross = left + (level - outer) / (inner - outer)
-            found = (block[FIRST + i] < 0) & (outer <= level)
-            block[FIRST + i] = cross if found else block[FIRST + i]
-            outer, inner = profile[(middle + k) * ALL + i], profile[(middle + k - ONE) * ALL + i]
-            cross = right - (level - outer) / (inner - outer)
-            found = (block[LAST + i] < 0) & (outer <= level)
-            block[LAST + i] = cross if found else block[LAST + i]
+        block[LEVEL + i] = half * (min(top, saturated) + max(low, high))
+    crossings(block, profile, middle, reach, FIRST, False)
+    crossings(block, profile, middle, reach, LAST, True)
     for i in range(ALL):
-        left, right = block[FIRST + i], block[LAST + i]
-        whole = (left >= 0) & (right >= 0)
+        left, right = np.float32(reach) - block[FIRST + i], np.float32(reach) + block[LAST + i]
+        whole = (block[FIRST + i] > 0) & (block[LAST + i] > 0)
         state = PEAK if whole else WIDER
         state = state if block[A + i] > 0 else NO_PEAK
         state = NO_PEAK if whole & (right - left < np.float32(1)) else state
         block[STATE + i] = state
-        block[C + i] = half * (left + right) if whole else np.float32(middle)
+        block[C + i] = half * (left + right) if whole else np.float32(reach)
         block[S + i] = max((right - left) * HALF_WIDTHS, LEAST_START) if whole else np.float32(1)
         block[A + i] = block[A + i] if block[A + i] > 0 else np.float32(1)
+
+
+@vector_kernel
+def crossings(
+    block: Singles, profile: Singles, middle: np.uintp, reach: int, to: np.uintp, downwards: bool
+) -> None:
+    """How far from its middle row a lane's profile first falls to the level; 0 for never."""
+    for i in range(ALL):
+        block[INSIDE + i] = profile[middle + i]
+        block[OUTSIDE + i] = profile[middle + i]
+        block[FAR + i] = np.float32(0)
+    for k in range(1, reach + 1):
+        away = np.uintp(k) * ALL
+        row = middle + away if downwards else middle - away
+        far = np.float32(k)
+        for i in range(ALL):
+            pixel = profile[row + i]
+            seeking = block[OUTSIDE + i] > block[LEVEL + i]
+            block[INSIDE + i] = block[OUTSIDE + i] if seeking else block[INSIDE + i]
+            block[OUTSIDE + i] = pixel if seeking else block[OUTSIDE + i]
+            block[FAR + i] = far if seeking else block[FAR + i]
+    for i in range(ALL):
+        inside, outside, level = block[INSIDE + i], block[OUTSIDE + i], block[LEVEL + i]
+        away_px = block[FAR + i] - (level - outside) / (inside - outside)
+        block[to + i] = away_px if (outside <= level) & (inside > level) else np.float32(0)
 
 
 @vector_kernel
@@ -321,8 +353,8 @@ def usual_width(
     some_columns, some_rows = np.empty(taken, np.int32), np.empty(taken, np.int32)
     for i in range(taken):
         some_columns[i], some_rows[i] = columns[i * n // taken], rows[i * n // taken]
-    gather(pixels, width, some_columns, some_rows, WIDEST_REACH, raw, profile)
-    start(block, profile, WIDEST_REACH, saturated)
+    gather(pixels, width, some_columns, some_rows, USUAL_REACH, raw, profile)
+    start(block, profile, USUAL_REACH, saturated)
     found = 0
     widths = np.empty(taken, np.float32)
     for i in range(taken):

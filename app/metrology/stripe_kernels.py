@@ -20,11 +20,12 @@ from app.metrology.stripe_fit import (
     WIDEST_REACH,
     Singles,
     fit_peaks,
+    to_brightest,
     usual_width,
 )
 from app.metrology.stripe_noise import FIRST_GAIN, tell_noise
 from app.metrology.stripe_scatter import speckle_variance
-from app.metrology.stripe_search import Grey, list_peaks
+from app.metrology.stripe_search import CORE_ROWS, Grey, list_peaks
 
 # Widths, in shares of the image's typical one, beyond which a peak is no stripe, and the
 # least standard deviation in px; the misfit from which a point is told to be worse.
@@ -33,15 +34,15 @@ MISFIT = 3.0
 # Rows about a peak that are looked at, by the usual standard deviation.
 REACH_SIGMAS, REACH_MORE = 3.25, 4.0
 # Steps of a fit, and of one that needs more of everything.
-STEPS, MORE_STEPS = 6, 30
+STEPS, MORE_STEPS = 3, 30
 # Widths that the usual one is the median of.
-WIDTHS = 255
+WIDTHS = 127
 # Columns that a run may skip, and rows by which it may climb from one column to the next.
 LARGEST_GAP, STEEPEST = 3.0, 4.0
 # Columns between which laser speckle has become independent.
 SPECKLE_LAG = 6
 # Rows of the table of peaks, and of the table of points.
-ALONG, ACROSS, HEIGHT, UNSURE = range(4)
+ALONG, ACROSS, HEIGHT, UNSURE, BROAD = range(5)
 
 
 @kernel
@@ -81,7 +82,8 @@ def measure(
         chosen: (2, W) room for those of the chosen.
         raw, blocks, profiles: see ``stripe_noise.tell_noise``.
         fits: (9, W) filled, see ``stripe_fit.fit_peaks``.
-        peaks: (4, W) filled, in the order ALONG ... UNSURE, the last the variance.
+        peaks: (5, W) filled, in the order ALONG ... BROAD: UNSURE is the variance, BROAD the
+            standard deviation of the width.
 
     Returns:
         How many peaks there are, and the most pixels that are clipped in one.
@@ -105,6 +107,7 @@ def measure(
     if n == 0:
         return 0, 0
     columns, rows = chosen[0][:n], chosen[1][:n]
+    to_brightest(pixels, width, columns, rows, CORE_ROWS)
     usual = usual_width(pixels, width, columns, rows, level, raw, blocks[0], profiles[0])
     reach = min(int(np.ceil(REACH_SIGMAS * usual + REACH_MORE)), WIDEST_REACH)
     noise = np.array([read, FIRST_GAIN * saturated, 0.0], dtype=np.float32)
@@ -199,7 +202,7 @@ def sift(
             continue
         misfit = fits[CHI2_OF][i] / max(fits[PIXELS][i] - 4, 1.0)
         peaks[ALONG, kept], peaks[ACROSS, kept] = columns[i], fits[CENTRE][i]
-        peaks[HEIGHT, kept] = fits[AMPLITUDE][i]
+        peaks[HEIGHT, kept], peaks[BROAD, kept] = fits[AMPLITUDE][i], fits[SIGMA][i]
         peaks[UNSURE, kept] = fits[VARIANCE][i] * (misfit if misfit > MISFIT else 1.0)
         kept += 1
     return kept
@@ -207,10 +210,10 @@ def sift(
 
 @kernel
 def finish(peaks: Floats, shortest: int, saturated: float) -> Floats:
-    """The points (4, N) of the peaks (4, n) that lie in runs, with their standard deviations."""
+    """The points (4, N) of the peaks (5, n) that lie in runs, with their standard deviations."""
     n = peaks.shape[1]
     kept = np.empty(n, np.bool_)
-    in_long_runs(peaks[ALONG], peaks[ACROSS], LARGEST_GAP, STEEPEST, shortest, kept)
+    in_long_runs(peaks[ALONG], peaks[ACROSS], peaks[BROAD], LARGEST_GAP, STEEPEST, shortest, kept)
     points = np.empty((4, int(np.sum(kept))))
     found = 0
     for i in range(n):

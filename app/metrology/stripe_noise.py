@@ -36,7 +36,7 @@ PIECES, PIECE_PX = 32, 192
 # Levels by which neighbours may differ; what differs by more is told as this.
 LEVELS = 4096
 # Peaks, taken evenly, whose fits tell how the noise grows with the signal, in blocks.
-BLOCKS = 6
+BLOCKS = 4
 # A residual beyond so many variances is no noise, once the noise is roughly known.
 OUTLYING = 25.0
 # Fewer pixels tell nothing.

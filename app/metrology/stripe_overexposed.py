@@ -35,7 +35,7 @@ def of_the_line(cores: Cores, peaks: Floats, shortest: int) -> NDArray[np.bool_]
     unclipped line ends or begins; and that is several times as long as wide.
 
     Args:
-        peaks: (4, n) what is not clipped, see ``stripe_kernels.measure``.
+        peaks: (5, n) what is not clipped, see ``stripe_kernels.measure``.
         shortest: points that make a piece of line.
     """
     ours = np.zeros(len(cores.columns), dtype=np.bool_)
@@ -64,7 +64,7 @@ def of_the_line(cores: Cores, peaks: Floats, shortest: int) -> NDArray[np.bool_]
 def joined(
     peaks: Floats, flanks: FlankFits, cores: Cores, saturated: float, shortest: int
 ) -> Floats:
-    """The points (4, N) of fitted peaks (4, n) and flanks, in runs only, with deviations."""
+    """The points (4, N) of fitted peaks (5, n) and flanks, in runs only, with deviations."""
     if len(flanks.columns) > peaks.shape[1]:
         peaks = peaks[:, peaks[HEIGHT] > DIM * saturated]
     unclipped = peaks.shape[1]
@@ -96,5 +96,5 @@ def joined(
 def _in_runs(along: Floats, across: Floats, shortest: int) -> NDArray[np.bool_]:
     """Which points (N,) lie in a run of neighbours that is long enough."""
     kept = np.empty(len(along), dtype=np.bool_)
-    in_long_runs(along, across, LARGEST_GAP, STEEPEST, shortest, kept)
+    in_long_runs(along, across, np.zeros(len(along)), LARGEST_GAP, STEEPEST, shortest, kept)
     return kept

@@ -38,7 +38,7 @@ class Room:
         self.blocks = _aligned((BLOCKS, BLOCK_ROWS * LANES), np.float32)
         self.profiles = _aligned((BLOCKS, pixels), np.float32)
         self.fits = np.zeros((9, width))
-        self.peaks = np.zeros((4, width))
+        self.peaks = np.zeros((5, width))
         self.counts = np.zeros(LEVELS, np.int64)
 
 

@@ -11,7 +11,7 @@ TOTAL = 70.0
 # median of n, times the root of n, in shares of itself.
 MEDIAN, CHANCE = 0.4549, 2.33
 FEWEST = 30
-HALVINGS = 30
+HALVINGS = 9
 
 
 @vector_kernel
@@ -57,10 +57,9 @@ def speckle_variance(
     excused = 1 + CHANCE * np.sqrt(alike / found)
     if 2 * share_below(squares, known * excused, 0.0) >= found:
         return 0.0
-    low, high = 0.0, 0.0
-    for i in range(found):
-        high = max(high, squares[i])
-    high /= MEDIAN * TOTAL
+    low, high = 0.0, float(np.mean(known)) / TOTAL
+    while 2 * share_below(squares, known, high) < found:
+        low, high = high, 4 * high
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
         if 2 * share_below(squares, known, middle) >= found:
