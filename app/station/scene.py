@@ -30,7 +30,8 @@ FLUSH_S = 0.1
 # Nodes that go out in one message: a late joiner on a slow line gets the first of them
 # before its connection is given up (viser merges up to 128 by itself).
 WINDOW_MESSAGES = 4
-WAITING_POINTS = 2_000_000
+# So many new points are drawn as they are; of more, every second, third, and so on.
+WAITING_POINTS = 250_000
 # The view is aimed again when the cloud has grown by this, and never nearer than that.
 CLOUD_GROWTH = 1.4
 SMALLEST_LOOK_MM = 70.0
@@ -49,6 +50,7 @@ class Scene:
         )
         self._server._websock_server._broadcast_buffer.max_window_size = WINDOW_MESSAGES
         self._lock = threading.RLock()
+        self._handing_over = threading.Lock()
         self._waiting: list[tuple[Floats, Floats]] = []
         self._waiting_points = 0
         self._q_rad: Sequence[float] | None = None
@@ -82,19 +84,20 @@ class Scene:
     def clear(self) -> None:
         """Removes the cloud; arm, sensor and block stay."""
         with self._lock:
-            self._waiting, self._waiting_points = [], 0
+            self._take_waiting()
             self._cloud.clear()
             self._seen_size_mm = 0.0
 
     def add_points(self, xyz_mm: Floats, intensity: Floats) -> None:
         """Adds points (N, 3) of the arm frame with the stripe's intensity (N,).
 
-        When the display is behind, points are left out of it: it is a preview.
+        Never waits for what is being drawn. When the display is behind, it gets fewer of
+        the points, the fewer the further: it is a preview.
         """
-        with self._lock:
-            if self._waiting_points < WAITING_POINTS:
-                self._waiting.append((xyz_mm, intensity))
-                self._waiting_points += len(xyz_mm)
+        with self._handing_over:
+            step = 1 + self._waiting_points // WAITING_POINTS
+            self._waiting.append((xyz_mm[::step], intensity[::step]))
+            self._waiting_points += len(self._waiting[-1][0])
 
     def set_arm_model(self, arm: Arm | None) -> None:
         """Draws this arm from now on, by its own kinematics."""
@@ -200,12 +203,17 @@ class Scene:
                 self._show_arm()
 
     def _show_waiting(self) -> None:
-        waiting, self._waiting, self._waiting_points = self._waiting, [], 0
+        waiting = self._take_waiting()
         if waiting:
             points = np.concatenate([points for points, _ in waiting])
             self._cloud.add(points, np.concatenate([intensity for _, intensity in waiting]))
             if self._cloud.shown:
                 self._look_at_cloud()
+
+    def _take_waiting(self) -> list[tuple[Floats, Floats]]:
+        with self._handing_over:
+            waiting, self._waiting, self._waiting_points = self._waiting, [], 0
+        return waiting
 
     def _show_arm(self) -> None:
         arm, q_rad = self._arm, self._q_rad
