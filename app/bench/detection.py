@@ -253,7 +253,7 @@ def _moved_px(shot: Shot, claimed: Crenellated) -> float:
     Across the edges, as the true camera sees them.
     """
     true, false = corners_of(certificate_of(shot.certificate)), corners_of(claimed)
-    ends = {tuple(point): name for name, point in true.items()}
+    names, points = tuple(true), np.array(list(true.values()))
     size = [shot.optics.width_px, shot.optics.height_px]
     moved = 0.0
     for part in visible_parts(certificate_of(shot.certificate), shot.optics.centre_mm):
@@ -263,9 +263,9 @@ def _moved_px(shot: Shot, claimed: Crenellated) -> float:
             continue
         across = np.array([pixels[0, 1] - pixels[1, 1], pixels[1, 0] - pixels[0, 0]]) / length
         for point, uv in ((part.start_mm, pixels[0]), (part.end_mm, pixels[1])):
-            name = ends.get(tuple(point))
-            if name is None or not np.all((uv >= 0) & (uv < size)):
+            apart = np.abs(points - point).max(axis=1)
+            if apart.min() > 1e-6 or not np.all((uv >= 0) & (uv < size)):
                 continue
-            at = to_pixels(shot.optics, false[name][None])[0]
+            at = to_pixels(shot.optics, false[names[int(np.argmin(apart))]][None])[0]
             moved = max(moved, abs(float((at - uv) @ across)))
     return moved

@@ -5,12 +5,12 @@ import numpy as np
 from app.metrology.camera import project
 from app.metrology.crenellated import Crenellated
 from app.metrology.detection.edge_parts import astray, parts_of, without_odd_ones
-from app.metrology.detection.edge_sizes import likeliest_shift
+from app.metrology.detection.edge_sizes import shifts
 from app.metrology.detection.edge_strays import missized, overrun
 from app.metrology.detection.edge_survey import Survey
 from app.metrology.detection.locate import Search
 from app.metrology.detection.objection import Objection, elsewhere
-from app.metrology.detection.refusals import WHOLE, cut_off
+from app.metrology.detection.refusals import WHOLE
 from app.metrology.detection.visibility import seen
 from app.metrology.frames import Floats
 
@@ -26,8 +26,8 @@ _LEAST_SHOWN = 0.35
 _LEAST_AGREEING = 0.8
 # and of the edges of floors and base.
 _LEAST_LOWER = 0.05
-# Sides of merlons that tell which part of the object is seen.
-_SIDES = 4
+# Sides of merlons that tell which part of the object is seen, and the share of its edges.
+_SIDES, _LEAST_IN_FRAME = 4, 0.4
 # Below this support at the small scale nothing like the block was found.
 LEAST_SUPPORT = 0.5
 # Share of straight segments in three perpendicular directions that makes a block.
@@ -55,7 +55,7 @@ def judged(grey: Floats, found: Survey, certificate_mm: float) -> tuple[Survey, 
 
 def _shifted(found: Survey, certificate_mm: float) -> Objection | None:
     """A plane of the block that lies elsewhere, as all edges together say."""
-    shift = likeliest_shift(found, certificate_mm)
+    shift = max(shifts(found, certificate_mm), key=lambda one: one.ratio, default=None)
     if shift is None or shift.ratio < _SHIFTED:
         return None
     return elsewhere(found.frame.names[shift.edges[0]], abs(shift.by_mm), shift.edges)
@@ -116,22 +116,18 @@ def symmetric(block: Crenellated) -> bool:
     return bool(np.abs(there - back).max() < 10 * max(block.standard_uncertainty_mm, 0.001))
 
 
-def refuse_cut_off(found: Survey, block: Crenellated, share: float) -> None:
-    """Refuses a picture whose frame leaves too little of the block.
+def too_little_left(found: Survey, block: Crenellated, share: float) -> bool:
+    """Whether the frame leaves too little of the block.
 
     A camera needs both levels, and four of the crests' sides: as many as two merlons have.
     ``share``: of the visible edges in the frame.
-
-    Raises:
-        Refusal: ``object-cut-off``.
     """
     names = {found.frame.names[edge] for edge in found.at.edge[found.used]}
     sides = sum(
         f"crest:{i}:{side}" in names for i in range(block.merlon_count) for side in ("L", "R")
     )
     level = any(name.startswith("floor:") for name in names)
-    if share < WHOLE and (sides < _SIDES or not level or share < 0.4):
-        raise cut_off(block, share, "a camera needs both levels and four sides of its merlons")
+    return share < WHOLE and (sides < _SIDES or not level or share < _LEAST_IN_FRAME)
 
 
 def in_frame(found: Survey) -> float:

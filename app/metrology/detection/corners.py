@@ -124,11 +124,14 @@ def detect_object(
             found = locate(small, ignore, block, cleaning)
             tried = _tried(grey, hidden, found, scale, block)
             tries.append(tried)
-            if tried.good:
+            if tried.good and not _doubtful(tried) and tried is max(tries, key=_borne_out):
                 _refuse_gainsaid(tried, tries[:-1], block)
                 return _detection(_the_one(tried, findings, block), block)
             if _sure(tried):
                 break
+        doubted = max(tries, key=_borne_out)
+        if doubted.good:
+            return _detection(_the_one(doubted, findings, block), block)
         refusals.refuse_bad_picture(findings, "the object was not found")
         raise _why_not(tries, findings, grey, block)
     except Refusal as refusal:
@@ -217,6 +220,23 @@ def _tried(
     return _Tried(found, [], *nearest)
 
 
+def _borne_out(tried: _Tried) -> float:
+    """Length, px, of the edges that show of a try's best good placing."""
+    return _explained(tried.good[0][1]) if tried.good else 0.0
+
+
+def _doubtful(tried: _Tried) -> bool:
+    """Whether another look at the picture may tell better which way the object stands."""
+    return tried.good[0][0].mirrored or _more_than_one_way(tried)
+
+
+def _more_than_one_way(tried: _Tried) -> bool:
+    """Whether another placing is as good, or the other way round one as well supported."""
+    best = tried.good[0][0]
+    other_way = [one.support for one in tried.found.found if one.mirrored != best.mirrored]
+    return len(tried.good) > 1 or max(other_way, default=0.0) > _DOUBTFUL * best.support
+
+
 def _the_one(tried: _Tried, findings: list[PictureFinding], block: Crenellated) -> Survey:
     """The measured placing, if there is no other and it is fit to be used.
 
@@ -227,14 +247,13 @@ def _the_one(tried: _Tried, findings: list[PictureFinding], block: Crenellated) 
     located, measured = tried.good[0]
     refusals.refuse_blurred(measured)
     share = acceptance.in_frame(measured)
-    other_way = [one.support for one in tried.found.found if one.mirrored != located.mirrored]
-    doubtful = max(other_way, default=0.0) > _DOUBTFUL * located.support
-    if len(tried.good) > 1 or doubtful or acceptance.symmetric(block):
+    if _more_than_one_way(tried) or acceptance.symmetric(block):
         refusals.refuse_bad_picture(findings, "it can be read in more than one way")
         raise refusals.ambiguous(block, share)
     if located.mirrored:
         raise refusals.mirror_refusal(block, share)
-    acceptance.refuse_cut_off(measured, block, share)
+    if acceptance.too_little_left(measured, block, share):
+        raise refusals.too_much_cut_off(block, share)
     return measured
 
 
@@ -244,6 +263,10 @@ def _why_not(
     """The refusal after the last attempt: another object, or one not seen well enough."""
     best = max(tries, key=lambda one: one.shown_px)
     seen_well = not findings and not noisy(grey)
+    if best.nearest is not None:
+        share = acceptance.in_frame(best.nearest)
+        if acceptance.too_little_left(best.nearest, block, share):
+            return refusals.too_much_cut_off(block, share)
     if best.against is not None and best.against.definite:
         return refusals.mismatch(block, best.against.text)
     if not any(acceptance.block_like(one.found) for one in tries):

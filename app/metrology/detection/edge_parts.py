@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.metrology.camera import project
+from app.metrology.detection.edge_sizes import Shift, shifts
 from app.metrology.detection.edge_survey import Survey, without
 from app.metrology.detection.objection import Objection
 
@@ -13,6 +14,8 @@ _SIGMAS = 5.0
 # An edge alone this many off, its neighbours being where they should, is left out; and the
 # share of the parts of edges that may be.
 _ODD, _FEW = 3.5, 0.1
+# A plane that all edges together put elsewhere by less, over its deviation, is where it should be.
+_STAYS = 3.0
 # What a camera model and an edge's finish may do to a whole edge, over the longer side.
 _MODEL = 0.05 / 1280
 # All edges together may lie off by this many standard deviations.
@@ -70,11 +73,25 @@ def parts_of(found: Survey, certificate_mm: float) -> list[Part]:
 def without_odd_ones(found: Survey, certificate_mm: float) -> Survey:
     """The survey without the few parts that something moved each alone."""
     parts = parts_of(found, certificate_mm)
-    odd = [part for part in _displaced(parts, _ODD) if _others_agree(found, part, parts)]
+    displaced = _displaced(parts, _ODD)
+    if not displaced:
+        return found
+    planes = shifts(found, certificate_mm)
+    odd = [
+        part
+        for part in displaced
+        if _others_agree(found, part, parts) or _planes_stay(part, planes)
+    ]
     rest = max((part.ratio for part in parts if part not in odd), default=0.0)
     if not odd or len(odd) > _FEW * len(parts) or rest >= _ODD:
         return found
     return without(found, [part.number for part in odd], certificate_mm) or found
+
+
+def _planes_stay(part: Part, planes: list[Shift]) -> bool:
+    """Whether all edges together leave the planes of a part's edge where they should be."""
+    own = [plane.ratio for plane in planes if part.edge in plane.edges]
+    return bool(own) and max(own) < _STAYS
 
 
 def astray(found: Survey, parts: list[Part]) -> Objection | None:

@@ -28,8 +28,6 @@ _PIECES, _IN_PIECE = 3, 4
 _LEFT_BLURS = 0.03
 # Pieces further off than this many deviations weigh less (Huber), and rounds of that.
 _HUBER, _ROUNDS = 2.5, 3
-# So many of the likeliest planes are followed up.
-_FOLLOWED = 4
 
 
 @dataclass(frozen=True)
@@ -71,8 +69,8 @@ def planes(frame: Wireframe) -> list[tuple[int, float, tuple[int, ...]]]:
     return found
 
 
-def likeliest_shift(found: Survey, certificate_mm: float) -> Shift | None:
-    """The plane whose shift the measured edges bear out most; None where they tell nothing.
+def shifts(found: Survey, certificate_mm: float) -> list[Shift]:
+    """How far each plane seems shifted; none where the edges tell nothing of it.
 
     Args:
         found: the edges measured, and the camera fitted to them.
@@ -82,14 +80,13 @@ def likeliest_shift(found: Survey, certificate_mm: float) -> Shift | None:
     free = WITH_K2 if found.camera.distortion[1] != 0.0 else WITH_K1
     pieces = _gathered(found, faces, free, certificate_mm)
     if len(pieces.off_px) <= len(free) + 1:
-        return None
+        return []
     held = held_rows(found.camera, free)
-    at_once = [_estimated(pieces, held, k, certificate_mm, 1) for k in range(len(faces))]
-    order = sorted(range(len(faces)), key=lambda k: -abs(at_once[k][1]))[:_FOLLOWED]
-    judged = [(k, *_estimated(pieces, held, k, certificate_mm, _ROUNDS)) for k in order]
-    best, by_mm, ratio = max(judged, key=lambda one: abs(one[2]))
-    axis, at_mm, edges = faces[best]
-    return Shift(axis, at_mm, edges, by_mm, abs(ratio))
+    told = []
+    for k, (axis, at_mm, edges) in enumerate(faces):
+        by_mm, ratio = _estimated(pieces, held, k, certificate_mm)
+        told.append(Shift(axis, at_mm, edges, by_mm, abs(ratio)))
+    return told
 
 
 def _gathered(
@@ -147,7 +144,7 @@ def _shift_effects(
 
 
 def _estimated(
-    pieces: _Pieces, held: Floats, plane: int, certificate_mm: float, rounds: int
+    pieces: _Pieces, held: Floats, plane: int, certificate_mm: float
 ) -> tuple[float, float]:
     """A plane's shift in mm and that over its deviation; zeros where the camera does as much.
 
@@ -157,7 +154,7 @@ def _estimated(
     count, spare = len(pieces.off_px), len(pieces.off_px) - pieces.camera.shape[1] - 1
     nothing = np.zeros(len(held))
     by_mm = deviation = 0.0
-    for _ in range(rounds):
+    for _ in range(_ROUNDS):
         table = np.vstack([pieces.camera * weight[:, None], held])
         basis, _ = np.linalg.qr(table / np.linalg.norm(table, axis=0))
         shift = np.append(pieces.shifts[:, plane] * weight, nothing)

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from app.metrology.camera import project
 from app.metrology.detection.edge_points import Stations, profiles, stations
+from app.metrology.detection.edge_sizes import planes
 from app.metrology.detection.edge_step import chosen, measure
 from app.metrology.detection.edge_survey import Survey
 from app.metrology.detection.objection import Objection, elsewhere
@@ -17,25 +18,30 @@ from app.metrology.frames import Floats
 _ENOUGH = 6
 # By how much, in mm, a size may be thought wrong, and what is too little to be told so, px.
 _FURTHEST_MM, _NEAREST_PX = 2.6, 1.6
-# Steps this much lower than the faces' usual ones are none of the block's.
-_STEP = 0.35
-# Share of the edges of a size that must show elsewhere where the size is wrong, of those at
-# least so many free of others; and how much of it may show where the certificate puts them.
-_THERE, _FREE, _HERE = 0.2, 0.4, 0.15
-_OVER_USUAL = 4.0
-_ALL_OF_IT = 0.5
-# The next likely line, so far from the likeliest at least, must be less likely by this.
-_APART_PX, _SECOND = 6.0, 0.25
+# Stations are so far apart; lines are followed over so many of them.
+_SPACING_PX, _AVERAGED = 3.0, 13
+# A line counts by its height over the edges' usual one, and over what lies beside it.
+_STEP, _OVER_NOISE = 0.1, 5.0
+# Share of the edges of a size that must show elsewhere where the size is wrong, beyond what
+# shows where the certificate puts them and what shows somewhere else; of those edges at least
+# so many free of others; and how much may show where the certificate puts them.
+_STANDS_OUT, _FREE, _HERE = 0.15, 0.4, 0.25
+# The next likely place is so far from the likeliest at least.
+_APART_PX = 6.0
+# Share of one edge, or of each of two, that shows there.
+_MOST_OF_IT, _PART_OF_IT = 0.6, 0.3
 # Length, px, that the edges of a size must have in the picture to say anything.
 _LENGTH_PX = 25.0
-_SPACING_PX = 3.0
 # How far a line may run beside an edge, in px, and be the edge's.
 _STRAIGHT_PX = 1.5
+# Gaussian: a step of height a blurred by s is a / (s sqrt(2 pi)) steep.
+_ROOT_TWO_PI = 2.5066
 # How far beyond the block's ends its lines are followed, over its length, and how many
 # stations in a row, every two pixels, must see one go on.
 _BEYOND = 0.3
-_IN_A_ROW = 8
-_MOST_OF_IT = 0.3
+_IN_A_ROW, _OF_THE_WAY = 8, 0.3
+# Tool marks are looked for so far to either side, and twice as far: blurs and px.
+_ASIDE_BLURS, _ASIDE_PX = 3.0, 3.0
 
 
 def missized(grey: Floats, found: Survey) -> Objection | None:
@@ -50,24 +56,19 @@ def missized(grey: Floats, found: Survey) -> Objection | None:
         found: the edges measured in it.
     """
     lines = _lines_about(grey, found)
-    frame = found.frame
-    both = np.stack([frame.starts_mm, frame.ends_mm], axis=1)
-    for axis in range(3):
-        for value in np.unique(both[..., axis]):
-            edges = np.flatnonzero((np.abs(both[..., axis] - value) < 1e-9).all(axis=1))
-            rows = np.flatnonzero(np.isin(lines.at.edge, edges))
-            off_mm = _elsewhere(found, lines, rows, axis)
-            if off_mm is not None:
-                name = frame.names[lines.at.edge[rows[0]]]
-                return elsewhere(name, abs(off_mm), tuple(int(edge) for edge in edges))
+    for axis, _, edges in planes(found.frame):
+        rows = np.flatnonzero(np.isin(lines.at.edge, edges))
+        off_mm = _elsewhere(found, lines, rows, axis)
+        if off_mm is not None:
+            return elsewhere(found.frame.names[lines.at.edge[rows[0]]], abs(off_mm), edges)
     return None
 
 
 @dataclass(frozen=True)
 class _Lines:
-    """Where steps of brightness lie along the normals of stations.
+    """Where lines run beside stations, along their edges.
 
-    ``there``: (N, 2 reach + 1) whether one like the block's lies at each offset;
+    ``there``: (N, 2 reach + 1) whether one lies at each offset along the normal;
     ``free``: (N, 2 reach + 1) whether no other drawn edge lies near.
     """
 
@@ -88,16 +89,29 @@ def _lines_about(grey: Floats, found: Survey) -> _Lines:
     reach = int(np.ceil(_FURTHEST_MM * px_per_mm)) + 2
     slope = np.gradient(profiles(smooth, at.uv_px, at.normal, reach), axis=1)
     blur = float(np.hypot(found.blur_px, max(1.0, found.blur_px)))
-    usual = float(np.median(np.abs(found.step[found.used])))
-    size = np.abs(slope)
-    peak = size >= _STEP * usual / (2.5066 * blur)
-    peak[:, 1:-1] &= (size[:, 1:-1] >= size[:, :-2]) & (size[:, 1:-1] >= size[:, 2:])
+    usual = float(np.median(np.abs(found.step[found.used]))) / (_ROOT_TWO_PI * blur)
+    peak = np.zeros(slope.shape, dtype=bool)
+    for part in np.unique(at.part):
+        rows = at.part == part
+        along = np.abs(_averaged(slope[rows]))
+        noise = float(np.median(along)) / 0.6745
+        peak[rows] = along >= max(_STEP * usual, _OVER_NOISE * noise)
+        peak[rows, 1:-1] &= (along[:, 1:-1] >= along[:, :-2]) & (along[:, 1:-1] >= along[:, 2:])
     peak[:, [0, -1]] = False
     there = cv2.dilate(peak.astype(np.uint8), np.ones((1, 3), np.uint8)) > 0
     offset = np.arange(-reach, reach + 1)
     clear = 2 * blur + 1
     free = (offset < at.room_px[:, :1] - clear) & (offset > -(at.room_px[:, 1:] - clear))
     return _Lines(at, there, free)
+
+
+def _averaged(slope: Floats) -> Floats:
+    """Slopes (N, M) averaged over neighbouring stations, which leaves of texture little."""
+    known = np.isfinite(slope)
+    size = (1, min(_AVERAGED, len(slope)))
+    total = cv2.boxFilter(np.where(known, slope, 0.0), -1, size, borderType=cv2.BORDER_ISOLATED)
+    share = cv2.boxFilter(known.astype(np.float64), -1, size, borderType=cv2.BORDER_ISOLATED)
+    return np.asarray(total / np.maximum(share, 1e-3), dtype=np.float64)
 
 
 def _elsewhere(found: Survey, lines: _Lines, rows: NDArray[np.int64], axis: int) -> float | None:
@@ -114,26 +128,26 @@ def _elsewhere(found: Survey, lines: _Lines, rows: NDArray[np.int64], axis: int)
     if float(length[telling].sum()) < _LENGTH_PX:
         return None
     rows, px_per_mm, length = rows[telling], px_per_mm[telling], length[telling]
+    fastest = float(np.abs(px_per_mm).max())
     reach = lines.there.shape[1] // 2
-    steps = np.arange(-_FURTHEST_MM, _FURTHEST_MM, 0.5 / float(np.abs(px_per_mm).max()))
+    steps = np.arange(-_FURTHEST_MM, _FURTHEST_MM, 0.5 / fastest)
     away = np.rint(steps[:, None] * px_per_mm).astype(np.int64)
     column = np.clip(away + reach, 0, 2 * reach)
     free = lines.free[rows, column] & (np.abs(away) >= _NEAREST_PX)
     seen = lines.there[rows, column] & free
-    near = lines.there[rows, reach]
     share = seen @ length / np.maximum(free @ length, _FREE * length.sum())
     best = int(np.argmax(share))
-    here = float(near @ length / length.sum())
-    # In texture something lies everywhere.
-    shows = [_share(seen[best], length, at.edge[rows] == edge) for edge in np.unique(at.edge[rows])]
-    # Part of one line may be a tool mark, if there are others as likely elsewhere.
-    elsewhere = np.abs(steps - steps[best]) * float(np.abs(px_per_mm).max()) > _APART_PX
-    only_one = float(share[elsewhere].max(initial=0.0)) < _SECOND * share[best]
-    like_edges = only_one or max(shows) > _ALL_OF_IT or sum(one > _THERE for one in shows) > 1
-    stands_out = share[best] > max(_THERE, _OVER_USUAL * float(share.mean()))
-    if stands_out and like_edges and here < _HERE * share[best]:
-        return float(steps[best])
-    return None
+    here = float(lines.there[rows, reach] @ length / length.sum())
+    # In texture, and between parallel lines, something lies everywhere.
+    apart = np.abs(steps - steps[best]) * fastest > _APART_PX
+    second = float(share[apart].max(initial=0.0))
+    # One line alone may be a shadow's; it must be there for most of the edge.
+    edge = at.edge[rows]
+    shows = [_share(seen[best], length, edge == one) for one in np.unique(edge)]
+    like_edges = max(shows) > _MOST_OF_IT or sum(one > _PART_OF_IT for one in shows) > 1
+    stands_out = like_edges and share[best] - here - second > _STANDS_OUT
+    several = sum(one > _MOST_OF_IT for one in shows) > 1
+    return float(steps[best]) if here < _HERE * share[best] and (stands_out or several) else None
 
 
 def _share(there: NDArray[np.bool_], length: Floats, rows: NDArray[np.bool_]) -> float:
@@ -173,16 +187,28 @@ def overrun(grey: Floats, found: Survey) -> Objection | None:
             ways = ((end[k], after[k], "right"), (begin[k], -before[k], "left"))
             for corner, reach_mm, side in ways:
                 beyond = _beyond(found, corner, reach_mm, row)
-                if _runs_on(grey, found, beyond, step):
+                if _runs_on(grey, found, beyond, step) and not _striped(grey, found, beyond):
                     what = "it" if level == "base" else f"its edge {names[edge]}"
                     return Objection(f"{what} goes on beyond its {side} end", True, (edge,))
     return None
 
 
+def _striped(grey: Floats, found: Survey, beyond: Stations) -> bool:
+    """Whether lines run beside those stations too: tool marks, not an edge."""
+    at, aside = beyond.uv_px, _ASIDE_BLURS * found.blur_px + _ASIDE_PX
+    seen = measure(grey, beyond, found.blur_px)
+    step = float(np.nanmedian(seen.step))
+    return any(
+        _runs_on(grey, found, replace(beyond, uv_px=at + by * beyond.normal), sign * step)
+        for by in (-2 * aside, -aside, aside, 2 * aside)
+        for sign in (1.0, -1.0)
+    )
+
+
 def _runs_on(grey: Floats, found: Survey, beyond: Stations, step: float) -> bool:
     """Whether a step like an edge's own is seen at enough stations (every 2 px) in a row."""
     # In texture a short run means nothing: it must go on for most of the way.
-    row = max(_IN_A_ROW, int(_MOST_OF_IT * len(beyond.edge)))
+    row = max(_IN_A_ROW, int(_OF_THE_WAY * len(beyond.edge)))
     if len(beyond.edge) < row:
         return False
     seen = measure(grey, beyond, found.blur_px)
