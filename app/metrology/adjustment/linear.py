@@ -18,7 +18,7 @@ from app.metrology.adjustment.state import (
 from app.metrology.adjustment.weighing import Judgement, normal_equations
 from app.metrology.camera import Camera
 from app.metrology.frames import Floats
-from app.metrology.scene import Rows
+from app.metrology.scene import BLOCK, Rows
 
 # What any lens and sensor is like before it is measured; it counts only where the
 # pictures say nothing: pixels square to this share, axis this share of the width off.
@@ -104,28 +104,41 @@ def linearise(problem: Problem, at: Layout, state: State) -> Linear:
 
 def normal(linear: Linear, judgements: Judgements) -> Normal:
     """The pictures' part of the normal equations."""
-    count, shared = linear.at.count, linear.at.noise.start
+    count = linear.at.count
     pictures = {source: np.zeros((count, count)) for source in ("edges", "stripe", "camera")}
     g = np.zeros(count)
     kinds = zip(linear.scenes, linear.rows, judgements, strict=True)
     for pose, (scene, groups, by_kind) in enumerate(kinds):
-        # A pose's picture says nothing of other poses' noise.
-        noise = linear.at.noise_of(pose)
-        by = np.hstack([scene.by_unknowns[:, :shared], scene.by_unknowns[:, noise]])
         for source, rows, judgement in zip(("edges", "stripe"), groups, by_kind, strict=True):
             N, pull = normal_equations(rows, judgement)
-            part, own = pictures[source], by.T @ N @ by
-            part[:shared, :shared] += own[:shared, :shared]
-            part[:shared, noise] += own[:shared, shared:]
-            part[noise, :shared] += own[shared:, :shared]
-            part[noise, noise] += own[shared:, shared:]
-            along = by.T @ pull
-            g[:shared] += along[:shared]
-            g[noise] += along[shared:]
+            _add_picture(pictures[source], g, N, pull, scene, linear.at, pose)
     N, pull = usual_camera(linear.state.camera)
     pictures["camera"][CAMERA, CAMERA] += N
     g[CAMERA] += pull
     return Normal(linear, pictures, g)
+
+
+def _add_picture(
+    part: Floats, g: Floats, N: Floats, pull: Floats, scene: PoseScene, at: Layout, pose: int
+) -> None:
+    """Adds to part (U, U) and g (U,) what one pose's equations of its own parameters say.
+
+    The object's coordinates are unknowns themselves, and of the noise it knows its own only.
+    """
+    own, coordinates = slice(0, BLOCK.start), slice(BLOCK.start, None)
+    shared, noise = slice(0, at.noise.start), at.noise_of(pose)
+    by = np.hstack([scene.by_unknowns[own, shared], scene.by_unknowns[own, noise]])
+    among, along = by.T @ N[own, own] @ by, by.T @ pull[own]
+    across = N[coordinates, own] @ by
+    part[at.coordinates, at.coordinates] += N[coordinates, coordinates]
+    g[at.coordinates] += pull[coordinates]
+    places = ((shared, shared), (noise, slice(at.noise.start, None)))
+    for to, of in places:
+        for other_to, other_of in places:
+            part[to, other_to] += among[of, other_of]
+        part[at.coordinates, to] += across[:, of]
+        part[to, at.coordinates] += across[:, of].T
+        g[to] += along[of]
 
 
 def _add_contacts(parts: dict[str, Floats], g: Floats, contacts: Contacts, scales: Scales) -> None:
