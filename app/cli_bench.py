@@ -58,3 +58,20 @@ def detection(
     with progress_bar("Searching", True) as tell:
         found = run(images, seed, lambda done, of: tell(done / of, f"{done} of {of} pictures"))
     print("\n".join(found.lines()))
+
+
+@bench.command()
+@refusing
+def extraction(
+    frames: Annotated[int, typer.Option(min=4, help="Frames of each kind for the errors.")] = 12,
+    as_json: AsJson = False,
+) -> None:
+    """Stripe extraction: speed and error over the Cramér-Rao bound, beside OpenCV and numpy."""
+    from app.bench.extraction import COLUMNS, run, table
+
+    with progress_bar("Measuring", not as_json) as tell:
+        rows = run(frames, tell)
+    if as_json:
+        print_json({"measures": [asdict(row) for row in rows]})
+        return
+    print_table("Stripe extraction, 1280 × 1024, one thread", COLUMNS, table(rows))
