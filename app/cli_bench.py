@@ -75,3 +75,23 @@ def extraction(
         print_json({"measures": [asdict(row) for row in rows]})
         return
     print_table("Stripe extraction, 1280 × 1024, one thread", COLUMNS, table(rows))
+
+
+@bench.command()
+@refusing
+def live(
+    seconds: Annotated[float, typer.Option(min=1.0, help="How long it scans.")] = 60.0,
+    profiles_hz: Annotated[float, typer.Option(min=1.0, help="Frames a second.")] = 600.0,
+    points: Annotated[int, typer.Option(min=100, help="Points a frame.")] = 2000,
+    as_json: AsJson = False,
+) -> None:
+    """The whole station on a swift simulated sensor: recording on, viewers watching."""
+    from app.bench.live import COLUMNS, run, table
+    from hardware.twin.swift import Pace
+
+    with progress_bar("Scanning", not as_json) as tell:
+        found = run(Pace(profiles_hz=profiles_hz, width_px=points), seconds, tell)
+    if as_json:
+        print_json(asdict(found))
+        return
+    print_table(f"{profiles_hz:.0f} frames a second of {points} points", COLUMNS, table(found))

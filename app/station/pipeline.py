@@ -25,6 +25,7 @@ from app.metrology.point_spread import spread_um
 from app.metrology.reconstruct import placed_points, sensor_points
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import Stripe, extract_stripe
+from app.metrology.stripe_band import StripeBand
 from app.station.arm_side import LATE_S, ArmSide
 from app.station.recorder import Recorder, StripeFrame, size_of
 from app.station.sensor_side import SensorSide
@@ -154,10 +155,18 @@ class ScanPipeline:
         self._extracting.put(None)
 
     def _seen(self, frames: Sequence[Frame]) -> list[StripeFrame]:
-        """On a worker's thread: the frames' stripes."""
+        """On a worker's thread: the frames' stripes.
+
+        Where frames wait for it, the stripe is followed from the first one on.
+        """
         axis = self._calibration.stripe_axis
+        band = StripeBand(axis) if len(frames) == BATCH_FRAMES else None
         return [
-            StripeFrame(frame.mid_exposure_ns, extract_stripe(frame.image, axis), *size_of(frame))
+            StripeFrame(
+                frame.mid_exposure_ns,
+                band.extract(frame.image) if band else extract_stripe(frame.image, axis),
+                *size_of(frame),
+            )
             for frame in frames
         ]
 
