@@ -48,7 +48,7 @@ def reconstruct(
     for text in rebuilt.warnings:
         warn(text)
     if as_json:
-        told = {"file": str(output), "seconds": seconds, "warnings": rebuilt.warnings}
+        told = {"file": str(output), "seconds": seconds}
         print_json({**asdict(rebuilt), **told})
         return
     figures = (

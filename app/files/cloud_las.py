@@ -17,6 +17,8 @@ from app.metrology.refusal import Refusal
 STEP_MM = 1e-4
 FARTHEST_MM = STEP_MM * (2**31 - 1)
 AT_ONCE = 1 << 20
+LARGEST_HEADER, RECORD_HEADER, EXTENDED_HEADER = 375, 54, 60
+"""Bytes, by the standard: of the file, of a variable length record, of an extended one."""
 
 
 class LasSink:
@@ -71,7 +73,7 @@ class LasSink:
 def read_las(path: Path, file: BinaryIO) -> Cloud:
     """Reads a LAS or LAZ; raises ``Refusal`` if malformed or cut off."""
     laspy = _laspy(path)
-    file.seek(0)
+    _check_counts(path, file)
     try:
         with laspy.open(file, closefd=False) as reader:
             pieces = [
@@ -100,6 +102,25 @@ def read_las(path: Path, file: BinaryIO) -> Cloud:
             "Export the cloud again",
         )
     return cloud_of(columns or {axis: np.zeros(0) for axis in "xyz"})
+
+
+def _check_counts(path: Path, file: BinaryIO) -> None:
+    """Refuses headers that announce more than the file can hold, which laspy would believe."""
+    size = file.seek(0, 2)
+    file.seek(0)
+    head = file.read(LARGEST_HEADER)
+    records = int.from_bytes(head[100:104], "little") * RECORD_HEADER
+    extended = (
+        int.from_bytes(head[243:247], "little") * EXTENDED_HEADER if head[25:26] > b"\3" else 0
+    )
+    if max(records, extended) > size:
+        raise Refusal(
+            "cloud-malformed",
+            str(path),
+            "its header announces more than the file holds",
+            "Export the cloud again",
+        )
+    file.seek(0)
 
 
 def _names(piece: object) -> list[str]:

@@ -98,7 +98,8 @@ def _binary(path: Path, file: BinaryIO, layout: np.dtype[np.void], count: int) -
         raise _cut_off(path, whole, count)
     file.seek(start)
     table = np.fromfile(file, layout, count)
-    return {name: table[name][:, 0].astype(np.float64) for name in layout.names or ()}
+    with np.errstate(invalid="ignore"):  # of NaN that are marked as signalling
+        return {name: table[name][:, 0].astype(np.float64) for name in layout.names or ()}
 
 
 def _ascii(path: Path, file: BinaryIO, layout: np.dtype[np.void], count: int) -> dict[str, Floats]:

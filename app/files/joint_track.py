@@ -5,14 +5,19 @@ from bisect import bisect_left
 from math import pi
 
 import numpy as np
+from numpy.typing import NDArray
 
 from app.metrology.frames import Floats
+from app.metrology.joint_stamps import angles_at
 
 SHORTEST_GAP_LIMIT_NS = 25_000_000
 """A hand that accelerates at 1 m/s² leaves the straight line by 80 µm within 25 ms."""
 GAP_LIMIT_PERIODS = 3.5
 """For slower arms: their own sample periods."""
 LONGEST_GAP_LIMIT_NS = 150_000_000
+
+
+Stamps = NDArray[np.int64]
 
 
 class JointTrack:
@@ -53,6 +58,29 @@ class JointTrack:
         self._stamps_ns.insert(at, stamp_ns)
         start = at * self._count
         self._angles_rad[start:start] = array("d", q_rad)
+
+    def extend(self, stamps_ns: Stamps, q_rad: Floats) -> None:
+        """Takes samples (J,) and (J, n); as ``add`` of each."""
+        if not len(stamps_ns):
+            return
+        last_ns = self.last_ns
+        if (np.diff(stamps_ns) > 0).all() and (last_ns is None or stamps_ns[0] > last_ns):
+            self._stamps_ns.frombytes(np.ascontiguousarray(stamps_ns, np.int64).tobytes())
+            self._angles_rad.frombytes(np.ascontiguousarray(q_rad, np.float64).tobytes())
+            return
+        for stamp_ns, angles in zip(stamps_ns.tolist(), q_rad, strict=True):
+            self.add(stamp_ns, angles)
+
+    def at_all(self, stamps_ns: Stamps) -> Floats:
+        """The angles (F, n) at stamps (F,), as ``at``; NaN where it says None."""
+        found = np.full((len(stamps_ns), self._count), np.nan)
+        if not len(self._stamps_ns) or not len(stamps_ns):
+            return found
+        first = max(bisect_left(self._stamps_ns, int(stamps_ns.min())) - 1, 0)
+        last = bisect_left(self._stamps_ns, int(stamps_ns.max())) + 1
+        stamps = np.array(self._stamps_ns[first:last])
+        angles = np.array(self._angles_rad[first * self._count : last * self._count])
+        return angles_at(stamps, angles.reshape(-1, self._count), stamps_ns, self.gap_limit_ns)
 
     def at(self, stamp_ns: int) -> Floats | None:
         """The angles (n,) at a stamp, each on the straight line between its neighbours.

@@ -9,7 +9,9 @@ from pathlib import Path
 import numpy as np
 
 from app.files.calibration import Calibration
+from app.files.cloud_points import Points
 from app.files.clouds import CloudWriter, cloud_writer
+from app.files.frame_points import Placing, placed
 from app.files.joint_track import JointTrack
 from app.files.progress import Progress, no_progress
 from app.files.recorded_joints import JointReader
@@ -17,21 +19,17 @@ from app.files.recording import (
     IMAGE_TOPIC,
     JOINTS_TOPIC,
     STRIPE_TOPIC,
-    ImageRecord,
-    JointRecord,
     Recording,
-    StripeRecord,
     open_recording,
 )
+from app.files.recording_clock import ClockReport, ClockWatch
+from app.files.recording_stream import Block, Frame, blocks
 from app.metrology.arm import Arm, flange_poses
-from app.metrology.frames import Floats, apply
-from app.metrology.point_spread import spread_um
-from app.metrology.reconstruct import sensor_points
+from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
-from app.metrology.stripe import Stripe, extract_stripe
 
-SETTLED_AT_ONCE = 32
-"""Frames whose poses are computed together."""
+REMEMBERED = 4096
+"""A frame's picture stands at most so many frames from its stripe."""
 
 
 @dataclass(frozen=True)
@@ -47,36 +45,40 @@ class Rebuilt:
     """The first of these, in seconds from the recording's first message."""
     joint_samples: int
     joint_samples_unusable: int
+    frame_holes: int
+    """Places where frames are missing, by the usual period."""
+    joint_holes: int
+    """The same of joint samples."""
+    clock_jumps: int
+    """Places where a clock was set back or forth."""
     cut: str
     """Where and why the recording ended early; empty for a whole one."""
+    warnings: tuple[str, ...]
+    """What whoever asked for the cloud should know, one sentence each."""
 
     @property
     def all_frames(self) -> int:
         return self.frames + self.frames_without_stripe + self.frames_without_joints
 
-    @property
-    def warnings(self) -> list[str]:
-        """What whoever asked for the cloud should know, one sentence each."""
-        said = [self.cut] if self.cut else []
-        if self.first_without_joints_s is not None:
-            said.append(
-                f"{self.frames_without_joints} of {self.all_frames} frames left out: no joints "
-                f"around their stamps, the first {self.first_without_joints_s:.3f} s from the start"
-            )
-        if self.joint_samples_unusable:
-            said.append(f"{self.joint_samples_unusable} joint samples left out: not numbers")
-        return said
+
+@dataclass(frozen=True)
+class _Waiting:
+    """Frames of one block that wait for the joints around them."""
+
+    block: Block
+    frames: list[Frame]
+    first_number: int
+    last_ns: int
 
 
 @dataclass(frozen=True)
-class _Seen:
-    """One frame's stripe in the sensor frame."""
+class _Made:
+    """What became of a block's frames."""
 
-    number: int
-    stamp_ns: int
-    points_mm: Floats
-    spread_um: Floats
-    stripe: Stripe
+    points: Points
+    placed: int
+    dark: int
+    unplaced_ns: list[int]
 
 
 def rebuild(
@@ -88,22 +90,22 @@ def rebuild(
 ) -> Rebuilt:
     """Reconstructs a recording's cloud in the arm frame and writes it, as its name says.
 
-    Pictures are decoded, extracted and brought to the sensor frame on all cores; only
-    a few of them are in memory at a time.
+    The recording is opened, and points are made, on all cores; only a few blocks of it
+    are in memory at a time.
 
     Raises:
         Refusal: calibration, arm and recording do not belong together, the recording
             holds no frames or no joints, or none of its frames has joints around its
             stamp; the cloud is then not written.
     """
-    _check_serials(calibration, arm)
+    check_serials(calibration, arm)
     recording = open_recording(recording_path)
     with cloud_writer(cloud_path) as cloud:
         job = _Job(recording, calibration, arm, cloud)
         workers = os.cpu_count() or 1
-        with ThreadPoolExecutor(workers, "stripe") as pool:
+        with ThreadPoolExecutor(workers, "rebuild") as pool:
             try:
-                job.run(pool, 4 * workers, progress)
+                job.run(pool, 2 * workers, progress)
             except BaseException:
                 pool.shutdown(cancel_futures=True)
                 raise
@@ -122,40 +124,33 @@ class _Job:
         self._cloud = cloud
         self._joints = JointReader(recording.path, arm)
         self._track = JointTrack(arm.joint_count)
-        self._stamps: set[int] = set()
-        self._working: deque[Future[_Seen]] = deque()
-        self._waiting: deque[_Seen] = deque()
+        self._recent: deque[int] = deque(maxlen=REMEMBERED)
+        self._known: set[int] = set()
+        self._numbered = 0
+        self._waiting: deque[_Waiting] = deque()
+        self._making: deque[Future[_Made]] = deque()
         self._frames = self._dark = 0
         self._unplaced_ns: list[int] = []
+        self._joint_clock, self._frame_clock = ClockWatch(), ClockWatch()
 
     def run(self, pool: ThreadPoolExecutor, window: int, progress: Progress) -> None:
-        for record in self._recording.records():
-            if isinstance(record, JointRecord):
-                q_rad = self._joints.angles(record)
-                if q_rad is not None:
-                    self._track.add(record.stamp_ns, q_rad)
-                continue
-            if record.stamp_ns in self._stamps:  # its stripe was recorded beside its picture
-                continue
-            if not self._stamps:
-                self._check_station()
-            number = len(self._stamps)
-            self._stamps.add(record.stamp_ns)
-            self._working.append(pool.submit(self._seen, number, record))
-            if len(self._working) >= window:
-                self._waiting.append(self._working.popleft().result())
-                if len(self._track) and len(self._waiting) >= SETTLED_AT_ONCE:
-                    self._settle(self._track.last_ns)
-                progress(self._recording.bytes_read / max(self._recording.size, 1), "")
-        self._waiting.extend(future.result() for future in self._working)
-        self._settle(None)
+        for block in blocks(self._recording, pool, window):
+            self._take(block)
+            if len(self._track):
+                self._settle(pool, self._track.last_ns)
+            while len(self._making) > window:
+                self._write()
+            progress(self._recording.bytes_read / max(self._recording.size, 1), "")
+        self._settle(pool, None)
+        while self._making:
+            self._write()
         progress(1.0, "")
 
     def result(self) -> Rebuilt:
         """The counts; raises ``Refusal`` where there are no points."""
         self._refuse_nothing()
-        unplaced = self._unplaced_ns
-        start_ns = self._recording.first_ns or 0
+        unplaced, start_ns = self._unplaced_ns, self._recording.first_ns or 0
+        joints, frames = self._joint_clock.report(), self._frame_clock.report()
         return Rebuilt(
             points=self._cloud.points,
             frames=self._frames,
@@ -164,54 +159,102 @@ class _Job:
             first_without_joints_s=(unplaced[0] - start_ns) / 1e9 if unplaced else None,
             joint_samples=len(self._track),
             joint_samples_unusable=self._joints.unusable,
+            frame_holes=frames.holes,
+            joint_holes=joints.holes,
+            clock_jumps=frames.jumps + joints.jumps,
             cut=self._recording.cut,
+            warnings=tuple(self._warnings(joints, frames)),
         )
 
-    def _seen(self, number: int, record: ImageRecord | StripeRecord) -> _Seen:
-        """On a worker's thread: the frame's stripe, in pixels and in the sensor frame."""
-        if isinstance(record, StripeRecord):
-            self._check_size(number, record.width_px, record.height_px)
-            stripe = record.stripe
-        else:
-            picture = record.picture()
-            self._check_size(number, picture.shape[1], picture.shape[0])
-            stripe = extract_stripe(picture, self._calibration.stripe_axis)
-        uv_px = np.column_stack([stripe.u, stripe.v])
-        camera, plane = self._calibration.camera, self._calibration.plane
-        points = sensor_points(camera, plane, uv_px)
-        spread = spread_um(camera, plane, points, stripe.sigma_px, stripe.axis)
-        return _Seen(number, record.stamp_ns, points, spread, stripe)
-
-    def _settle(self, up_to_ns: int | None) -> None:
-        """Places waiting frames once the joints reach past them; None: no more will come."""
-        placed: list[tuple[_Seen, Floats]] = []
-        while self._waiting and (up_to_ns is None or self._waiting[0].stamp_ns <= up_to_ns):
-            seen = self._waiting.popleft()
-            q_rad = self._track.at(seen.stamp_ns)
-            if not len(seen.points_mm):
-                self._dark += 1
-            elif q_rad is None:
-                self._unplaced_ns.append(seen.stamp_ns)
-            else:
-                placed.append((seen, q_rad))
-        if not placed:
+    def _take(self, block: Block) -> None:
+        """The block's joints to the track, its frames to those that wait."""
+        for samples in block.joints:
+            self._joint_clock.add(samples.stamps_ns, samples.log_ns)
+            self._track.extend(*self._joints.readings(samples))
+        frames = [frame for frame in block.frames if self._is_new(frame.stamp_ns)]
+        if not frames:
             return
-        T_arm_flange = flange_poses(self._arm, np.array([q_rad for _, q_rad in placed]))
-        for T, (seen, _) in zip(T_arm_flange, placed, strict=True):
-            # Eq. 9, its two rigid steps in one
-            points_mm = apply(T @ self._calibration.T_flange_sensor, seen.points_mm)
-            self._cloud.write(points_mm, seen.stripe.intensity, seen.spread_um, seen.number)
-        self._frames += len(placed)
+        if not self._numbered:
+            self._check_station()
+        stamps_ns = np.array([frame.stamp_ns for frame in frames])
+        self._frame_clock.add(stamps_ns, np.array([frame.log_ns for frame in frames]))
+        self._waiting.append(_Waiting(block, frames, self._numbered, int(stamps_ns.max())))
+        self._numbered += len(frames)
 
-    def _check_size(self, number: int, width_px: int, height_px: int) -> None:
-        camera = self._calibration.camera
-        if (width_px, height_px) != (camera.width_px, camera.height_px):
-            raise Refusal(
-                "image-size",
-                f"{self._recording.path}: frame {number} has {width_px} × {height_px} pixels",
-                f"the calibration is for {camera.width_px} × {camera.height_px}",
-                "Give the calibration of the sensor that took this recording",
+    def _is_new(self, stamp_ns: int) -> bool:
+        """False where a frame's stripe was recorded beside its picture."""
+        if stamp_ns in self._known:
+            return False
+        if len(self._recent) == REMEMBERED:
+            self._known.discard(self._recent[0])
+        self._recent.append(stamp_ns)
+        self._known.add(stamp_ns)
+        return True
+
+    def _settle(self, pool: ThreadPoolExecutor, up_to_ns: int | None) -> None:
+        """Has points made of frames that joints reach past; None: no more will come."""
+        while self._waiting and (up_to_ns is None or self._waiting[0].last_ns <= up_to_ns):
+            waiting = self._waiting.popleft()
+            q_rad = self._track.at_all(np.array([frame.stamp_ns for frame in waiting.frames]))
+            self._making.append(pool.submit(self._made, waiting, q_rad))
+            if up_to_ns is None and len(self._making) > 2 * (os.cpu_count() or 1):
+                self._write()
+
+    def _made(self, waiting: _Waiting, q_rad: Floats) -> _Made:
+        """On a worker's thread: the points of a block's frames (Eq. 9)."""
+        known = np.asarray(np.isfinite(q_rad).all(axis=1))
+        poses = np.full((len(known), 4, 4), np.nan)
+        if known.any():
+            T_arm_flange = flange_poses(self._arm, q_rad[known])
+            poses[known] = T_arm_flange @ self._calibration.T_flange_sensor
+        placing = Placing(self._recording.path, self._calibration)
+        points, counts = placed(placing, waiting.block, waiting.frames, poses, waiting.first_number)
+        unplaced = [
+            frame.stamp_ns
+            for frame, count, good in zip(waiting.frames, counts, known, strict=True)
+            if count and not good
+        ]
+        dark = int((counts == 0).sum())
+        return _Made(points, len(counts) - dark - len(unplaced), dark, unplaced)
+
+    def _write(self) -> None:
+        made = self._making.popleft().result()
+        self._cloud.append(made.points)
+        self._frames += made.placed
+        self._dark += made.dark
+        self._unplaced_ns += made.unplaced_ns
+
+    def _warnings(self, joints: ClockReport, frames: ClockReport) -> list[str]:
+        said = [self._recording.cut] if self._recording.cut else []
+        start_ns, unplaced = self._recording.first_ns or 0, self._unplaced_ns
+        if unplaced:
+            first_ns, last_ns = self._track.first_ns or 0, self._track.last_ns or 0
+            beyond = sum(not first_ns <= stamp_ns <= last_ns for stamp_ns in unplaced)
+            said.append(
+                f"{len(unplaced)} of {self._numbered} frames left out: no joints around their "
+                f"stamps, the first {(unplaced[0] - start_ns) / 1e9:.3f} s from the start; "
+                f"{beyond} before the first or after the last sample, {len(unplaced) - beyond} "
+                "in gaps"
             )
+        if self._joints.unusable:
+            said.append(f"{self._joints.unusable} joint samples left out: not numbers")
+        for title, one, clock in (
+            ("joint samples", "joints'", joints),
+            ("frames", "frames'", frames),
+        ):
+            if clock.holes:
+                said.append(
+                    f"about {clock.missing} {title} are missing in {clock.holes} places, the "
+                    f"longest {clock.longest_ns / 1e6:.1f} ms, "
+                    f"{(clock.longest_at_ns - start_ns) / 1e9:.3f} s from the start"
+                )
+            if clock.jumps:
+                said.append(
+                    f"the {one} clock jumps {clock.jumps} times, first to "
+                    f"{(clock.first_jump_at_ns - start_ns) / 1e9:.3f} s from the start; points "
+                    "near a jump may be out of place"
+                )
+        return said
 
     def _check_station(self) -> None:
         station, serials = self._recording.station, self._calibration.serial_numbers
@@ -239,7 +282,7 @@ class _Job:
                 f"{named} holds {', '.join(sorted(topics)) or 'no topics'}",
                 f"a scan has {JOINTS_TOPIC} and {IMAGE_TOPIC} or {STRIPE_TOPIC}",
             )
-        if not self._stamps:
+        if not self._numbered:
             raise Refusal("recording-without-frames", f"{named}: no frames")
         if not len(self._track):
             raise Refusal("recording-without-joints", f"{named}: no joint angles")
@@ -247,7 +290,7 @@ class _Job:
             raise self._no_joints_around(named)
         raise Refusal(
             "recording-without-stripes",
-            f"{named}: no laser stripe in front of the sensor in any frame of {len(self._stamps)}",
+            f"{named}: no laser stripe in front of the sensor in any frame of {self._numbered}",
             "the laser was off, too weak, or the part out of range",
             "Scan again",
         )
@@ -268,7 +311,7 @@ class _Job:
         )
 
 
-def _check_serials(calibration: Calibration, arm: Arm) -> None:
+def check_serials(calibration: Calibration, arm: Arm) -> None:
     known = calibration.serial_numbers.arm
     if known and arm.serial_number and known != arm.serial_number:
         raise Refusal(

@@ -5,7 +5,8 @@ from pathlib import Path
 import numpy as np
 
 from app.files.joint_angles import STOP_TOLERANCE_DEG
-from app.files.recording import JointRecord
+from app.files.joint_track import Stamps
+from app.files.recording_stream import JointSamples
 from app.metrology.arm import Arm
 from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
@@ -25,27 +26,29 @@ class JointReader:
         self.unusable = 0
         """Readings that held something else than numbers, and were left out."""
 
-    def angles(self, record: JointRecord) -> Floats | None:
-        """The reading (n,) in the arm's order; None where an angle is missing (NaN).
+    def readings(self, samples: JointSamples) -> tuple[Stamps, Floats]:
+        """The readings' stamps (J,) and angles (J, n) in the arm's order.
 
-        Joints go by name where the recording names them as ``arm.json`` does, else by
-        their order.
+        Readings with an angle missing (NaN) are left out and counted. Joints go by name
+        where the recording names them as ``arm.json`` does, else by their order.
 
         Raises:
             Refusal: another number of joints than the arm's, only some names known,
                 or an angle outside the arm's limits.
         """
-        if record.names != self._names:
-            self._order = self._order_of(record.names)
-            self._names = record.names
-        q_rad = np.array(record.q_rad)[self._order]
-        if not np.isfinite(q_rad).all():
-            self.unusable += 1
-            return None
+        if samples.names != self._names:
+            self._order = self._order_of(samples.names)
+            self._names = samples.names
+        q_rad, stamps_ns = samples.q_rad[:, self._order], samples.stamps_ns
+        whole = np.isfinite(q_rad).all(axis=1)
+        if not whole.all():
+            self.unusable += int((~whole).sum())
+            q_rad, stamps_ns = q_rad[whole], stamps_ns[whole]
         outside = (q_rad < self._lowest) | (q_rad > self._highest)
         if outside.any():
-            raise self._outside(record, q_rad, int(np.argmax(outside)))
-        return q_rad
+            row, joint = (int(i) for i in np.argwhere(outside)[0])
+            raise self._outside(int(stamps_ns[row]), q_rad[row], joint)
+        return stamps_ns, q_rad
 
     def _order_of(self, names: tuple[str, ...]) -> list[int]:
         own = [joint.name for joint in self._arm.joints]
@@ -67,13 +70,13 @@ class JointReader:
             )
         return list(range(len(own)))
 
-    def _outside(self, record: JointRecord, q_rad: Floats, joint: int) -> Refusal:
+    def _outside(self, stamp_ns: int, q_rad: Floats, joint: int) -> Refusal:
         low, high = self._arm.joints[joint].limits_rad
         degrees = np.abs(q_rad).max() > 4 * np.pi
         hint = "; these are degrees where radians are expected" if degrees else ""
         return Refusal(
             "joint-outside-limits",
-            f"{self._path} at {record.stamp_ns} ns: joint {self._arm.joints[joint].name} is at "
+            f"{self._path} at {stamp_ns} ns: joint {self._arm.joints[joint].name} is at "
             f"{q_rad[joint]:.4f} rad",
             f"it turns from {low:.4f} to {high:.4f} rad{hint}",
             "Record radians" if degrees else "Give the arm.json of the arm that took this",

@@ -103,11 +103,11 @@ class Recording:
             Refusal: missing, no MCAP, or a topic of another message type.
         """
         with files_refused(self.path), open(self.path, "rb") as file:
-            _check_magic(self.path, file)
+            check_magic(self.path, file)
             yield from self._decoded(file)
 
     def _decoded(self, file: BinaryIO) -> Iterator[Record]:
-        decoders = _Decoders(self.path)
+        decoders = Decoders(self.path)
         for record in self._raw(file):
             if isinstance(record, Schema):
                 decoders.schemas[record.id] = record
@@ -117,7 +117,7 @@ class Recording:
             elif isinstance(record, Metadata) and record.name == STATION_METADATA:
                 self.station = dict(record.metadata)
             elif isinstance(record, Message):
-                self._note_time(record.log_time)
+                self.note_times(record.log_time, record.log_time)
                 decoded = decoders.decode(record)
                 if decoded is not None:
                     yield decoded
@@ -136,21 +136,24 @@ class Recording:
                     yield record
                 self.bytes_read = file.tell()
         except DAMAGE:
-            self.cut = self._cut_text()
+            self.cut_here()
 
-    def _note_time(self, log_ns: int) -> None:
-        self.first_ns = log_ns if self.first_ns is None else min(self.first_ns, log_ns)
-        self.last_ns = log_ns if self.last_ns is None else max(self.last_ns, log_ns)
+    def note_times(self, first_ns: int, last_ns: int) -> None:
+        """Takes note of log times that were met."""
+        self.first_ns = first_ns if self.first_ns is None else min(self.first_ns, first_ns)
+        self.last_ns = last_ns if self.last_ns is None else max(self.last_ns, last_ns)
 
-    def _cut_text(self) -> str:
+    def cut_here(self) -> None:
+        """Takes note that nothing can be read behind what was read."""
         share = 100 * self.bytes_read / max(self.size, 1)
         text = (
             f"{self.path} is cut off or damaged after {self.bytes_read} of {self.size} bytes "
             f"({share:.0f} %)"
         )
         if self.first_ns is None or self.last_ns is None:
-            return text + ", before its first message"
-        return text + f"; read up to {(self.last_ns - self.first_ns) / 1e9:.3f} s from its start"
+            self.cut = text + ", before its first message"
+            return
+        self.cut = f"{text}; read up to {(self.last_ns - self.first_ns) / 1e9:.3f} s from its start"
 
 
 def open_recording(path: Path) -> Recording:
@@ -162,7 +165,7 @@ def open_recording(path: Path) -> Recording:
     return Recording(path, size)
 
 
-def _check_magic(path: Path, file: BinaryIO) -> None:
+def check_magic(path: Path, file: BinaryIO) -> None:
     head = file.read(8)
     if head != b"\x89MCAP0\r\n":
         why = "it is no MCAP recording" if head else "it is empty"
@@ -198,7 +201,7 @@ class _CompressedImage(_Stamped, Protocol):
     data: bytes
 
 
-class _Decoders:
+class Decoders:
     """From messages to records, by the schemas that the file itself carries."""
 
     def __init__(self, path: Path) -> None:

@@ -231,3 +231,78 @@ def test_joints_of_another_arm_or_unit_are_refused(
         writer.joints(0, angles)
         record_stripe(writer, 1)
     assert said in refusal_of(tmp_path).line
+
+
+def test_holes_and_jumps_of_the_clocks_are_said(tmp_path: Path) -> None:
+    with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
+        joints_every(writer, 0, 200 * MS, 4 * MS)
+        joints_every(writer, 260 * MS, 500 * MS, 4 * MS)
+        for i in range(60):
+            if not 20 <= i < 23:
+                record_stripe(writer, 20 * MS + i * 8 * MS)
+        joints_every(writer, 100 * MS + 1, 140 * MS, 4 * MS)  # the clock was set back
+    result, _ = rebuilt(tmp_path)
+    assert (result.frame_holes, result.clock_jumps) == (1, 1)
+    assert result.frames_without_joints == 7
+    said = " ".join(result.warnings)
+    assert "7 of 57 frames left out" in said
+    assert "0 before the first or after the last sample, 7 in gaps" in said
+    assert "about 3 frames are missing in 1 places, the longest 32.0 ms, 0.172 s" in said
+    assert "the joints' clock jumps 1 times, first to 0.100 s" in said
+
+
+def test_a_steady_recording_has_no_warnings(tmp_path: Path) -> None:
+    with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
+        joints_every(writer, 0, 500 * MS, 4 * MS)
+        for i in range(50):
+            record_stripe(writer, 20 * MS + i * 8 * MS + i % 3 * MS)
+    result, _ = rebuilt(tmp_path)
+    assert result.warnings == ()
+
+
+@pytest.mark.parametrize("beside", ["image", "other axis", "other writer"])
+def test_blocks_of_all_kinds_give_the_same_points(tmp_path: Path, beside: str) -> None:
+    """What is not as this program writes it goes through the general decoders."""
+    points, uv = stripe_pixels()
+    stamps = [100 * MS + i * 5 * MS for i in range(12)]
+    with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
+        joints_every(writer, 0, 400 * MS, 4 * MS)
+        for k, stamp in enumerate(stamps):
+            axis = "v" if beside == "other axis" and k % 2 else "u"
+            stripe = Stripe(uv[:, 0], uv[:, 1], np.full(25, 99.0), np.full(25, 0.05), axis)
+            writer.stripe(stamp, stripe, WIDTH, HEIGHT)
+            if beside == "image" and k == 5:
+                record_image(writer, stamp)  # of a frame that has its stripe already
+    if beside == "other writer":
+        rewritten_unpacked(tmp_path / "scan.mcap")
+    result, found = rebuilt(tmp_path)
+    assert (result.frames, len(points) * 12) == (12, result.points)
+    np.testing.assert_allclose(found, expected(stamps), atol=1e-8)
+
+
+def rewritten_unpacked(path: Path) -> None:
+    """The same recording without chunks, each number of ``u`` a field of its own."""
+    from mcap.reader import make_reader
+    from mcap.writer import Writer
+
+    with open(path, "rb") as file:
+        messages = list(make_reader(file).iter_messages())
+    with open(path, "wb") as file:
+        writer = Writer(file, use_chunking=False)
+        writer.start()
+        ids: dict[str, int] = {}
+        for schema, channel, message in messages:
+            assert schema is not None
+            if channel.topic not in ids:
+                known = writer.register_schema(schema.name, schema.encoding, schema.data)
+                ids[channel.topic] = writer.register_channel(
+                    channel.topic, channel.message_encoding, known
+                )
+            data = message.data
+            if channel.topic == "/sensor/stripe":
+                start = data.index(b"\x22\xc8\x01")  # u: 25 doubles
+                numbers = data[start + 3 : start + 203]
+                single = b"".join(b"\x21" + numbers[i : i + 8] for i in range(0, 200, 8))
+                data = data[:start] + single + data[start + 203 :]
+            writer.add_message(ids[channel.topic], message.log_time, data, message.log_time)
+        writer.finish()
