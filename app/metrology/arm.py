@@ -160,17 +160,23 @@ def geometric_jacobian(arm: Arm, q_rad: Floats, point_flange_mm: Floats) -> Floa
         (6, n): rows 0-2 the point's velocity in mm/rad, rows 3-5 the angular
         velocity, both in the arm frame, per unit rate of each encoder.
     """
-    links = link_transforms(arm, np.asarray(q_rad, dtype=np.float64)[None])[:, 0]
-    before = [np.eye(4)]
+    one = np.asarray(q_rad, dtype=np.float64)[None]
+    return np.asarray(geometric_jacobians(arm, one, point_flange_mm)[0])
+
+
+def geometric_jacobians(arm: Arm, q_rad: Floats, point_flange_mm: Floats) -> Floats:
+    """``geometric_jacobian`` (N, 6, n) at encoder angles (N, n)."""
+    links = link_transforms(arm, q_rad)
+    before = [np.broadcast_to(np.eye(4), links.shape[1:])]
     for link in links:
         before.append(before[-1] @ link)
-    point = before[-1][:3, :3] @ np.asarray(point_flange_mm) + before[-1][:3, 3]
-    jacobian = np.zeros((6, arm.joint_count))
+    point = before[-1][:, :3, :3] @ np.asarray(point_flange_mm) + before[-1][:, :3, 3]
+    jacobians = np.zeros((len(point), 6, arm.joint_count))
     for i, joint in enumerate(arm.joints):
-        axis = joint.sign * before[i][:3, 2]
-        jacobian[:3, i] = np.cross(axis, point - before[i][:3, 3])
-        jacobian[3:, i] = axis
-    return jacobian
+        axis = joint.sign * before[i][:, :3, 2]
+        jacobians[:, :3, i] = np.cross(axis, point - before[i][:, :3, 3])
+        jacobians[:, 3:, i] = axis
+    return jacobians
 
 
 def tip_covariances(arm: Arm, q_rad: Floats) -> Floats:
@@ -184,5 +190,5 @@ def tip_covariances(arm: Arm, q_rad: Floats) -> Floats:
         model gives no encoder noise.
     """
     variances = np.diag(arm.encoder_sd_rad**2)
-    jacobians = [geometric_jacobian(arm, q, arm.tip.centre_mm)[:3] for q in np.asarray(q_rad)]
-    return np.array([J @ variances @ J.T for J in jacobians]).reshape(-1, 3, 3)
+    J = geometric_jacobians(arm, np.asarray(q_rad, dtype=np.float64), arm.tip.centre_mm)[:, :3]
+    return np.asarray(J @ variances @ np.swapaxes(J, 1, 2))

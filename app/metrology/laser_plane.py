@@ -235,14 +235,6 @@ def _moves(camera: Camera, stripe: Stripe, on: NDArray[np.bool_], points: Floats
     return ahead - meet_levels(camera, uv - 0.5 * stripe.across, z)
 
 
-def _plane_through(points: Floats) -> LaserPlane | None:
-    normal = np.cross(points[1] - points[0], points[2] - points[0])
-    length = float(np.linalg.norm(normal))
-    if length < 1e-6:
-        return None
-    return LaserPlane(normal / length, float(points[0] @ normal) / length)
-
-
 def _least_median_plane(points: Floats, level: NDArray[np.str_], per_sigma: Floats) -> LaserPlane:
     """The plane of least median residual on both levels, of many drawn from three points.
 
@@ -250,19 +242,22 @@ def _least_median_plane(points: Floats, level: NDArray[np.str_], per_sigma: Floa
     """
     rng = np.random.default_rng(0)
     own = {name: np.flatnonzero(level == name) for name in ("crest", "floor")}
-    best, least = LaserPlane(np.array([0.0, 1.0, 0.0]), 0.0), np.inf
+    chosen = []
     for draw in range(300):
         pair, single = ("crest", "floor") if draw % 2 else ("floor", "crest")
-        chosen = [*rng.choice(own[pair], 2, replace=False), rng.choice(own[single])]
-        plane = _plane_through(points[chosen])
-        if plane is None:
-            continue
-        off = np.abs(points @ plane.normal - plane.offset_mm)
-        off /= np.maximum(np.abs(per_sigma @ plane.normal), 1e-9)
-        score = sum(float(np.median(off[own[name]])) for name in own)
-        if score < least:
-            best, least = plane, score
-    return best
+        chosen.append([*rng.choice(own[pair], 2, replace=False), rng.choice(own[single])])
+    first, second, third = points[np.array(chosen).T]
+    normals = np.cross(second - first, third - first)
+    length = np.linalg.norm(normals, axis=1)
+    sound = length >= 1e-6
+    if not sound.any():
+        return LaserPlane(np.array([0.0, 1.0, 0.0]), 0.0)
+    normals = normals[sound] / length[sound, None]
+    offsets = (first[sound] * normals).sum(axis=1)
+    off = np.abs(normals @ points.T - offsets[:, None])
+    off /= np.maximum(np.abs(normals @ per_sigma.T), 1e-9)
+    best = int(np.argmin(sum(np.median(off[:, rows], axis=1) for rows in own.values())))
+    return LaserPlane(normals[best], float(offsets[best]))
 
 
 def _agreeing(plane: LaserPlane, points: Floats, per_sigma: Floats) -> NDArray[np.bool_]:
