@@ -7,7 +7,7 @@ import numpy as np
 from app.metrology.camera import project
 from app.metrology.detection.edge_sizes import Shift, shifts
 from app.metrology.detection.edge_survey import Survey, without
-from app.metrology.detection.objection import Objection
+from app.metrology.detection.objection import Objection, in_words
 
 # An edge that lies this many standard deviations off is not the certificate's.
 _SIGMAS = 5.0
@@ -101,7 +101,8 @@ def astray(found: Survey, parts: list[Part]) -> Objection | None:
         return _strained(found, parts)
     worst = max(displaced, key=lambda part: part.ratio)
     return Objection(
-        f"its edge {worst.name} lies {worst.distance_um:.0f} µm from where the certificate puts it",
+        f"{in_words(worst.name)} lies {worst.distance_um:.0f} µm from where the certificate"
+        " puts it",
         True,
         tuple({part.edge for part in displaced}),
     )
@@ -114,7 +115,7 @@ def _strained(found: Survey, parts: list[Part]) -> Objection | None:
         return None
     worst = max(parts, key=lambda part: part.distance_px)
     return Objection(
-        f"its edges lie {usual_px:.1f} px off on average, and {worst.name}"
+        f"its edges lie {usual_px:.1f} px off on average, and {in_words(worst.name)}"
         f" {worst.distance_um:.0f} µm, from where the certificate puts them",
         True,
         (worst.edge,),

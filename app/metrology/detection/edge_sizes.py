@@ -133,7 +133,7 @@ def _shift_effects(
     points, normal = found.at.points_mm[rows], found.at.normal[rows]
     here = project(found.camera, points)
     along = [
-        -100.0
+        100.0
         * ((project(found.camera, points + 0.01 * np.eye(3)[axis]) - here) * normal).sum(axis=1)
         for axis in range(3)
     ]

@@ -11,7 +11,7 @@ from app.metrology.detection.edge_points import Stations, profiles, stations
 from app.metrology.detection.edge_sizes import planes
 from app.metrology.detection.edge_step import chosen, measure
 from app.metrology.detection.edge_survey import Survey
-from app.metrology.detection.objection import Objection, elsewhere
+from app.metrology.detection.objection import Objection, elsewhere, in_words
 from app.metrology.frames import Floats
 
 # Lines of the block are judged by at least so many points of their kind.
@@ -40,8 +40,6 @@ _ROOT_TWO_PI = 2.5066
 # stations in a row, every two pixels, must see one go on.
 _BEYOND = 0.3
 _IN_A_ROW, _OF_THE_WAY = 8, 0.3
-# Tool marks are looked for so far to either side, and twice as far: blurs and px.
-_ASIDE_BLURS, _ASIDE_PX = 3.0, 3.0
 
 
 def missized(grey: Floats, found: Survey) -> Objection | None:
@@ -147,7 +145,8 @@ def _elsewhere(found: Survey, lines: _Lines, rows: NDArray[np.int64], axis: int)
     like_edges = max(shows) > _MOST_OF_IT or sum(one > _PART_OF_IT for one in shows) > 1
     stands_out = like_edges and share[best] - here - second > _STANDS_OUT
     several = sum(one > _MOST_OF_IT for one in shows) > 1
-    return float(steps[best]) if here < _HERE * share[best] and (stands_out or several) else None
+    told = (stands_out and here < _HERE * share[best]) or (several and here < share[best] / 2)
+    return float(steps[best]) if told else None
 
 
 def _share(there: NDArray[np.bool_], length: Floats, rows: NDArray[np.bool_]) -> float:
@@ -173,7 +172,7 @@ def overrun(grey: Floats, found: Survey) -> Objection | None:
         words = name.split(":")
         if words[0] in ("crest", "floor", "base") and words[-1] in ("front", "back"):
             lines.setdefault((words[0], words[-1]), []).append(edge)
-    for (level, _), edges in lines.items():
+    for edges in lines.values():
         own = found.used & np.isin(at.edge, edges)
         if own.sum() < _ENOUGH:
             continue
@@ -187,22 +186,10 @@ def overrun(grey: Floats, found: Survey) -> Objection | None:
             ways = ((end[k], after[k], "right"), (begin[k], -before[k], "left"))
             for corner, reach_mm, side in ways:
                 beyond = _beyond(found, corner, reach_mm, row)
-                if _runs_on(grey, found, beyond, step) and not _striped(grey, found, beyond):
-                    what = "it" if level == "base" else f"its edge {names[edge]}"
+                if _runs_on(grey, found, beyond, step):
+                    what = in_words(names[edge])
                     return Objection(f"{what} goes on beyond its {side} end", True, (edge,))
     return None
-
-
-def _striped(grey: Floats, found: Survey, beyond: Stations) -> bool:
-    """Whether lines run beside those stations too: tool marks, not an edge."""
-    at, aside = beyond.uv_px, _ASIDE_BLURS * found.blur_px + _ASIDE_PX
-    seen = measure(grey, beyond, found.blur_px)
-    step = float(np.nanmedian(seen.step))
-    return any(
-        _runs_on(grey, found, replace(beyond, uv_px=at + by * beyond.normal), sign * step)
-        for by in (-2 * aside, -aside, aside, 2 * aside)
-        for sign in (1.0, -1.0)
-    )
 
 
 def _runs_on(grey: Floats, found: Survey, beyond: Stations, step: float) -> bool:

@@ -16,10 +16,28 @@ class Objection:
     edges: tuple[int, ...] = ()
 
 
+def in_words(edge: str) -> str:
+    """The name of an edge in an operator's words: merlons and grooves counted from the left.
+
+    ``crest:1:L`` is the left edge of merlon 2's crest, ``wall:0:R:front`` the upright
+    front edge on merlon 1's right.
+    """
+    sides = {"L": "left", "R": "right", "front": "front", "back": "back"}
+    kind, *rest = edge.split(":")
+    if kind == "base":
+        return f"the base's {sides[rest[0]]} edge"
+    number, side = int(rest[0]) + 1, sides[rest[1]]
+    if kind == "wall":
+        return f"the upright {rest[2]} edge on merlon {number}'s {side}"
+    return f"the {side} edge of " + (
+        f"merlon {number}'s crest" if kind == "crest" else f"groove {number}'s floor"
+    )
+
+
 def elsewhere(edge: str, off_mm: float, edges: tuple[int, ...]) -> Objection:
     """The objection that a size differs: an edge of it, how far it lies off, all its edges."""
     return Objection(
-        f"its edge {edge} seems to lie {off_mm:.2f} mm from where the certificate puts it",
+        f"{in_words(edge)} seems to lie {off_mm:.2f} mm from where the certificate puts it",
         True,
         edges,
     )

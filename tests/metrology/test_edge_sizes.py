@@ -1,0 +1,70 @@
+"""A wrong size is told from all edges together: which, and by how much."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from app.metrology.camera import project
+from app.metrology.detection.edge_points import stations
+from app.metrology.detection.edge_sizes import shifts
+from app.metrology.detection.edge_survey import survey
+from app.metrology.detection.objection import in_words
+from app.metrology.detection.picture import grey_picture
+from app.metrology.detection.visibility import wireframe
+from tests.metrology.rendered_block import Rendered, rendered
+
+
+@pytest.fixture(scope="module")
+def plain() -> Rendered:
+    return rendered(1, merlons=4)
+
+
+def told(picture: Rendered, claimed):
+    grey, _ = grey_picture(picture.image)
+    found = survey(grey, wireframe(claimed), picture.camera, 0.8, 0.002)
+    assert found is not None
+    return max(shifts(found, 0.002), key=lambda one: one.ratio)
+
+
+def test_the_block_itself_is_nowhere_shifted(plain):
+    assert told(plain, plain.block).ratio < 4.0
+
+
+@pytest.mark.parametrize(("edge", "by_mm"), [(2, 0.08), (3, -0.08), (5, 0.08)])
+def test_a_side_of_a_merlon_is_told_with_its_amount(plain, edge, by_mm):
+    x = list(plain.block.edges_x_mm)
+    x[edge] += by_mm
+    shift = told(plain, replace(plain.block, edges_x_mm=tuple(x)))
+    assert shift.ratio > 6.0
+    assert (shift.axis, shift.at_mm) == (0, pytest.approx(x[edge]))
+    assert shift.by_mm == pytest.approx(-by_mm, rel=0.3)
+
+
+@pytest.mark.parametrize(("aside_mm", "measured"), [(-0.05, False), (0.05, False), (25.0, True)])
+def test_a_face_seen_edge_on_is_not_measured(plain, aside_mm, measured):
+    """A camera in the plane of the block's left end: what it sees there may be either edge."""
+    frame = wireframe(plain.block)
+    x, y, z = plain.block.edges_x_mm[0] + aside_mm, *plain.camera.centre_mm[1:]
+    camera = replace(plain.camera, translation_mm=-plain.camera.rotation @ np.array([x, y, z]))
+    # The picture follows the block.
+    K = camera.matrix.copy()
+    middle = np.array([400.0, 320.0])
+    K[:2, 2] += middle - project(camera, frame.starts_mm).mean(axis=0)
+    at = stations(frame, replace(camera, matrix=K), 5.0, 4.0)
+    rows = np.array(frame.names)[at.edge] == "crest:0:L"
+    assert rows.any()
+    assert bool((at.room_px[rows].min(axis=1) > 4.0).any()) is measured
+
+
+@pytest.mark.parametrize(
+    ("edge", "words"),
+    [
+        ("crest:1:L", "the left edge of merlon 2's crest"),
+        ("floor:0:front", "the front edge of groove 1's floor"),
+        ("wall:0:R:back", "the upright back edge on merlon 1's right"),
+        ("base:front", "the base's front edge"),
+    ],
+)
+def test_edges_are_named_in_words(edge, words):
+    assert in_words(edge) == words
