@@ -11,7 +11,7 @@ import typer
 
 from app.cli_arm import articulation, identify
 from app.cli_bench import bench
-from app.cli_scan import reconstruct
+from app.cli_scan import reconstruct, study
 from app.console import (
     print_figures,
     print_json,
@@ -247,6 +247,7 @@ def verify(
 
 
 cli.command()(reconstruct)
+cli.command()(study)
 cli.command()(identify)
 cli.command()(articulation)
 cli.add_typer(bench, name="bench")

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from app.console import print_figures, print_json, progress_bar, refusing, warn
+from app.console import print_figures, print_json, print_table, progress_bar, refusing, warn
 
 AsJson = Annotated[bool, typer.Option("--json", help="Print the result for programs on stdout.")]
 
@@ -58,3 +58,72 @@ def reconstruct(
     )
     print_figures(f"Cloud of {recording}", figures)
     print(f"{output} written in {seconds:.2f} s")
+
+
+@refusing
+def study(
+    files: Annotated[
+        list[Path],
+        typer.Argument(
+            metavar="RECORDING...",
+            help="Scans of one plane; calibrations (.json) among them are taken as such.",
+        ),
+    ],
+    arm: Annotated[Path, typer.Option(help="The arm's arm.json.")],
+    calibrations: Annotated[
+        list[Path] | None,
+        typer.Option("--calibrations", metavar="CALIBRATION...", help="Of the sensor."),
+    ] = None,
+    nominal: Annotated[
+        Path | None, typer.Option(help="nominal.json: where the plane truly is.")
+    ] = None,
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", help="Write the table here, as CSV.")
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """The paper's study: clouds of one plane, each rebuilt with each calibration.
+
+    How far the plane turns and shifts between calibrations, and between clouds.
+    """
+    from app.files.arm import read_arm
+    from app.files.atomic import checked_target
+    from app.files.calibration import read_calibration
+    from app.files.study import range_rows
+    from app.files.study import study as run
+
+    sheets = [*(calibrations or []), *(path for path in files if path.suffix.lower() == ".json")]
+    recordings = [path for path in files if path.suffix.lower() != ".json"]
+    if not sheets or not recordings:
+        missing = "--calibrations" if not sheets else "RECORDING..."
+        raise typer.BadParameter("none given", param_hint=f"'{missing}'")
+    if output is not None:
+        checked_target(output, [*files, *sheets, arm])
+    known = [(path, read_calibration(path)) for path in sheets]
+    arm_model = read_arm(arm)
+    with progress_bar("Rebuilding", not as_json) as tell:
+        done = run(recordings, known, arm_model, nominal, tell)
+        if output is not None:
+            done.write_csv(output)
+    for text in done.warnings:
+        warn(text)
+    if as_json:
+        print_json(asdict(done))
+        return
+    rows = [
+        (
+            row.recording,
+            row.calibration,
+            str(row.points),
+            f"{row.rms_um:.1f}",
+            f"{row.angle_arcsec:.1f}",
+            f"{row.offset_um:.1f}",
+        )
+        for row in done.rows
+    ]
+    columns = ("cloud", "calibration", "points", "rms µm", "angle ″", "offset µm")
+    print_table(f"Plane against {nominal or 'the mean of all'}", columns, rows)
+    columns = ("range", "angle, mean", "largest", "offset, mean", "largest", "the paper")
+    print_table("How far it turns and shifts", columns, range_rows(done))
+    if output is not None:
+        print(f"{output} written")

@@ -17,6 +17,7 @@ from app.metrology.arm import Arm, flange_poses
 from app.metrology.camera import Camera, project
 from app.metrology.frames import Floats, apply, inverse, rigid
 from app.metrology.laser_plane import LaserPlane
+from app.metrology.plane_ranges import angle_ranges_arcsec, offset_ranges_um
 from app.metrology.primitives import fit_plane
 from app.metrology.reconstruct import sensor_points
 from hardware.twin.kinematics import UnreachableError, imperfect, reach
@@ -136,9 +137,7 @@ def _ranges(
         planes.append([_plane(rig, station.arm, camera, plane, X, cloud) for cloud in clouds])
     normals = np.array([[n for n, _ in one] for one in planes])  # (C, clouds, 3)
     offsets = np.array([[d for _, d in one] for one in planes])
-    cosines = np.einsum("aki,bki->kab", normals, normals).clip(-1, 1)
-    angles = np.degrees(np.arccos(cosines)).max(axis=(1, 2)) * 3600
-    return float(angles.mean()), float(1e3 * np.ptp(offsets, axis=0).mean())
+    return float(angle_ranges_arcsec(normals).mean()), float(offset_ranges_um(offsets).mean())
 
 
 def _designed(rig: Rig, poses: int, rng: np.random.Generator) -> Station:

@@ -98,25 +98,55 @@ def rebuild(
             holds no frames or no joints, or none of its frames has joints around its
             stamp; the cloud is then not written.
     """
-    check_serials(calibration, arm)
-    recording = open_recording(recording_path)
     with cloud_writer(cloud_path) as cloud:
-        job = _Job(recording, calibration, arm, cloud)
-        workers = os.cpu_count() or 1
-        with ThreadPoolExecutor(workers, "rebuild") as pool:
-            try:
-                job.run(pool, 2 * workers, progress)
-            except BaseException:
-                pool.shutdown(cancel_futures=True)
-                raise
-        return job.result()
+        return _rebuilt(recording_path, calibration, arm, cloud, progress)
+
+
+def rebuilt_points(
+    recording_path: Path, calibration: Calibration, arm: Arm, progress: Progress = no_progress
+) -> tuple[Floats, Rebuilt]:
+    """As ``rebuild``, the points (N, 3) in memory."""
+    kept = _Kept()
+    result = _rebuilt(recording_path, calibration, arm, kept, progress)
+    return np.concatenate(kept.pieces), result
+
+
+class _Kept:
+    """Takes points as a cloud does, and keeps where they are."""
+
+    def __init__(self) -> None:
+        self.points = 0
+        self.pieces: list[Floats] = []
+
+    def append(self, points: Points) -> None:
+        self.points += len(points)
+        self.pieces.append(np.column_stack([points[axis] for axis in "xyz"]))
+
+
+def _rebuilt(
+    path: Path, calibration: Calibration, arm: Arm, cloud: CloudWriter | _Kept, progress: Progress
+) -> Rebuilt:
+    check_serials(calibration, arm)
+    job = _Job(open_recording(path), calibration, arm, cloud)
+    workers = os.cpu_count() or 1
+    with ThreadPoolExecutor(workers, "rebuild") as pool:
+        try:
+            job.run(pool, 2 * workers, progress)
+        except BaseException:
+            pool.shutdown(cancel_futures=True)
+            raise
+    return job.result()
 
 
 class _Job:
     """One pass over a recording."""
 
     def __init__(
-        self, recording: Recording, calibration: Calibration, arm: Arm, cloud: CloudWriter
+        self,
+        recording: Recording,
+        calibration: Calibration,
+        arm: Arm,
+        cloud: CloudWriter | _Kept,
     ) -> None:
         self._recording = recording
         self._calibration = calibration

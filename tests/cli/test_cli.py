@@ -415,3 +415,16 @@ def test_serve_refuses_a_busy_port(tmp_path: Path) -> None:
         taken.listen()
         port = str(taken.getsockname()[1])
         assert port in refused("serve", "--config", config, "--port", port)
+
+
+def test_study_compares_calibrations(tmp_path: Path, scan: dict[str, Path]) -> None:
+    paths = [scan[name] for name in ("scan.mcap", "calibration.json", "calibration.json")]
+    result = crenel("study", *paths, "--arm", scan["arm.json"], "-o", tmp_path / "t.csv", "--json")
+    assert result.exit_code == 0, result.stderr
+    told = json.loads(result.stdout)
+    assert told["between_calibrations"][0]["offset_um"] == 0
+    assert len((tmp_path / "t.csv").read_text().splitlines()) == 3
+    assert crenel("study", scan["scan.mcap"], "--arm", scan["arm.json"]).exit_code == 2
+    before = names_in(tmp_path)
+    assert "one plane" in refused("study", *paths[:2], "--arm", scan["arm.json"])
+    assert names_in(tmp_path) == before
