@@ -128,11 +128,16 @@ class RecordingWriter:
 
 
 class _Sink:
-    """The file under the writer. A failure is kept for ``check``: the writer prints its own."""
+    """The file under the writer. A failure is kept for ``check``: the writer prints its own.
+
+    After a failure the writer is told that all is well, and where it would stand, so that
+    it ends in order; it does not bear to find itself elsewhere.
+    """
 
     def __init__(self, path: Path) -> None:
         self._path = path
         self._failure: OSError | None = None
+        self._at = self._end = 0
         self.written = 0
         with files_refused(path):
             self._file = open(path, "xb", buffering=0)  # noqa: SIM115  closed by close()
@@ -145,10 +150,15 @@ class _Sink:
         except OSError as error:
             self._failure = error
         self.written += len(data)
+        self._at += len(data)
+        self._end = max(self._end, self._at)
         return len(data)
 
     def seek(self, offset: int, whence: int = 0) -> int:
-        return self._file.seek(offset, whence)
+        self._at = offset + (0, self._at, self._end)[whence]
+        if self._failure is None:
+            self._file.seek(self._at)
+        return self._at
 
     def flush(self) -> None:
         """Nothing is held back here."""
