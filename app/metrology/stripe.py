@@ -130,6 +130,7 @@ def extract_from(
     parts: NDArray[np.int64],
     where: NDArray[np.bool_],
     settings: StripeSettings,
+    told: NDArray[np.float32] | None = None,
 ) -> Stripe:
     """The stripe in parts of an image that is turned already; see ``extract_stripe``.
 
@@ -138,13 +139,15 @@ def extract_from(
         parts: (n, 4) first row and the one behind the last, first column and the one
             behind the last, of what is looked at.
         where: (H, W) pixels in which the stripe may lie, or (0, 0) for all.
+        told: (4,) what frames before told of the noise and the usual width, see
+            ``stripe_kernels.measure``; zeros are filled.
     """
     _check(settings)
     if grey.shape[0] <= LEAST_ROWS or grey.shape[1] < settings.min_run:
         return empty_stripe(axis)
     room = take_room(grey)
     try:
-        return _as_stripe(_points(grey, room, parts, where, settings), axis)
+        return _as_stripe(_points(grey, room, parts, where, settings, told), axis)
     finally:
         give_back(room)
 
@@ -155,13 +158,15 @@ def _points(
     parts: NDArray[np.int64],
     where: NDArray[np.bool_],
     settings: StripeSettings,
+    told: NDArray[np.float32] | None,
 ) -> Floats:
     """The stripe's points (4, N): along, across, height, standard deviation."""
     saturated = saturation_level(grey)
-    read = float(read_noise(grey, room.counts))
+    told = np.zeros(4, dtype=np.float32) if told is None else told
+    read = float(told[0]) or float(read_noise(grey, room.counts))
     highest = search(grey, where, parts, room.ring, room.wide, room.score, room.at)
     everywhere = np.zeros(0, dtype=np.bool_)
-    peaks, clipped = _peaks(grey, room, everywhere, read, saturated, settings)
+    peaks, clipped = _peaks(grey, room, everywhere, read, saturated, settings, told)
     if highest >= saturated or clipped >= CLIPPED_CORE:
         cores = clipped_cores(grey, saturated)
         if len(where):
@@ -264,6 +269,7 @@ def _peaks(
     read: float,
     saturated: float,
     settings: StripeSettings,
+    told: NDArray[np.float32] | None = None,
 ) -> tuple[Floats, int]:
     """The fitted peaks (5, n) of the columns sought, and the most pixels clipped in one."""
     threshold = settings.threshold
@@ -293,6 +299,7 @@ def _peaks(
         room.profiles,
         room.fits,
         room.peaks,
+        np.zeros(4, dtype=np.float32) if told is None else told,
     )
     return room.peaks[:, :found].copy(), clipped
 

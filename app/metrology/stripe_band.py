@@ -24,6 +24,8 @@ MARGIN = 24
 LOST = 16
 # Bands that make up more than this share of the image are as slow as all of it.
 MOST = 0.5
+# Frames after which the noise and the usual width are told anew.
+NOISE_TOLD = 8
 # The surroundings that a peak's score needs.
 SURROUNDINGS = LEAST_ROWS // 2 + 4
 
@@ -34,8 +36,8 @@ class StripeBand:
     Every block of columns is read about the rows where the stripe was in the frame before.
     A block that loses the stripe is read over its whole height at once, in the same frame.
     One block in turn is read over its whole height in every frame, so that what comes into
-    view elsewhere is found after as many frames as there are blocks. The points are those
-    that ``extract_stripe`` gives for the rows read.
+    view elsewhere is found after as many frames as there are blocks. The noise, by which
+    points are weighed and their deviations stated, is told anew every few frames.
     """
 
     def __init__(
@@ -59,6 +61,7 @@ class StripeBand:
         self._counts = np.zeros(0, dtype=np.int64)
         self._along = self._across = np.zeros(0)
         self._turn = 0
+        self._told = np.zeros(4, dtype=np.float32)
 
     def extract(self, image: Image) -> Stripe:
         """The stripe of the next frame; see ``extract_stripe`` for what is returned and raised."""
@@ -70,15 +73,18 @@ class StripeBand:
             self._along = self._across = np.zeros(0)
         whole = np.zeros(len(self._counts), dtype=np.bool_)
         whole[self._turn % len(whole)] = True
+        if self._turn % NOISE_TOLD == 0:
+            self._told[:] = 0
         self._turn += 1
         before = self._counts
         parts = self._parts(whole)
-        stripe = self._found(extract_from(grey, self._axis, parts, where, self._settings))
+        stripe = self._in(parts, grey, where)
         lost = self._counts < before - LOST
         if len(parts) > 1 and (lost.any() or not len(self._along)):
             whole |= lost if len(self._along) else True
+            self._told[:] = 0
             parts = self._parts(whole)
-            stripe = self._found(extract_from(grey, self._axis, parts, where, self._settings))
+            stripe = self._in(parts, grey, where)
         return stripe
 
     def _parts(self, whole: NDArray[np.bool_]) -> NDArray[np.int64]:
@@ -90,7 +96,9 @@ class StripeBand:
             return np.array([[0, height, 0, width]])
         return parts
 
-    def _found(self, stripe: Stripe) -> Stripe:
+    def _in(self, parts: NDArray[np.int64], grey: Image, where: NDArray[np.bool_]) -> Stripe:
+        """The stripe in these parts; remembers where it is."""
+        stripe = extract_from(grey, self._axis, parts, where, self._settings, self._told)
         self._along, self._across = stripe.along_across
         self._counts = points_of_blocks(self._along, len(self._counts))
         return stripe

@@ -39,7 +39,7 @@ NO_PEAK, WIDER, PEAK = np.float32(0), np.float32(1), np.float32(2)
 
 # A fit reaches so many standard deviations and pixels from the centre, and further out
 # beside clipped pixels: a clipped profile looks wider, and has its foot further out.
-REACH, REACH_PX, BESIDE_CLIPPED_PX = np.float32(2.6), np.float32(1), np.float32(2)
+REACH, REACH_PX, BESIDE_CLIPPED_PX = np.float32(3.2), np.float32(1), np.float32(2)
 FEWEST_PIXELS = np.float32(5)
 # Half a width and half a height is the most that a step may move by.
 LONGEST_STEP = np.float32(0.5)
@@ -310,6 +310,36 @@ def step(block: Singles) -> None:
         block[B + i] = block[B + i] + share * x3 * height if moving else block[B + i]
         block[MOVED + i] = largest if moving else np.float32(0)
         block[VAR + i] = inverse * width * width
+
+
+@vector_kernel
+def invert(block: Singles) -> None:
+    """Puts the inverse of every lane's normal matrix in the matrix's place."""
+    one = np.float32(1)
+    for i in range(ALL):
+        d0 = block[N00 + i]
+        l1, l2, l3 = block[N10 + i] / d0, block[N20 + i] / d0, block[N30 + i] / d0
+        d1 = block[N11 + i] - l1 * block[N10 + i]
+        m2 = (block[N21 + i] - l1 * block[N20 + i]) / d1
+        m3 = (block[N31 + i] - l1 * block[N30 + i]) / d1
+        d2 = block[N22 + i] - l2 * block[N20 + i] - m2 * m2 * d1
+        o3 = (block[N32 + i] - l2 * block[N30 + i] - m2 * m3 * d1) / d2
+        d3 = block[N33 + i] - l3 * block[N30 + i] - m3 * m3 * d1 - o3 * o3 * d2
+        c0, c1, c2, c3 = one / d0, one / d1, one / d2, one / d3
+        # the inverse of L in N = L D L'
+        z20 = m2 * l1 - l2
+        z31 = o3 * m2 - m3
+        z30 = m3 * l1 - l3 - o3 * z20
+        block[N00 + i] = c0 + l1 * l1 * c1 + z20 * z20 * c2 + z30 * z30 * c3
+        block[N10 + i] = z30 * z31 * c3 - l1 * c1 - z20 * m2 * c2
+        block[N11 + i] = c1 + m2 * m2 * c2 + z31 * z31 * c3
+        block[N20 + i] = z20 * c2 - z30 * o3 * c3
+        block[N21 + i] = -m2 * c2 - z31 * o3 * c3
+        block[N22 + i] = c2 + o3 * o3 * c3
+        block[N30 + i] = z30 * c3
+        block[N31 + i] = z31 * c3
+        block[N32 + i] = -o3 * c3
+        block[N33 + i] = c3
 
 
 @vector_kernel

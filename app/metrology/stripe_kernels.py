@@ -32,7 +32,7 @@ from app.metrology.stripe_search import CORE_ROWS, Grey, list_peaks
 NARROW, WIDE, LEAST_SIGMA_PX = 0.45, 2.2, 0.5
 MISFIT = 3.0
 # Rows about a peak that are looked at, by the usual standard deviation.
-REACH_SIGMAS, REACH_MORE = 3.25, 4.0
+REACH_SIGMAS, REACH_MORE = 3.6, 4.0
 # Steps of a fit, and of one that needs more of everything.
 STEPS, MORE_STEPS = 3, 30
 # Widths that the usual one is the median of.
@@ -66,6 +66,7 @@ def measure(
     profiles: Singles,
     fits: Floats,
     peaks: Floats,
+    told: Singles,
 ) -> tuple[int, int]:
     """Chooses, fits and sifts the peaks of all columns sought.
 
@@ -84,6 +85,8 @@ def measure(
         fits: (9, W) filled, see ``stripe_fit.fit_peaks``.
         peaks: (5, W) filled, in the order ALONG ... BROAD: UNSURE is the variance, BROAD the
             standard deviation of the width.
+        told: (4,) the noise's terms and the usual standard deviation of the width, filled
+            where the first is 0, else taken for known.
 
     Returns:
         How many peaks there are, and the most pixels that are clipped in one.
@@ -108,10 +111,14 @@ def measure(
         return 0, 0
     columns, rows = chosen[0][:n], chosen[1][:n]
     to_brightest(pixels, width, columns, rows, CORE_ROWS)
-    usual = usual_width(pixels, width, columns, rows, level, raw, blocks[0], profiles[0])
-    reach = min(int(np.ceil(REACH_SIGMAS * usual + REACH_MORE)), WIDEST_REACH)
-    noise = np.array([read, FIRST_GAIN * saturated, 0.0], dtype=np.float32)
-    tell_noise(pixels, width, columns, rows, reach, level, raw, blocks, profiles, noise)
+    noise = told[:3]
+    known = noise[0] > 0
+    if not known:
+        told[3] = usual_width(pixels, width, columns, rows, level, raw, blocks[0], profiles[0])
+        noise[0], noise[1], noise[2] = read, FIRST_GAIN * saturated, 0.0
+    reach = min(int(np.ceil(REACH_SIGMAS * told[3] + REACH_MORE)), WIDEST_REACH)
+    if not known:
+        tell_noise(pixels, width, columns, rows, reach, level, raw, blocks, profiles, noise)
     fits = fits[:, :n]
     fit_peaks(
         pixels, width, columns, rows, reach, noise, level, STEPS, raw, blocks[0], profiles[0], fits

@@ -13,6 +13,16 @@ from app.metrology.stripe_fit import (
     LANES,
     LAST,
     MOVED,
+    N00,
+    N10,
+    N11,
+    N20,
+    N21,
+    N22,
+    N30,
+    N31,
+    N32,
+    N33,
     PEAK,
     PER_S,
     SETTLED,
@@ -24,6 +34,7 @@ from app.metrology.stripe_fit import (
     Singles,
     bell,
     gather,
+    invert,
     normal_equations,
     set_windows,
     start,
@@ -41,8 +52,8 @@ BLOCKS = 4
 OUTLYING = 25.0
 # Fewer pixels tell nothing.
 FEWEST = 60
-# Steps of the fits that show the noise.
-STEPS = 2
+# Pixels that the fit follows more closely than this share tell nothing.
+LEAST_SHARE = np.float32(0.2)
 # What the noise is before it is told: grey levels squared per level, of a full scale of 255.
 FIRST_GAIN = 0.01 / 255
 
@@ -109,15 +120,18 @@ def moments(
 ) -> None:
     """Adds up what a block's residuals tell of the noise, lane by lane.
 
+    A squared residual is divided by its redundancy, the share of the pixel's error that
+    the fit leaves (Foerstner's estimate): the fit follows some pixels closely.
+
     Args:
         noise: (3,) the model by which they are weighed, see ``normal_equations``.
         outlying: the most that a squared residual counts for, in variances.
         sums: (6 LANES,) sums of s^2, s^3, s^4, s d, s^2 d and 1, where s is a pixel's signal
-            and d its squared residual, freed of the fit's own share, less the read noise.
+            and d its squared residual over its redundancy, less the read noise.
     """
     n0, n1, n2 = noise[0], noise[1], noise[2]
     rows = np.uintp(len(profile)) // ALL
-    one, four = np.float32(1), np.float32(4)
+    one, two, five = np.float32(1), np.float32(2), np.float32(5)
     for k in range(rows):
         x = np.float32(k)
         row = k * ALL
@@ -126,14 +140,26 @@ def moments(
             s = block[A + i] * bell(t)
             pixel = profile[row + i]
             counts = (x >= block[FIRST + i]) & (x <= block[LAST + i]) & (pixel < saturated)
-            counts &= (block[STATE + i] == PEAK) & (block[USED + i] > four + one)
+            counts &= (block[STATE + i] == PEAK) & (block[USED + i] > five)
             counts &= block[MOVED + i] < SETTLED
             # a narrow spike that the speckle made is fitted far above what the pixels hold
             counts &= block[A + i] < saturated
             variance = n0 + s * (n1 + s * n2)
             left = pixel - block[B + i] - s
-            share = block[USED + i] / max(block[USED + i] - four, one)
-            d = min(left * left * share, outlying * variance) - n0
+            # the share of a pixel's error that the fit leaves
+            e = s / block[A + i]
+            et = e * t
+            ett = et * t
+            taken = et * (et * block[N00 + i] + two * (e * block[N10 + i] + ett * block[N20 + i]))
+            taken += e * (e * block[N11 + i] + two * ett * block[N21 + i])
+            taken += ett * ett * block[N22 + i] + block[N33 + i]
+            taken += two * (et * block[N30 + i] + e * block[N31 + i] + ett * block[N32 + i])
+            share = one - taken * block[A + i] * block[A + i] / variance
+            counts &= share > LEAST_SHARE
+            d = min(left * left / max(share, LEAST_SHARE), outlying * variance) - n0
+            # a lane without a solution may hold no numbers at all
+            d = d if counts else np.float32(0)
+            s = s if counts else np.float32(0)
             weight = one / (variance * variance) if counts else np.float32(0)
             ws = weight * s
             wss = ws * s
@@ -201,12 +227,14 @@ def tell_noise(
         gather(pixels, width, some_columns, some_rows, reach, raw, profile)
         start(block, profile, reach, saturated)
         set_windows(block, profile, reach, saturated)
-        for _ in range(STEPS):
-            normal_equations(block, profile, noise, saturated)
-            step(block)
+        normal_equations(block, profile, noise, saturated)
+        step(block)
     sums = np.empty(6 * LANES, np.float32)
-    for outlying in (np.inf, OUTLYING):
+    for outlying in (np.inf, OUTLYING, OUTLYING):
         sums[:] = 0
         for b in range(taken):
+            normal_equations(blocks[b], profiles[b][:used], noise, saturated)
+            step(blocks[b])
+            invert(blocks[b])
             moments(blocks[b], profiles[b][:used], noise, saturated, np.float32(outlying), sums)
         non_negative(sums, noise)
