@@ -11,7 +11,7 @@ import typer
 
 from app.cli_arm import articulation, identify
 from app.cli_bench import bench
-from app.cli_scan import reconstruct, study
+from app.cli_scan import reconstruct, replay, study
 from app.console import (
     print_figures,
     print_json,
@@ -248,6 +248,7 @@ def verify(
 
 cli.command()(reconstruct)
 cli.command()(study)
+cli.command()(replay)
 cli.command()(identify)
 cli.command()(articulation)
 cli.add_typer(bench, name="bench")

@@ -127,3 +127,34 @@ def study(
     print_table("How far it turns and shifts", columns, range_rows(done))
     if output is not None:
         print(f"{output} written")
+
+
+@refusing
+def replay(
+    recording: Annotated[Path, typer.Argument(metavar="SCAN.mcap", help="A scan recording.")],
+    calibration: Annotated[
+        Path | None,
+        typer.Option(help="The sensor's calibration.json; by default beside the recording."),
+    ] = None,
+    arm: Annotated[
+        Path | None, typer.Option(help="The arm's arm.json; by default beside the recording.")
+    ] = None,
+    speed: Annotated[
+        float, typer.Option(min=0.0, help="1 as it was taken; 0 as fast as it can be read.")
+    ] = 1.0,
+    host: Annotated[str, typer.Option(help="Address to listen on.")] = "127.0.0.1",
+    port: Annotated[int, typer.Option(min=0, max=65535, help="Port to listen on.")] = 8000,
+    open_browser: Annotated[
+        bool, typer.Option("--open/--no-open", help="Open the browser.")
+    ] = True,
+) -> None:
+    """The live display fed from a recording, with any calibration."""
+    from app.files.arm import read_arm
+    from app.files.calibration import read_calibration
+    from app.main import replay as run_replay
+    from app.replay import Replay
+
+    sensor = read_calibration(calibration or recording.with_name("calibration.json"))
+    arm_model = read_arm(arm or recording.with_name("arm.json"))
+    show = Replay(recording, sensor, arm_model, speed)
+    run_replay(show, f"Replay of {recording.name}", host, port, open_browser)

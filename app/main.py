@@ -4,6 +4,7 @@ import asyncio
 import logging
 import socket
 import sys
+import tempfile
 import webbrowser
 from collections.abc import AsyncIterator, Callable
 from contextlib import AbstractAsyncContextManager, asynccontextmanager
@@ -19,6 +20,7 @@ from app.api.ticker import tick
 from app.api.wiring import Parts, close_context, open_context
 from app.files.software import SOFTWARE
 from app.metrology.refusal import Refusal
+from app.replay import Replay
 from app.settings import read_settings, user_data_folder
 from app.station.warm_up import warm_up
 from hardware.errors import DeviceError
@@ -113,6 +115,18 @@ def demo(data: Path | None, host: str, port: int, open_browser: bool) -> None:
         _run(parts, listening, host, open_browser)
 
 
+def replay(show: Replay, title: str, host: str, port: int, open_browser: bool) -> None:
+    """Runs the display on a recording, in a data folder of its own that is then removed.
+
+    Raises:
+        Refusal: no port is free.
+    """
+    listening = _listen(host, port, PORTS_TRIED)
+    with tempfile.TemporaryDirectory(prefix="crenel-replay-") as data:
+        parts = Parts(title, Path(data), show.arm, show.sensor, hosts=(host,))
+        _run(parts, listening, host, open_browser, show)
+
+
 def _listen(host: str, port: int, tries: int) -> socket.socket:
     """A bound socket, on the port or one of the next ``tries - 1``."""
     family = socket.AF_INET6 if ":" in host else socket.AF_INET
@@ -167,7 +181,13 @@ class StationServer(uvicorn.Server):
                 await asyncio.to_thread(webbrowser.open, self.address)
 
 
-def _run(parts: Parts, listening: socket.socket, host: str, open_browser: bool) -> None:
+def _run(
+    parts: Parts,
+    listening: socket.socket,
+    host: str,
+    open_browser: bool,
+    show: Replay | None = None,
+) -> None:
     """Serves until SIGINT or SIGTERM.
 
     Raises:
@@ -181,9 +201,13 @@ def _run(parts: Parts, listening: socket.socket, host: str, open_browser: bool) 
     server = make_server(app)
     server.address = f"http://{bracketed}:{listening.getsockname()[1]}/"
     server.open_browser = open_browser
+    if show is not None:
+        show.start(app.state.context.scene, app.state.context.bus)
     try:
         server.run(sockets=[listening])
     except KeyboardInterrupt:
         pass  # uvicorn raises the signal again once it has ended in order
     finally:
         listening.close()
+        if show is not None:
+            show.stop()

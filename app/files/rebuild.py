@@ -2,6 +2,7 @@
 
 import os
 from collections import deque
+from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,7 +11,7 @@ import numpy as np
 
 from app.files.calibration import Calibration
 from app.files.cloud_points import Points
-from app.files.clouds import CloudWriter, cloud_writer
+from app.files.clouds import cloud_writer
 from app.files.frame_points import Placing, placed
 from app.files.joint_track import JointTrack
 from app.files.progress import Progress, no_progress
@@ -28,6 +29,8 @@ from app.metrology.arm import Arm, flange_poses
 from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
 
+Take = Callable[[Points, int], None]
+"""Given points as they are made, and the stamp of the last frame they come from."""
 REMEMBERED = 4096
 """A frame's picture stands at most so many frames from its stripe."""
 
@@ -79,6 +82,7 @@ class _Made:
     placed: int
     dark: int
     unplaced_ns: list[int]
+    last_ns: int
 
 
 def rebuild(
@@ -99,35 +103,35 @@ def rebuild(
             stamp; the cloud is then not written.
     """
     with cloud_writer(cloud_path) as cloud:
-        return _rebuilt(recording_path, calibration, arm, cloud, progress)
+        return rebuild_into(
+            recording_path, calibration, arm, lambda points, _: cloud.append(points), progress
+        )
 
 
 def rebuilt_points(
-    recording_path: Path, calibration: Calibration, arm: Arm, progress: Progress = no_progress
+    recording_path: Path, calibration: Calibration, arm: Arm
 ) -> tuple[Floats, Rebuilt]:
     """As ``rebuild``, the points (N, 3) in memory."""
-    kept = _Kept()
-    result = _rebuilt(recording_path, calibration, arm, kept, progress)
-    return np.concatenate(kept.pieces), result
+    kept: list[Floats] = []
+    result = rebuild_into(
+        recording_path,
+        calibration,
+        arm,
+        lambda points, _: kept.append(np.column_stack([points[axis] for axis in "xyz"])),
+    )
+    return np.concatenate(kept), result
 
 
-class _Kept:
-    """Takes points as a cloud does, and keeps where they are."""
-
-    def __init__(self) -> None:
-        self.points = 0
-        self.pieces: list[Floats] = []
-
-    def append(self, points: Points) -> None:
-        self.points += len(points)
-        self.pieces.append(np.column_stack([points[axis] for axis in "xyz"]))
-
-
-def _rebuilt(
-    path: Path, calibration: Calibration, arm: Arm, cloud: CloudWriter | _Kept, progress: Progress
+def rebuild_into(
+    recording_path: Path,
+    calibration: Calibration,
+    arm: Arm,
+    take: Take,
+    progress: Progress = no_progress,
 ) -> Rebuilt:
+    """As ``rebuild``, the points handed to ``take`` in their order, on the caller's thread."""
     check_serials(calibration, arm)
-    job = _Job(open_recording(path), calibration, arm, cloud)
+    job = _Job(open_recording(recording_path), calibration, arm, take)
     workers = os.cpu_count() or 1
     with ThreadPoolExecutor(workers, "rebuild") as pool:
         try:
@@ -142,16 +146,13 @@ class _Job:
     """One pass over a recording."""
 
     def __init__(
-        self,
-        recording: Recording,
-        calibration: Calibration,
-        arm: Arm,
-        cloud: CloudWriter | _Kept,
+        self, recording: Recording, calibration: Calibration, arm: Arm, take: Take
     ) -> None:
         self._recording = recording
         self._calibration = calibration
         self._arm = arm
-        self._cloud = cloud
+        self._take_points = take
+        self._points = 0
         self._joints = JointReader(recording.path, arm)
         self._track = JointTrack(arm.joint_count)
         self._recent: deque[int] = deque(maxlen=REMEMBERED)
@@ -182,7 +183,7 @@ class _Job:
         unplaced, start_ns = self._unplaced_ns, self._recording.first_ns or 0
         joints, frames = self._joint_clock.report(), self._frame_clock.report()
         return Rebuilt(
-            points=self._cloud.points,
+            points=self._points,
             frames=self._frames,
             frames_without_stripe=self._dark,
             frames_without_joints=len(unplaced),
@@ -245,11 +246,12 @@ class _Job:
             if count and not good
         ]
         dark = int((counts == 0).sum())
-        return _Made(points, len(counts) - dark - len(unplaced), dark, unplaced)
+        return _Made(points, len(counts) - dark - len(unplaced), dark, unplaced, waiting.last_ns)
 
     def _write(self) -> None:
         made = self._making.popleft().result()
-        self._cloud.append(made.points)
+        self._points += len(made.points)
+        self._take_points(made.points, made.last_ns)
         self._frames += made.placed
         self._dark += made.dark
         self._unplaced_ns += made.unplaced_ns
@@ -302,7 +304,7 @@ class _Job:
                 )
 
     def _refuse_nothing(self) -> None:
-        if self._cloud.points:
+        if self._points:
             return
         topics = self._recording.topics
         named = self._recording.cut or str(self._recording.path)

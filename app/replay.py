@@ -1,0 +1,145 @@
+"""A recording shown again: the live display fed from a file, at any speed."""
+
+import math
+import threading
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import numpy as np
+
+from app.files.calibration import Calibration
+from app.files.cloud_points import Points
+from app.files.rebuild import rebuild_into
+from app.files.recorded_joints import JointReader
+from app.files.recording import ImageRecord, open_recording
+from app.files.recording_stream import blocks
+from app.metrology.arm import Arm
+from app.metrology.frames import apply, rigid
+from app.metrology.reconstruct import sensor_points
+from app.metrology.refusal import Refusal
+from app.station.bus import Bus
+from app.station.scene import Scene
+from hardware.clock import now_ns
+from hardware.interfaces import ArmInfo, SensorInfo
+from hardware.replay import Pictures, Readings, ReplayArm, ReplayClock, ReplaySensor
+
+PIECE_S = 0.05
+"""Points are shown in pieces of so much time."""
+DEPTH_MM = (-50.0, 50.0)
+"""The drawn measuring range, about the middle of the picture."""
+
+
+class Replay:
+    """Plays one recording: its arm moves, its pictures come, and its points appear."""
+
+    def __init__(self, path: Path, calibration: Calibration, arm: Arm, speed: float) -> None:
+        """Looks at the recording's start; raises ``Refusal`` where it cannot be replayed."""
+        self._path, self._calibration, self._arm = path, calibration, arm
+        self._rate_hz, first_ns = self._looked()
+        self._clock = ReplayClock(first_ns, speed)
+        self._ended = threading.Event()
+        self._thread: threading.Thread | None = None
+
+    def arm(self) -> ReplayArm:
+        """A driver of the recorded arm."""
+        known = self._arm
+        info = ArmInfo(known.name, known.serial_number, known.joint_count, self._rate_hz)
+        return ReplayArm(info, self._clock, self._readings)
+
+    def sensor(self) -> ReplaySensor:
+        """A driver of the recorded sensor."""
+        camera, serial = self._calibration.camera, self._calibration.serial_numbers.sensor or ""
+        info = SensorInfo(
+            "recording", serial, camera.width_px, camera.height_px, (1000.0, 1000.0), False
+        )
+        return ReplaySensor(info, self._clock, self._pictures)
+
+    def start(self, scene: Scene, bus: Bus) -> None:
+        """Begins to show points, on a thread of its own."""
+        use = self._calibration
+        scene.clear()
+        scene.set_arm_model(self._arm)
+        depth = float(np.median(_depths(use)))
+        low, high = depth + DEPTH_MM[0], depth + DEPTH_MM[1]
+        scene.set_sensor(use.T_flange_sensor, use.camera, use.plane, (max(low, 1.0), high))
+        self._clock.__post_init__()
+        self._thread = threading.Thread(
+            target=self._show, args=(scene, bus), name="replay", daemon=True
+        )
+        self._thread.start()
+
+    def stop(self) -> None:
+        """Shows no more."""
+        self._ended.set()
+        if self._thread is not None:
+            self._thread.join(5.0)
+
+    def _looked(self) -> tuple[float, int]:
+        """The arm's rate in readings a second, and the first stamp."""
+        stamps = [stamp_ns for stamp_ns, _ in _first(self._readings(), 200)]
+        if len(stamps) < 2:
+            raise Refusal("recording-without-joints", f"{self._path}: no joint angles")
+        return 1e9 * (len(stamps) - 1) / max(stamps[-1] - stamps[0], 1), stamps[0]
+
+    def _readings(self) -> Readings:
+        reader = JointReader(self._path, self._arm)
+        with ThreadPoolExecutor(1, "replay-joints") as pool:
+            for block in blocks(open_recording(self._path), pool, 1):
+                for samples in block.joints:
+                    stamps_ns, q_rad = reader.readings(samples)
+                    yield from zip(stamps_ns.tolist(), map(tuple, q_rad.tolist()), strict=True)
+
+    def _pictures(self) -> Pictures:
+        with ThreadPoolExecutor(1, "replay-pictures") as pool:
+            for block in blocks(open_recording(self._path), pool, 1):
+                for frame in block.frames:
+                    if isinstance(frame.source, ImageRecord):
+                        yield frame.stamp_ns, frame.source.picture()
+
+    def _show(self, scene: Scene, bus: Bus) -> None:
+        last_ns = self._clock.first_ns
+
+        def take(points: Points, stamp_ns: int) -> None:
+            nonlocal last_ns
+            self._show_over(scene, points, last_ns, stamp_ns)
+            last_ns = stamp_ns
+
+        try:
+            rebuilt = rebuild_into(self._path, self._calibration, self._arm, take)
+        except _EndedError:
+            return
+        except Refusal as refusal:
+            bus.event("replay", refusal.line, "bad")
+            return
+        bus.event("replay", f"{self._path.name}: {rebuilt.points} points shown", "good")
+
+    def _show_over(self, scene: Scene, points: Points, first_ns: int, last_ns: int) -> None:
+        """Shows points spread over the time in which they were taken."""
+        over_s = (last_ns - first_ns) / 1e9 / self._clock.speed if self._clock.speed else 0.0
+        pieces = max(1, min(math.ceil(over_s / PIECE_S), len(points)))
+        for k, piece in enumerate(np.array_split(points, pieces)):
+            stamp_ns = first_ns + (last_ns - first_ns) * (k + 1) // pieces
+            wait_s = (self._clock.due_ns(stamp_ns) - now_ns()) / 1e9
+            if self._ended.wait(max(wait_s, 0.0)):
+                raise _EndedError
+            xyz = np.column_stack([piece[axis] for axis in "xyz"])
+            scene.add_points(xyz, piece["intensity"].astype(np.float64))
+
+
+class _EndedError(Exception):
+    """Told to stop."""
+
+
+def _first(readings: Readings, count: int) -> Iterator[tuple[int, tuple[float, ...]]]:
+    for reading, _ in zip(readings, range(count), strict=False):
+        yield reading
+
+
+def _depths(use: Calibration) -> list[float]:
+    """How far in front of the camera the laser's plane is met, along the picture's middle."""
+    camera = use.camera
+    v = np.linspace(0.2, 0.8, 7) * camera.height_px
+    found = sensor_points(camera, use.plane, np.column_stack([np.full(7, camera.width_px / 2), v]))
+    depths = apply(rigid(camera.rotation, camera.translation_mm), found)[:, 2]
+    return [float(depth) for depth in depths if math.isfinite(depth)] or [100.0]

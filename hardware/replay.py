@@ -1,0 +1,129 @@
+"""A recording in place of the devices: its joints and pictures again, as they came.
+
+Stamps are moved to now, at any speed. What a recording holds is handed in, so that no
+file format is known here.
+"""
+
+import threading
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hardware.clock import now_ns
+from hardware.interfaces import ArmInfo, ArmRecord, Frame, JointSample, LinkHealth, SensorInfo
+
+REST_NS = 20_000_000
+"""Between readings of an arm that has come to its last."""
+
+Readings = Iterable[tuple[int, tuple[float, ...]]]
+"""Stamps (ns) and encoder angles (rad) in their order."""
+Pictures = Iterable[tuple[int, NDArray[np.uint8] | NDArray[np.uint16]]]
+
+
+@dataclass
+class ReplayClock:
+    """When what was recorded comes again; one clock for all that replays."""
+
+    first_ns: int
+    """Of the recording."""
+    speed: float
+    """1 as it was; 0 as fast as it can be read."""
+
+    def __post_init__(self) -> None:
+        self._start_ns = now_ns()
+
+    def due_ns(self, stamp_ns: int) -> int:
+        """When a stamp is due, on the host's clock."""
+        if not self.speed:
+            return now_ns()
+        return self._start_ns + int((stamp_ns - self.first_ns) / self.speed)
+
+
+class ReplayArm:
+    """Meets ``ArmDriver``; stays where the recording ends."""
+
+    def __init__(self, info: ArmInfo, clock: ReplayClock, readings: Callable[[], Readings]) -> None:
+        self._info, self._clock, self._readings = info, clock, readings
+        self._coming: Iterator[tuple[int, tuple[float, ...]]] = iter(())
+        self._next: tuple[int, tuple[float, ...]] | None = None
+        self._last: tuple[float, ...] | None = None
+        self._health = LinkHealth()
+        self._closed = threading.Event()
+
+    @property
+    def health(self) -> LinkHealth:
+        return self._health
+
+    def open(self) -> ArmInfo:
+        self._closed.clear()
+        self._coming = iter(self._readings())
+        self._next = next(self._coming, None)
+        return self._info
+
+    def read(self, timeout_s: float) -> Sequence[ArmRecord]:
+        wait_s = min(timeout_s, REST_NS / 1e9)
+        if self._closed.wait(wait_s):
+            return []
+        now, found = now_ns(), []
+        while self._next is not None and self._clock.due_ns(self._next[0]) <= now:
+            stamp_ns, self._last = self._next
+            found.append(self._sample(self._clock.due_ns(stamp_ns), self._last))
+            self._next = next(self._coming, None)
+        if not found and self._next is None and self._last is not None:
+            found.append(self._sample(now, self._last))
+        return found
+
+    def _sample(self, stamp_ns: int, q_rad: tuple[float, ...]) -> JointSample:
+        self._health.received += 1
+        return JointSample(self._health.received, stamp_ns, q_rad)
+
+    def close(self) -> None:
+        self._closed.set()
+
+
+class ReplaySensor:
+    """Meets ``SensorDriver``; silent where no pictures were recorded."""
+
+    def __init__(
+        self, info: SensorInfo, clock: ReplayClock, pictures: Callable[[], Pictures]
+    ) -> None:
+        self._info, self._clock, self._pictures = info, clock, pictures
+        self._coming: Iterator[tuple[int, NDArray[np.uint8] | NDArray[np.uint16]]] = iter(())
+        self._next: tuple[int, NDArray[np.uint8] | NDArray[np.uint16]] | None = None
+        self._health = LinkHealth()
+        self._closed = threading.Event()
+
+    @property
+    def health(self) -> LinkHealth:
+        return self._health
+
+    def open(self) -> SensorInfo:
+        self._closed.clear()
+        self._coming = iter(self._pictures())
+        self._next = next(self._coming, None)
+        return self._info
+
+    def read(self, timeout_s: float) -> Frame | None:
+        left_s = timeout_s
+        if self._next is not None:
+            left_s = (self._clock.due_ns(self._next[0]) - now_ns()) / 1e9
+        if self._closed.wait(min(max(left_s, 0.0), timeout_s)) or self._next is None:
+            return None
+        if left_s > timeout_s:
+            return None
+        stamp_ns, picture = self._next
+        self._next = next(self._coming, None)
+        self._health.received += 1
+        due_ns = self._clock.due_ns(stamp_ns)
+        return Frame(self._health.received, due_ns, picture, self._info.exposure_range_us[0], True)
+
+    def set_exposure_us(self, exposure_us: float) -> None:
+        """What was exposed stays so."""
+
+    def set_laser(self, on: bool) -> None:
+        """There is none to switch."""
+
+    def close(self) -> None:
+        self._closed.set()

@@ -1,0 +1,146 @@
+"""A recording shown again on the live display."""
+
+import subprocess
+import sys
+import threading
+import time
+import urllib.request
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from app.files.arm import write_arm
+from app.files.recording_writer import RecordingWriter
+from app.metrology.refusal import Refusal
+from app.replay import Replay
+from app.station.bus import Bus
+from hardware.clock import now_ns
+from hardware.interfaces import JointSample
+from tests.files.builders import ARM, HEIGHT, WIDTH, joints_every, little_calibration, q_at
+from tests.files.test_documents import calibration_file
+from tests.files.test_rebuild import MS, NAMES, expected, record_image, record_stripe
+
+ROOT = Path(__file__).resolve().parents[2]
+PORT = ("--port", "0")
+STAMPS = [100 * MS + i * 10 * MS for i in range(60)]
+
+
+class Shown:
+    """Stands where the scene does, and notes when points came."""
+
+    def __init__(self) -> None:
+        self.points: list[np.ndarray] = []
+        self.came_ns: list[int] = []
+
+    def clear(self) -> None: ...
+
+    def set_arm_model(self, arm: object) -> None: ...
+
+    def set_sensor(self, *of: object) -> None: ...
+
+    def add_points(self, xyz_mm: np.ndarray, intensity: np.ndarray) -> None:
+        self.points.append(xyz_mm)
+        self.came_ns.append(now_ns())
+
+
+def scan(path: Path, images: bool = False) -> Path:
+    with RecordingWriter(path, NAMES) as writer:
+        joints_every(writer, 0, 800 * MS, 4 * MS)
+        for stamp in STAMPS:
+            if images:
+                record_image(writer, stamp)
+            else:
+                record_stripe(writer, stamp)
+    return path
+
+
+def shown(path: Path, speed: float) -> tuple[Shown, float]:
+    replay, scene = Replay(path, little_calibration(), ARM, speed), Shown()
+    began_s = time.monotonic()
+    replay.start(scene, Bus())  # type: ignore[arg-type]
+    assert replay._thread is not None
+    replay._thread.join(30.0)
+    assert not replay._thread.is_alive()
+    return scene, time.monotonic() - began_s
+
+
+def test_every_point_is_shown_where_it_was_and_when_it_is_due(tmp_path: Path) -> None:
+    path = scan(tmp_path / "scan.mcap")
+    scene, seconds = shown(path, 1.0)
+    np.testing.assert_allclose(np.concatenate(scene.points), expected(STAMPS), atol=1e-8)
+    assert seconds > 0.65
+    assert len(scene.points) >= 10
+    assert np.ptp(scene.came_ns) > 0.4e9
+
+
+def test_as_fast_as_it_can_be_read(tmp_path: Path) -> None:
+    path = scan(tmp_path / "scan.mcap")
+    scene, _ = shown(path, 0.0)
+    assert sum(len(piece) for piece in scene.points) == 60 * 25
+    assert len(scene.points) == 1
+
+
+def test_arm_and_pictures_come_again_by_the_same_clock(tmp_path: Path) -> None:
+    replay = Replay(scan(tmp_path / "scan.mcap", images=True), little_calibration(), ARM, 4.0)
+    arm, sensor = replay.arm(), replay.sensor()
+    info = arm.open()
+    assert (info.serial_number, info.rate_hz) == ("A-1", pytest.approx(250))
+    assert sensor.open().width_px == WIDTH
+    began_ns, samples, frames = now_ns(), [], []
+    while now_ns() - began_ns < 0.5e9:
+        samples += [one for one in arm.read(0.01) if isinstance(one, JointSample)]
+        while (frame := sensor.read(0.0)) is not None:
+            frames.append(frame)
+    assert len(frames) == 60
+    assert frames[0].image.shape == (HEIGHT, WIDTH)
+    steps = np.diff([frame.mid_exposure_ns for frame in frames])
+    np.testing.assert_allclose(steps, 2.5 * MS, atol=2)
+    moving = samples[:201]
+    np.testing.assert_allclose(moving[100].joints_rad, q_at(400 * MS), atol=1e-12)
+    assert moving[200].stamp_ns - moving[0].stamp_ns == pytest.approx(200 * MS, abs=2)
+    assert len(samples) > 201  # it rests at its last, and says so
+    assert samples[-1].joints_rad == moving[-1].joints_rad
+    arm.close()
+    sensor.close()
+    assert arm.read(1.0) == []
+
+
+def test_what_cannot_be_replayed_is_refused(tmp_path: Path) -> None:
+    with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
+        record_stripe(writer, 5)
+    with pytest.raises(Refusal, match="no joint angles"):
+        Replay(tmp_path / "scan.mcap", little_calibration(), ARM, 1.0)
+
+
+def test_the_command_serves_the_display(tmp_path: Path) -> None:
+    calibration_file().write(tmp_path / "calibration.json")
+    write_arm(tmp_path / "arm.json", ARM)
+    scan(tmp_path / "scan.mcap")
+    script = "from app.cli import main; main()"
+    with subprocess.Popen(
+        [
+            sys.executable,
+            "-c",
+            script,
+            "replay",
+            tmp_path / "scan.mcap",
+            "--no-open",
+            "--port",
+            "0",
+        ],
+        cwd=ROOT,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    ) as process:
+        killer = threading.Timer(100, process.kill)
+        killer.start()
+        assert process.stdout is not None
+        address = process.stdout.readline().split()[3]
+        with urllib.request.urlopen(f"{address}api/home", timeout=10) as answer:
+            assert "Replay of scan.mcap" in answer.read().decode()
+        process.terminate()
+        process.wait(20)
+        killer.cancel()
+    assert process.returncode in (0, 143, -15)
