@@ -1,0 +1,148 @@
+"""What an operator may set, which of several peaks is the stripe, and following it."""
+
+from typing import get_args
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from app.bench.extraction import crenel_line, judged, spoiled, taken
+from app.metrology.frames import Floats
+from app.metrology.refusal import Refusal
+from app.metrology.stripe import Choice, Stripe, StripeSettings, extract_stripe
+from app.metrology.stripe_band import StripeBand
+
+WIDTH, HEIGHT = 512, 400
+U = np.arange(WIDTH)
+MAIN = 200 + 10 * np.sin(U / 60)
+
+
+def picture(*lines: tuple[Floats, Floats], width_px: float = 2.0) -> NDArray[np.uint8]:
+    """Lines of (row, height) by columns, with noise."""
+    rows = np.arange(HEIGHT)[:, None]
+    light = sum(height * np.exp(-0.5 * ((rows - row) / width_px) ** 2) for row, height in lines)
+    noise = np.random.default_rng(0).normal(0, 2, (HEIGHT, WIDTH))
+    return np.clip(np.rint(8 + light + noise), 0, 255).astype(np.uint8)
+
+
+def share_on(stripe: Stripe, row: Floats) -> float:
+    """The share of all columns that have a point on this line."""
+    return float(np.mean(np.isin(U, stripe.u[np.abs(stripe.v - row[stripe.u.astype(int)]) < 1])))
+
+
+def steady(height: float) -> Floats:
+    return np.full(WIDTH, height)
+
+
+# a reflection that is brighter than the line, but only over 40 columns, and dim beyond
+REFLECTION = np.where(np.abs(U - 250) < 20, 160.0, np.where(np.abs(U - 250) < 150, 40.0, 0.0))
+
+
+@pytest.mark.parametrize(
+    ("rule", "on_main", "on_upper"),
+    [("continuity", 1, 0), ("strength", 0.92, 0.08), ("first", 0.42, 0.58), ("last", 1, 0)],
+)
+def test_of_several_peaks_the_rule_chooses(rule: Choice, on_main: float, on_upper: float) -> None:
+    image = picture((MAIN, steady(100)), (MAIN - 70, REFLECTION))
+    stripe = extract_stripe(image, settings=StripeSettings(choice=rule))
+    assert share_on(stripe, MAIN) == pytest.approx(on_main, abs=0.03)
+    assert share_on(stripe, MAIN - 70) == pytest.approx(on_upper, abs=0.03)
+
+
+def test_every_rule_finds_a_line_that_is_alone() -> None:
+    image = picture((MAIN, steady(100)))
+    for rule in get_args(Choice):
+        assert share_on(extract_stripe(image, settings=StripeSettings(choice=rule)), MAIN) > 0.98
+
+
+def test_peaks_below_the_threshold_are_none() -> None:
+    image = picture((MAIN, np.where(U < 256, 120.0, 30.0)))
+    assert share_on(extract_stripe(image), MAIN) > 0.98
+    bright = extract_stripe(image, settings=StripeSettings(threshold=60))
+    assert len(bright.u) > 250
+    assert bright.u.max() < 257
+
+
+def test_peaks_of_another_width_are_none() -> None:
+    image = picture((MAIN, steady(100)), width_px=2.0)  # 4.7 px at half height
+    assert len(extract_stripe(image, settings=StripeSettings(min_width_px=6.0)).u) == 0
+    assert len(extract_stripe(image, settings=StripeSettings(max_width_px=4.0)).u) == 0
+    both = StripeSettings(min_width_px=4.0, max_width_px=6.0)
+    assert share_on(extract_stripe(image, settings=both), MAIN) > 0.98
+
+
+def test_short_pieces_are_left_out_as_wished() -> None:
+    image = picture((MAIN, np.where(U % 100 < 50, 100.0, 0.0)))
+    assert share_on(extract_stripe(image), MAIN) == pytest.approx(0.5, abs=0.03)
+    assert len(extract_stripe(image, settings=StripeSettings(min_run=60)).u) == 0
+
+
+def test_masked_zones_hold_no_points() -> None:
+    image = picture((MAIN, steady(100)), (MAIN - 70, steady(160)))
+    where = np.ones(image.shape, dtype=bool)
+    where[:165] = False
+    stripe = extract_stripe(image, where=where)
+    assert share_on(stripe, MAIN) > 0.98
+    with pytest.raises(Refusal, match="another size"):
+        extract_stripe(image, where=where[1:])
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        StripeSettings(threshold=-1),
+        StripeSettings(min_width_px=float("nan")),
+        StripeSettings(min_width_px=5, max_width_px=4),
+        StripeSettings(min_run=0),
+        StripeSettings(choice="brightest"),  # type: ignore[arg-type]
+    ],
+)
+def test_settings_that_cannot_be_meant_are_refused(wrong: StripeSettings) -> None:
+    with pytest.raises(Refusal, match="of the stripe"):
+        extract_stripe(picture((MAIN, steady(100))), settings=wrong)
+
+
+def test_reflections_spots_and_hot_pixels_give_no_points() -> None:
+    found = judged([spoiled(seed) for seed in range(4)], crenel_line)
+    assert found.false < 0.5
+    assert found.missed < 0.03
+
+
+@pytest.mark.parametrize("grains", [None, (0.0, 2.0)])
+def test_stripes_of_all_widths_are_placed_at_the_bound_and_say_so(
+    grains: tuple[float, float] | None,
+) -> None:
+    found = judged([taken(seed, grains) for seed in range(8)], crenel_line)
+    assert found.over_bound < (1.03 if grains is None else 1.08)
+    assert found.pull == pytest.approx(1, abs=0.06)
+
+
+@pytest.mark.parametrize("axis", ["u", "v"])
+def test_a_followed_stripe_is_that_of_the_whole_frame(axis: str) -> None:
+    band = StripeBand(axis)
+    for n in range(12):
+        row = MAIN + 40 * np.sin(n / 4)
+        image = picture((row, steady(100)))
+        image = image if axis == "u" else np.ascontiguousarray(image.T)
+        followed, whole = band.extract(image), extract_stripe(image, axis)
+        np.testing.assert_array_equal(followed.along_across[0], whole.along_across[0])
+        np.testing.assert_allclose(followed.along_across[1], whole.along_across[1], atol=0.02)
+
+
+def test_a_stripe_that_jumps_is_found_in_the_same_frame() -> None:
+    band = StripeBand()
+    for row in (MAIN, MAIN, MAIN + 150, MAIN - 150):
+        assert share_on(band.extract(picture((row, steady(100)))), row) > 0.98
+    dark = np.full((HEIGHT, WIDTH), 8, np.uint8)
+    assert len(band.extract(dark).u) == 0
+    assert share_on(band.extract(picture((MAIN, steady(100)))), MAIN) > 0.98
+
+
+def test_a_second_piece_that_comes_into_view_is_found_within_a_round() -> None:
+    band = StripeBand()
+    half = np.where(U < 256, 100.0, 0.0)
+    band.extract(picture((MAIN, half)))
+    image = picture((MAIN, half), (MAIN + 100, steady(100) - half))
+    for _ in range(WIDTH // 256 + 1):
+        stripe = band.extract(image)
+    assert share_on(stripe, MAIN + 100) > 0.45
