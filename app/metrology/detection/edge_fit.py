@@ -125,6 +125,27 @@ def residuals_with_jacobian(
     return _rows(points_mm, uv_px, normal, pose, lens, float(camera.width_px))
 
 
+@kernel
+def _equations(
+    off: Floats, J: Floats, sigma: Floats, chosen: NDArray[np.int64]
+) -> tuple[Floats, Floats, float]:
+    """``J' W J`` and ``J' W off`` of the chosen columns by Huber's weights, and the scatter."""
+    spread = max(1.0, np.median(np.abs(off / sigma)) / 0.6745)
+    count = len(chosen)
+    N, g = np.zeros((count, count)), np.zeros(count)
+    for i in range(len(off)):
+        z = abs(off[i]) / sigma[i]
+        weight = min(1.0, 2.0 * spread / max(z, 1e-12)) / sigma[i] ** 2
+        for p in range(count):
+            weighed = weight * J[i, chosen[p]]
+            g[p] += weighed * off[i]
+            for q in range(p + 1):
+                N[p, q] += weighed * J[i, chosen[q]]
+    for p in range(count):
+        N[:p, p] = N[p, :p]
+    return N, g, spread
+
+
 def fit_edges(
     camera: Camera,
     points_mm: Floats,
@@ -133,7 +154,7 @@ def fit_edges(
     sigma_px: Floats,
     free: tuple[int, ...],
     rounds: int = 6,
-) -> tuple[Camera, Floats, NDArray[np.bool_]]:
+) -> tuple[Camera, Floats]:
     """Gauss-Newton with Huber's weights of the chosen parameters on edge points.
 
     Args:
@@ -143,20 +164,15 @@ def fit_edges(
         free: parameters that move, as numbered in this module.
 
     Returns:
-        the camera, the covariance of its 12 parameters (zero for those held, with
-        the a-priori variance factor), and which points (N,) lie within 4 sigma.
+        the camera, and the covariance of its 12 parameters: zero for those held, with
+        the a-priori variance factor.
     """
     chosen = np.array(free)
     covariance = np.zeros((_COUNT, _COUNT))
     held = np.array([k for k in range(len(_HELD_STEPS)) if _HELD_STEPS[k] in free], dtype=np.int64)
     for _ in range(rounds):
         off, J = residuals_with_jacobian(camera, points_mm, uv_px, normal)
-        off, J = off / sigma_px, J[:, chosen] / sigma_px[:, None]
-        spread = max(1.0, float(np.median(np.abs(off))) / 0.6745)
-        weight = np.minimum(1.0, 2.0 * spread / np.maximum(np.abs(off), 1e-12))
-        weighted = (J * weight[:, None]).T
-        normal_matrix = weighted @ J
-        gradient = weighted @ off
+        normal_matrix, gradient, spread = _equations(off, J, sigma_px, chosen)
         values, sd = _held(camera)
         for k in held:
             at = int(np.flatnonzero(chosen == _HELD_STEPS[k])[0])
@@ -173,6 +189,4 @@ def fit_edges(
         covariance[np.ix_(chosen, chosen)] = inverse
         if float(np.abs(step).max()) < 1e-8:
             break
-    off = residuals(camera, points_mm, uv_px, normal) / sigma_px
-    spread = max(1.0, float(np.median(np.abs(off))) / 0.6745)
-    return camera, covariance, np.abs(off) <= 4.0 * spread
+    return camera, covariance

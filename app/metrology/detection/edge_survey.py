@@ -91,9 +91,7 @@ def pulled(smooth: Floats, frame: Wireframe, camera: Camera, reach_px: float) ->
         met &= steep > 0.15 * np.nanpercentile(steep, 80)
         uv = at.uv_px + np.nan_to_num(offset)[:, None] * at.normal
         sigma = np.full(int(met.sum()), 0.5)
-        camera, _, _ = fit_edges(
-            camera, at.points_mm[met], uv[met], at.normal[met], sigma, WITH_K1, 3
-        )
+        camera, _ = fit_edges(camera, at.points_mm[met], uv[met], at.normal[met], sigma, WITH_K1, 3)
     return camera if block_ahead(frame, camera) else None
 
 
@@ -232,7 +230,7 @@ def _fitted(
     per_part = np.bincount(at.part[keep])[at.part[keep]]
     as_a_whole = per_edge * certificate_px**2 + per_part * found.marks_px[keep] ** 2
     sigma = np.sqrt(found.sigma_px[keep] ** 2 + as_a_whole)
-    camera, covariance, _ = fit_edges(
+    camera, covariance = fit_edges(
         found.camera, at.points_mm[keep], found.uv_px[keep], at.normal[keep], sigma, free
     )
     off = residuals(camera, at.points_mm, found.uv_px, at.normal)

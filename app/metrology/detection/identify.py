@@ -9,6 +9,7 @@ from the block.
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from itertools import permutations
 
 import numpy as np
@@ -91,6 +92,7 @@ def _shown(centre_mm: Floats, rotation: Floats, block: Crenellated, focal: float
     return bool(off_axis * focal < _ASIDE and _SMALLEST < size / at[2] * focal < _LARGEST)
 
 
+@lru_cache(maxsize=32)
 def _extent(block: Crenellated) -> tuple[Floats, float]:
     """Middle (3,) of the block and its diagonal."""
     x = block.edges_x_mm
