@@ -10,11 +10,30 @@ MOST_STEPS = 8
 # The brightest part of the picture is this quantile: a hot pixel does not count,
 # a stripe of a thousand columns and a few rows does.
 BRIGHT_QUANTILE = 0.998
+# From this share of full scale on a pixel is overexposed; where so many of all are, the
+# exposure is cut to an eighth, else to a third.
+OVEREXPOSED, MANY = 0.98, 0.05
+LITTLE, MUCH = 1 / 3, 1 / 8
+# An underexposed picture is mostly black level, so that it does not say all of the way.
+LONGEST_STEP = 16.0
+DEPTHS = (10, 12, 14, 16)
+"""Bits that a sensor may fill of 16."""
 
 
 def full_scale(frame: Frame) -> int:
-    """The largest grey value that the frame's pixels can hold."""
-    return int(np.iinfo(frame.image.dtype).max)
+    """The largest grey value that the frame's pixels can hold.
+
+    Of 16-bit pixels a sensor may fill fewer bits, the upper ones or the lower ones: the
+    fewest that hold what the picture shows are taken.
+    """
+    image = frame.image
+    if image.dtype == np.uint8:
+        return 255
+    used = int(np.bitwise_or.reduce(image, axis=None))
+    lowest = (used & -used).bit_length() - 1 if used else 0
+    if used.bit_length() == 16 and 16 - lowest in DEPTHS:
+        return ((1 << (16 - lowest)) - 1) << lowest
+    return int((1 << next(depth for depth in DEPTHS if used < 1 << depth)) - 1)
 
 
 def brightness(frame: Frame) -> float:
@@ -25,12 +44,17 @@ def brightness(frame: Frame) -> float:
 def better_exposure_us(frame: Frame, exposure_range_us: tuple[float, float]) -> float | None:
     """The exposure that would bring the bright parts to 70 %; None when they are there.
 
-    A saturated picture does not say by how much, so it is cut to a third.
+    A saturated picture does not say by how much, so it is cut the more the more of it
+    is saturated.
     """
     level = brightness(frame)
     if abs(level - TARGET) <= TOLERANCE * TARGET:
         return None
-    factor = 1 / 3 if level > 0.98 else float(np.clip(TARGET / max(level, 0.02), 0.25, 4.0))
+    if level > OVEREXPOSED:
+        clipped = np.mean(frame.image[::2, ::2] > OVEREXPOSED * full_scale(frame))
+        factor = MUCH if clipped > MANY else LITTLE
+    else:
+        factor = min(TARGET / max(level, 1e-6), LONGEST_STEP)
     shortest, longest = exposure_range_us
     wanted = float(np.clip(frame.exposure_us * factor, shortest, longest))
     return None if abs(wanted - frame.exposure_us) < 0.01 * frame.exposure_us else wanted

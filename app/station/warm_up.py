@@ -11,12 +11,14 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from app.metrology.adjustment.weighing import judged
 from app.metrology.camera import Camera, project
 from app.metrology.crenellated import Crenellated, corners
 from app.metrology.detection.corners import detect_object
 from app.metrology.laser_plane import LaserPlane
-from app.metrology.reconstruct import placed_points, sensor_points
+from app.metrology.reconstruct import frame_points, placed_points, sensor_points
 from app.metrology.refusal import Refusal
+from app.metrology.scene import Scene, edge_rows
 from app.metrology.stripe import extract_stripe
 from app.metrology.stripe_band import StripeBand
 from app.station.voxels import VoxelFilter
@@ -71,10 +73,20 @@ def warm_up() -> None:
     placed_points(points, np.zeros(len(points), dtype=np.int64), np.eye(4)[None])
     bare = np.full_like(drawn, TABLE)
     bare[: HEIGHT_PX // 2] = FLOOR
-    for picture in (drawn, bare):
-        with suppress(Refusal):  # that there is no object in a picture is an answer, too
-            detect_object(picture, BLOCK)
+    found = detect_object(drawn, BLOCK)
+    with suppress(Refusal):  # that there is no object in a picture is an answer, too
+        detect_object(bare, BLOCK)
+    judged(edge_rows(Scene(found.camera, LEVEL, BLOCK), found.edges))
     VoxelFilter(1.0).take_new(np.zeros((MANY_POINTS, 3)))
+
+
+def warm_up_points() -> None:
+    """Runs the loops that bring pixels to points, for pixels of either precision."""
+    camera, plane = _camera(), LaserPlane(np.array([0.0, 0.0, 1.0]), 0.0)
+    uv, at = np.array([[10.0, 20.0]]), np.eye(4)[None]
+    placed_points(sensor_points(camera, plane, uv), np.zeros(1, dtype=np.int64), at)
+    u, v = uv.astype(np.float32).T.copy()
+    frame_points(camera, plane, u, v, np.array([0, 1]), at)
 
 
 def drawn_block() -> NDArray[np.uint8]:
