@@ -16,10 +16,13 @@ from hardware.interfaces import ArmInfo, ArmRecord, Frame, JointSample, LinkHeal
 
 REST_NS = 20_000_000
 """Between readings of an arm that has come to its last."""
+REST_FRAME_NS = 300_000_000
+"""The same of pictures."""
 
 Readings = Iterable[tuple[int, tuple[float, ...]]]
 """Stamps (ns) and encoder angles (rad) in their order."""
-Pictures = Iterable[tuple[int, NDArray[np.uint8] | NDArray[np.uint16]]]
+Picture = NDArray[np.uint8] | NDArray[np.uint16]
+Pictures = Iterable[tuple[int, Picture]]
 
 
 @dataclass
@@ -84,14 +87,20 @@ class ReplayArm:
 
 
 class ReplaySensor:
-    """Meets ``SensorDriver``; silent where no pictures were recorded."""
+    """Meets ``SensorDriver``.
+
+    Between pictures that lie far apart it shows the last one again; a dark one where none
+    were recorded.
+    """
 
     def __init__(
         self, info: SensorInfo, clock: ReplayClock, pictures: Callable[[], Pictures]
     ) -> None:
         self._info, self._clock, self._pictures = info, clock, pictures
-        self._coming: Iterator[tuple[int, NDArray[np.uint8] | NDArray[np.uint16]]] = iter(())
-        self._next: tuple[int, NDArray[np.uint8] | NDArray[np.uint16]] | None = None
+        self._coming: Iterator[tuple[int, Picture]] = iter(())
+        self._next: tuple[int, Picture] | None = None
+        self._last: Picture = np.zeros((info.height_px, info.width_px), np.uint8)
+        self._rested_ns = 0
         self._health = LinkHealth()
         self._closed = threading.Event()
 
@@ -103,21 +112,27 @@ class ReplaySensor:
         self._closed.clear()
         self._coming = iter(self._pictures())
         self._next = next(self._coming, None)
+        self._rested_ns = now_ns()
         return self._info
 
     def read(self, timeout_s: float) -> Frame | None:
-        left_s = timeout_s
+        due_ns = self._rested_ns + REST_FRAME_NS
         if self._next is not None:
-            left_s = (self._clock.due_ns(self._next[0]) - now_ns()) / 1e9
-        if self._closed.wait(min(max(left_s, 0.0), timeout_s)) or self._next is None:
+            due_ns = min(self._clock.due_ns(self._next[0]), due_ns)
+        left_s = (due_ns - now_ns()) / 1e9
+        if self._closed.wait(min(max(left_s, 0.0), timeout_s)) or left_s > timeout_s:
             return None
-        if left_s > timeout_s:
-            return None
-        stamp_ns, picture = self._next
+        self._rested_ns = now_ns()
+        if self._next is None or self._clock.due_ns(self._next[0]) > self._rested_ns:
+            return self._frame(self._rested_ns, self._last)
+        stamp_ns, self._last = self._next
         self._next = next(self._coming, None)
+        return self._frame(self._clock.due_ns(stamp_ns), self._last)
+
+    def _frame(self, stamp_ns: int, picture: Picture) -> Frame:
         self._health.received += 1
-        due_ns = self._clock.due_ns(stamp_ns)
-        return Frame(self._health.received, due_ns, picture, self._info.exposure_range_us[0], True)
+        exposure_us = self._info.exposure_range_us[0]
+        return Frame(self._health.received, stamp_ns, picture, exposure_us, True)
 
     def set_exposure_us(self, exposure_us: float) -> None:
         """What was exposed stays so."""

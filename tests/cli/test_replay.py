@@ -88,11 +88,13 @@ def test_arm_and_pictures_come_again_by_the_same_clock(tmp_path: Path) -> None:
     assert (info.serial_number, info.rate_hz) == ("A-1", pytest.approx(250))
     assert sensor.open().width_px == WIDTH
     began_ns, samples, frames = now_ns(), [], []
-    while now_ns() - began_ns < 0.5e9:
+    while now_ns() - began_ns < 0.6e9:
         samples += [one for one in arm.read(0.01) if isinstance(one, JointSample)]
         while (frame := sensor.read(0.0)) is not None:
             frames.append(frame)
-    assert len(frames) == 60
+    frames, rest = frames[:60], frames[60:]
+    assert [np.array_equal(frame.image, frames[-1].image) for frame in rest] == [True] * len(rest)
+    assert 1 <= len(rest) <= 2
     assert frames[0].image.shape == (HEIGHT, WIDTH)
     steps = np.diff([frame.mid_exposure_ns for frame in frames])
     np.testing.assert_allclose(steps, 2.5 * MS, atol=2)
