@@ -46,6 +46,13 @@ class Method(StrEnum):
     ONE_POSE = "one-pose"
 
 
+class Choice(StrEnum):
+    CONTINUITY = "continuity"
+    STRENGTH = "strength"
+    FIRST = "first"
+    LAST = "last"
+
+
 class Axis(StrEnum):
     """Along which image axis stripe points are counted."""
 
@@ -174,6 +181,18 @@ def extract(
     axis: Annotated[
         Axis, typer.Option(help="u: one point a column of the picture; v: one a row.")
     ] = Axis.U,
+    threshold: Annotated[
+        float | None, typer.Option(help="Grey levels above its surroundings. Else by the noise.")
+    ] = None,
+    min_width: Annotated[
+        float | None, typer.Option(help="Pixels at half height. Else by the usual width.")
+    ] = None,
+    max_width: Annotated[
+        float | None, typer.Option(help="Pixels at half height. Else by the usual width.")
+    ] = None,
+    choice: Annotated[
+        Choice, typer.Option(help="Which of several peaks of a column is the stripe.")
+    ] = Choice.CONTINUITY,
     as_json: AsJson = False,
 ) -> None:
     """Extract the laser stripe: columns u, v, intensity, sigma_px.
@@ -183,10 +202,12 @@ def extract(
     from app.files.atomic import checked_target
     from app.files.extract import extract as extract_all
     from app.files.extract import write_stripes
+    from app.metrology.stripe import StripeSettings
 
     checked_target(output, images)
+    settings = StripeSettings(threshold, min_width, max_width, choice=choice.value)
     with progress_bar("Extracting", not as_json) as tell:
-        stripes = extract_all(images, axis.value, tell)
+        stripes = extract_all(images, axis.value, tell, settings)
         write_stripes(output, stripes)
     if as_json:
         found = [

@@ -9,7 +9,7 @@ from app.files.images import read_grey
 from app.files.progress import Progress, no_progress
 from app.files.tables import table_text
 from app.metrology.refusal import Refusal
-from app.metrology.stripe import Stripe, extract_stripe
+from app.metrology.stripe import AUTOMATIC, Stripe, StripeSettings, extract_stripe
 
 COLUMNS = ("u", "v", "intensity", "sigma_px")
 
@@ -23,13 +23,16 @@ class PictureStripe:
 
 
 def extract(
-    images: Sequence[Path], axis: str, progress: Progress = no_progress
+    images: Sequence[Path],
+    axis: str,
+    progress: Progress = no_progress,
+    settings: StripeSettings = AUTOMATIC,
 ) -> list[PictureStripe]:
     """The stripe of every picture; raises ``Refusal`` where one cannot be read or has none."""
     found: list[PictureStripe] = []
     for done, path in enumerate(images):
         progress(done / len(images), path.name)
-        stripe = extract_stripe(read_grey(path), axis)
+        stripe = extract_stripe(read_grey(path), axis, settings=settings)
         if not len(stripe.u):
             raise Refusal(
                 "stripe-not-found",
