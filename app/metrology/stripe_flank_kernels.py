@@ -33,9 +33,11 @@ def clipped_runs(
     begun = np.full(width, -1, dtype=np.int64)
     ended = np.full(width, -1, dtype=np.int64)
     kept = np.zeros(width, dtype=np.int64)
+    dark = np.zeros(width, dtype=image.dtype)
     for r in range(height + BREAK + 2):
+        row = image[r] if r < height else dark
         for i in range(width):
-            lit = r < height and image[r, i] >= saturated
+            lit = row[i] >= saturated
             if lit:
                 if begun[i] < 0:
                     begun[i] = r
