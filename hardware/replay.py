@@ -132,7 +132,8 @@ class ReplaySensor:
     def _frame(self, stamp_ns: int, picture: Picture) -> Frame:
         self._health.received += 1
         exposure_us = self._info.exposure_range_us[0]
-        return Frame(self._health.received, stamp_ns, picture, exposure_us, True)
+        # no light burns now, whatever the picture shows
+        return Frame(self._health.received, stamp_ns, picture, exposure_us, False)
 
     def set_exposure_us(self, exposure_us: float) -> None:
         """What was exposed stays so."""

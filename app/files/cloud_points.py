@@ -6,6 +6,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from app.metrology.compiled import kernel
 from app.metrology.frames import Floats
 
 POINT = np.dtype(
@@ -50,7 +51,10 @@ class PointSink(Protocol):
 
 
 def packed(
-    points_mm: Floats, intensity: Floats, uncertainty_um: Floats, frame: int | Floats
+    points_mm: Floats,
+    intensity: Floats,
+    uncertainty_um: Floats,
+    frame: int | Floats | NDArray[np.int64],
 ) -> Points:
     """Records of points (N, 3); rows with NaN are left out.
 
@@ -59,12 +63,40 @@ def packed(
         frame: which frame they came from, one for all or (N,).
     """
     records = np.empty(len(points_mm), POINT)
-    for i, axis in enumerate("xyz"):
-        records[axis] = points_mm[:, i]
-    records["intensity"], records["uncertainty_um"] = intensity, uncertainty_um
-    records["frame"] = frame
-    whole = np.isfinite(points_mm).all(axis=1)
-    return records if whole.all() else records[whole]
+    numbers = np.broadcast_to(np.asarray(frame, dtype=np.int64), len(points_mm))
+    kept = _fill(
+        np.ascontiguousarray(points_mm, dtype=np.float64),
+        np.ascontiguousarray(intensity, dtype=np.float64),
+        np.ascontiguousarray(uncertainty_um, dtype=np.float64),
+        np.ascontiguousarray(numbers),
+        records,
+    )
+    return records[:kept]
+
+
+@kernel
+def _fill(
+    points_mm: Floats,
+    intensity: Floats,
+    uncertainty_um: Floats,
+    frame: NDArray[np.int64],
+    records: Points,
+) -> int:
+    """Writes whole points behind one another; how many there are."""
+    kept = 0
+    for i, point in enumerate(points_mm):
+        x, y, z = point[0], point[1], point[2]
+        if not (np.isfinite(x) and np.isfinite(y) and np.isfinite(z)):
+            continue
+        record = records[kept]
+        record["x"] = x
+        record["y"] = y
+        record["z"] = z
+        record["intensity"] = intensity[i]
+        record["uncertainty_um"] = uncertainty_um[i]
+        record["frame"] = frame[i]
+        kept += 1
+    return kept
 
 
 def cloud_of(columns: dict[str, Floats]) -> Cloud:

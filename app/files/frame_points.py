@@ -101,4 +101,4 @@ def _points(placing: Placing, stripes: Profiles, poses: Floats, first_number: in
     spread = spread_um(use.camera, use.plane, in_sensor, stripes.sigma_px, stripes.axis)
     frame = np.repeat(np.arange(len(poses)), stripes.count)
     points_mm = placed_points(in_sensor, frame, poses)
-    return packed(points_mm, stripes.intensity, spread, (first_number + frame).astype(np.float64))
+    return packed(points_mm, stripes.intensity, spread, first_number + frame)

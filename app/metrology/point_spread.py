@@ -3,6 +3,7 @@
 import numpy as np
 
 from app.metrology.camera import Camera
+from app.metrology.compiled import kernel
 from app.metrology.frames import Floats
 from app.metrology.laser_plane import LaserPlane
 
@@ -33,6 +34,34 @@ def spread_um(
     turn = camera.rotation.T @ in_cam  # of the ray, a pixel, at depth 1
     reach_mm = plane.offset_mm - float(plane.normal @ centre)
     along = float(plane.normal @ turn) / reach_mm
-    depth = points_mm @ camera.rotation[2] + camera.translation_mm[2]
-    moved = turn - (points_mm - centre) * along
-    return np.asarray(1e3 * np.abs(depth) * np.linalg.norm(moved, axis=1) * sigma_px)
+    return _spread(
+        np.ascontiguousarray(points_mm, dtype=np.float64),
+        np.ascontiguousarray(sigma_px, dtype=np.float64),
+        np.ascontiguousarray(turn),
+        np.ascontiguousarray(centre),
+        along,
+        np.ascontiguousarray(camera.rotation[2]),
+        float(camera.translation_mm[2]),
+    )
+
+
+@kernel
+def _spread(
+    points_mm: Floats,
+    sigma_px: Floats,
+    turn: Floats,
+    centre_mm: Floats,
+    along: float,
+    axis: Floats,
+    behind_mm: float,
+) -> Floats:
+    """``1000 |depth| |turn - (point - centre) along| sigma``; depth by the camera's axis."""
+    found = np.empty(len(points_mm))
+    for i, point in enumerate(points_mm):
+        x, y, z = point[0], point[1], point[2]
+        depth = axis[0] * x + axis[1] * y + axis[2] * z + behind_mm
+        a = turn[0] - (x - centre_mm[0]) * along
+        b = turn[1] - (y - centre_mm[1]) * along
+        c = turn[2] - (z - centre_mm[2]) * along
+        found[i] = 1e3 * abs(depth) * np.sqrt(a * a + b * b + c * c) * sigma_px[i]
+    return found
