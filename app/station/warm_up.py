@@ -16,6 +16,7 @@ from app.metrology.camera import Camera, project
 from app.metrology.crenellated import Crenellated, corners
 from app.metrology.detection.corners import detect_object
 from app.metrology.laser_plane import LaserPlane
+from app.metrology.line_scatter import neighbours_alike
 from app.metrology.reconstruct import frame_points, placed_points, sensor_points
 from app.metrology.refusal import Refusal
 from app.metrology.scene import Scene, edge_rows
@@ -76,7 +77,9 @@ def warm_up() -> None:
     found = detect_object(drawn, BLOCK)
     with suppress(Refusal):  # that there is no object in a picture is an answer, too
         detect_object(bare, BLOCK)
-    judged(edge_rows(Scene(found.camera, LEVEL, BLOCK), found.edges))
+    rows = edge_rows(Scene(found.camera, LEVEL, BLOCK), found.edges)
+    judged(rows)
+    neighbours_alike(rows.places, rows.residuals)
     VoxelFilter(1.0).take_new(np.zeros((MANY_POINTS, 3)))
 
 
