@@ -166,8 +166,11 @@ def _points(
     read = float(told[0]) or float(read_noise(grey, room.counts))
     highest = search(grey, where, parts, room.ring, room.wide, room.score, room.at)
     everywhere = np.zeros(0, dtype=np.bool_)
-    peaks, clipped = _peaks(grey, room, everywhere, read, saturated, settings, told)
-    if highest >= saturated or clipped >= CLIPPED_CORE:
+    overexposed = highest >= saturated
+    if not overexposed:
+        peaks, clipped = _peaks(grey, room, everywhere, read, saturated, settings, told)
+        overexposed = clipped >= CLIPPED_CORE
+    if overexposed:
         cores = clipped_cores(grey, saturated)
         if len(where):
             cores = cores.chosen(where[(cores.first + cores.last) // 2, cores.columns])
