@@ -63,12 +63,12 @@ def packed(
         frame: which frame they came from, one for all or (N,).
     """
     records = np.empty(len(points_mm), POINT)
-    numbers = np.broadcast_to(np.asarray(frame, dtype=np.int64), len(points_mm))
+    numbers = np.full(len(points_mm), frame, dtype=np.int64)
     kept = _fill(
         np.ascontiguousarray(points_mm, dtype=np.float64),
         np.ascontiguousarray(intensity, dtype=np.float64),
         np.ascontiguousarray(uncertainty_um, dtype=np.float64),
-        np.ascontiguousarray(numbers),
+        numbers,
         records,
     )
     return records[:kept]

@@ -5,6 +5,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from app.files.atomic import atomic_file, atomic_path
 from app.files.cloud_e57 import E57Sink, read_e57
@@ -36,7 +37,11 @@ class CloudWriter:
         self.points = 0
 
     def write(
-        self, points_mm: Floats, intensity: Floats, uncertainty_um: Floats, frame: int | Floats
+        self,
+        points_mm: Floats,
+        intensity: Floats,
+        uncertainty_um: Floats,
+        frame: int | Floats | NDArray[np.int64],
     ) -> None:
         """Appends points (N, 3); rows with NaN are left out.
 

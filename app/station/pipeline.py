@@ -227,7 +227,7 @@ class ScanPipeline:
         T_arm_sensor = flange_poses(use.arm, q_rad) @ use.T_flange_sensor
         points = placed_points(in_sensor, frame, T_arm_sensor)
         spread = spread_um(use.camera, use.plane, in_sensor, sigma_px, use.stripe_axis)
-        cloud.write(points, intensity, spread, numbers[frame].astype(np.float64))
+        cloud.write(points, intensity, spread, numbers[frame])
         self.counts.points = cloud.points
         self._note(len(points))
         self._show(points, intensity)

@@ -11,12 +11,14 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from app.files.cloud_points import packed
 from app.metrology.adjustment.weighing import judged
 from app.metrology.camera import Camera, project
 from app.metrology.crenellated import Crenellated, corners
 from app.metrology.detection.corners import detect_object
 from app.metrology.laser_plane import LaserPlane
 from app.metrology.line_scatter import neighbours_alike
+from app.metrology.point_spread import spread_um
 from app.metrology.reconstruct import frame_points, placed_points, sensor_points
 from app.metrology.refusal import Refusal
 from app.metrology.scene import Scene, edge_rows
@@ -71,7 +73,9 @@ def warm_up() -> None:
                 for _ in range(2):
                     band.extract(seen)
     points = sensor_points(_camera(), LEVEL, np.column_stack([stripe.u, stripe.v]))
-    placed_points(points, np.zeros(len(points), dtype=np.int64), np.eye(4)[None])
+    placed = placed_points(points, np.zeros(len(points), dtype=np.int64), np.eye(4)[None])
+    spread = spread_um(_camera(), LEVEL, points, stripe.sigma_px)
+    packed(placed, stripe.intensity, spread, 0)
     bare = np.full_like(drawn, TABLE)
     bare[: HEIGHT_PX // 2] = FLOOR
     found = detect_object(drawn, BLOCK)
