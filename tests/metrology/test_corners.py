@@ -9,9 +9,10 @@ import pytest
 from app.metrology.camera import project
 from app.metrology.crenellated import corners as corners_of
 from app.metrology.detection.corners import ObjectDetection, detect_object
-from app.metrology.detection.directions import Directions, Segments
+from app.metrology.detection.directions import Directions
 from app.metrology.detection.edge_points import stations
 from app.metrology.detection.identify import placings
+from app.metrology.detection.segments import Segments
 from app.metrology.detection.visibility import wireframe
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import extract_stripe

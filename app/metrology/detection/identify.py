@@ -17,7 +17,8 @@ from numpy.typing import NDArray
 
 from app.metrology.compiled import kernel
 from app.metrology.crenellated import Crenellated
-from app.metrology.detection.directions import Directions, Segments, plane_normals
+from app.metrology.detection.directions import Directions, plane_normals
+from app.metrology.detection.segments import Segments
 from app.metrology.detection.voting import across_x, along_x
 from app.metrology.frames import Floats
 

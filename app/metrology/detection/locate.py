@@ -9,10 +9,11 @@ from numpy.typing import NDArray
 
 from app.metrology.camera import Camera, project
 from app.metrology.crenellated import Crenellated
-from app.metrology.detection.directions import Segments, perpendicular_directions, segments
+from app.metrology.detection.directions import perpendicular_directions
 from app.metrology.detection.edge_fit import FOCAL_AND_POSE, NO_DISTORTION, WITH_K1, fit_edges
 from app.metrology.detection.edge_points import Stations, block_ahead, search, stations
 from app.metrology.detection.identify import Placing, mirrored, placings
+from app.metrology.detection.segments import Segments, segments
 from app.metrology.detection.visibility import Wireframe, wireframe
 from app.metrology.frames import Floats
 
