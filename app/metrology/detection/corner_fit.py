@@ -14,9 +14,9 @@ from app.metrology.frames import Floats
 # Edges that cross at less than this make no corner.
 _FLATTEST_RAD = np.deg2rad(8.0)
 _WORST_CORNER_PX = 1.5
-# Nor do edges that meet so far from where all the others put their corner: in px and over
-# their deviation, or over that alone.
-_FURTHEST_PX, _FURTHER, _ASTRAY = 1.0, 2.5, 5.0
+# Nor do edges that meet so far from where all the others put their corner: in px, and over
+# their deviation.
+_FURTHEST_PX, _ASTRAY = 1.0, 5.0
 # What lies askew to the drawn edge by more, over its length and its own deviation, is not it.
 _ASKEW_SIGMAS, _ASKEW_PX = 4.0, 0.7
 
@@ -131,8 +131,7 @@ def _meeting(name: str, at: Floats, lines: list[_Line], furthest_px: float) -> C
         return None
     shift = covariance @ pull
     # The camera follows from all edges; a shadow beside a corner moves that corner alone.
-    ratio = float(np.sqrt(shift @ information @ shift))
-    if ratio > (_FURTHER if float(np.hypot(*shift)) > furthest_px else _ASTRAY):
+    if float(np.hypot(*shift)) > furthest_px or float(shift @ information @ shift) > _ASTRAY**2:
         return None
     u, v = at + shift
     return Corner(name, float(u), float(v), covariance)
