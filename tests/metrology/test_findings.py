@@ -9,6 +9,7 @@ import pytest
 from app.metrology.alignment import align
 from app.metrology.findings import Finding, about_size
 from app.metrology.one_pose import OnePoseInputs, calibrate_one_pose
+from app.metrology.refusal import Refusal
 from tests.metrology.builders import BLOCK, TIP_RADIUS_MM, contacts_on, random_pose
 from tests.metrology.test_one_pose import read_inputs
 
@@ -53,8 +54,14 @@ def test_what_one_pose_cannot_show_is_said(inputs: OnePoseInputs) -> None:
 
 
 def test_a_certificate_wrong_along_the_view_is_told_by_its_pixels(inputs: OnePoseInputs) -> None:
-    block = replace(inputs.block, front_y_mm=inputs.block.front_y_mm + 0.1)
+    block = replace(inputs.block, front_y_mm=inputs.block.front_y_mm + 0.06)
     assert said_of(replace(inputs, block=block))["pixels-oblong"] == "attention"
+
+
+def test_one_that_is_further_wrong_is_refused(inputs: OnePoseInputs) -> None:
+    block = replace(inputs.block, front_y_mm=inputs.block.front_y_mm + 0.2)
+    with pytest.raises(Refusal, match="does not match the certificate"):
+        said_of(replace(inputs, block=block))
 
 
 def test_the_joints_of_quite_another_pose_are_told(inputs: OnePoseInputs) -> None:
