@@ -2,22 +2,17 @@
 
 from array import array
 from bisect import bisect_left
-from math import pi
 
 import numpy as np
-from numpy.typing import NDArray
 
 from app.metrology.frames import Floats
-from app.metrology.joint_stamps import angles_at
+from app.metrology.joint_stamps import Stamps, angles_at
 
 SHORTEST_GAP_LIMIT_NS = 25_000_000
 """A hand that accelerates at 1 m/s² leaves the straight line by 80 µm within 25 ms."""
 GAP_LIMIT_PERIODS = 3.5
 """For slower arms: their own sample periods."""
 LONGEST_GAP_LIMIT_NS = 150_000_000
-
-
-Stamps = NDArray[np.int64]
 
 
 class JointTrack:
@@ -90,20 +85,5 @@ class JointTrack:
         Returns:
             None outside the samples, or where they are more than ``gap_limit_ns`` apart.
         """
-        after = bisect_left(self._stamps_ns, stamp_ns)
-        if after == len(self._stamps_ns):
-            return None
-        if self._stamps_ns[after] == stamp_ns:
-            return self._sample(after)
-        if after == 0:
-            return None
-        before_ns, after_ns = self._stamps_ns[after - 1], self._stamps_ns[after]
-        if after_ns - before_ns > self.gap_limit_ns:
-            return None
-        start, end = self._sample(after - 1), self._sample(after)
-        turn = (end - start + pi) % (2 * pi) - pi
-        return np.asarray(start + turn * ((stamp_ns - before_ns) / (after_ns - before_ns)))
-
-    def _sample(self, index: int) -> Floats:
-        start = index * self._count
-        return np.array(self._angles_rad[start : start + self._count])
+        angles = self.at_all(np.array([stamp_ns], dtype=np.int64))[0]
+        return None if np.isnan(angles).any() else angles
