@@ -74,6 +74,8 @@ def find_vertices(path: Path, file: BinaryIO) -> Vertices:
     for name, count, properties in _elements(path, words):
         if any(kind == "list" for kind, _ in properties):
             raise _malformed(path, f"element {name} before the vertices holds lists")
+        if len({field for _, field in properties}) < len(properties):
+            raise _malformed(path, f"element {name} has two properties of one name")
         layout = np.dtype([(field, order + TYPES[kind]) for kind, field in properties])
         if name == "vertex":
             missing = [axis for axis in "xyz" if axis not in (layout.names or ())]

@@ -5,10 +5,10 @@ from pathlib import Path
 import numpy as np
 
 from app.files.joint_angles import STOP_TOLERANCE_DEG
-from app.files.joint_track import Stamps
 from app.files.recording_stream import JointSamples
 from app.metrology.arm import Arm
 from app.metrology.frames import Floats
+from app.metrology.joint_stamps import Stamps
 from app.metrology.refusal import Refusal
 
 

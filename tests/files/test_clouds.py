@@ -161,3 +161,12 @@ def test_an_ascii_cloud_that_ends_early_is_refused(tmp_path: Path) -> None:
     path.write_text(head + "1 2 3\n4 5 6\n7 8\n")
     with pytest.raises(Refusal, match=r"c\.ply"):
         read_cloud(path)
+
+
+def test_a_ply_with_two_properties_of_one_name_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "twice.ply"
+    lines = ["ply", "format ascii 1.0", "element vertex 1"]
+    lines += [f"property double {axis}" for axis in "xyzy"]
+    path.write_text("\n".join([*lines, "end_header", "1 2 3 4", ""]))
+    with pytest.raises(Refusal, match="two properties of one name"):
+        read_cloud(path)
