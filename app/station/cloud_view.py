@@ -127,21 +127,38 @@ class CloudView:
         self._show_large(small)
 
     def _thin(self) -> None:
-        """Shows every point again through larger cubes, until the budget holds."""
+        """Shows every point again through larger cubes, until the budget holds.
+
+        Node by node: work on millions of points at once would hold up the other threads.
+        """
         nodes = [*self._large, *self._small]
-        points = np.concatenate([node.points_mm for node in nodes])
-        shade = np.concatenate([node.shade for node in nodes])
-        while len(points) > self.budget:
+        left = nodes
+        while sum(len(node.points_mm) for node in left) > self.budget:
             self._voxels = VoxelFilter(self._voxels.size_mm * VOXEL_GROWTH)
-            kept = self._voxels.take_new(points + self._origin_mm)
-            points, shade = points[kept], shade[kept]
+            left = [self._thinned(node) for node in left]
         self._small, self._large = [], []
-        self._show_large([_Node(points, shade)])
+        self._show_large(left)
         for node in nodes:
             _remove(node)
 
+    def _thinned(self, node: _Node) -> _Node:
+        kept = self._voxels.take_new(node.points_mm + self._origin_mm)
+        return _Node(node.points_mm[kept], node.shade[kept])
+
     def _show_large(self, nodes: list[_Node]) -> None:
         """Shows the nodes' points as nodes of 100 000, then removes what they were shown as."""
+        waiting: list[_Node] = []
+        for node in nodes:
+            waiting.append(node)
+            if sum(len(one.points_mm) for one in waiting) >= NODE_POINTS:
+                self._show_together(waiting)
+                waiting = []
+        if waiting:
+            self._show_together(waiting)
+        for node in nodes:
+            _remove(node)
+
+    def _show_together(self, nodes: list[_Node]) -> None:
         points = np.concatenate([node.points_mm for node in nodes])
         shade = np.concatenate([node.shade for node in nodes])
         for start in range(0, len(points), NODE_POINTS):
@@ -149,8 +166,6 @@ class CloudView:
             large = _Node(points[part], shade[part])
             self._show(large)
             self._large.append(large)
-        for node in nodes:
-            _remove(node)
 
 
 def _remove(node: _Node) -> None:
