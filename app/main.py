@@ -1,6 +1,7 @@
 """The station as a server: everything wired together, started, and ended in order."""
 
 import asyncio
+import gc
 import logging
 import socket
 import sys
@@ -61,6 +62,9 @@ def _lifespan(context: Context) -> Callable[[FastAPI], AbstractAsyncContextManag
         context.bus.attach(asyncio.get_running_loop())
         context.rig.start()
         context.preview.start()
+        # what stands now stays: looking through all of it would hold up the sensor for 0.1 s
+        gc.collect()
+        gc.freeze()
         ticking = asyncio.create_task(tick(context))
         try:
             yield
