@@ -43,6 +43,7 @@ DAMAGE = (
     RuntimeError,  # what lz4 raises on damaged data
     UnicodeDecodeError,
     MemoryError,  # a length that was damaged; what is read at a time is small
+    OverflowError,  # one that no machine could hold
 )
 
 

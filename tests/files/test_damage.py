@@ -97,3 +97,12 @@ def test_a_damaged_recording(
     path.write_bytes(damaged(recording, damage))
     with suppress(Refusal):
         rebuild(path, little_calibration(), ARM, tmp_path / "cloud.ply")
+
+
+def test_a_length_that_no_machine_could_hold(tmp_path: Path, recording: bytes) -> None:
+    """A byte too many, somewhere in the first records: lengths with their highest bit set."""
+    path = tmp_path / "scan.mcap"
+    for at in range(400):
+        path.write_bytes(recording[:at] + b"\x80" + recording[at:])
+        with suppress(Refusal):
+            rebuild(path, little_calibration(), ARM, tmp_path / "cloud.ply")
