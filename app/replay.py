@@ -63,7 +63,7 @@ class Replay:
         depth = float(np.median(_depths(use)))
         low, high = depth + DEPTH_MM[0], depth + DEPTH_MM[1]
         scene.set_sensor(use.T_flange_sensor, use.camera, use.plane, (max(low, 1.0), high))
-        self._clock.__post_init__()
+        self._clock.start()
         self._thread = threading.Thread(
             target=self._show, args=(scene, bus), name="replay", daemon=True
         )

@@ -35,6 +35,10 @@ class ReplayClock:
     """1 as it was; 0 as fast as it can be read."""
 
     def __post_init__(self) -> None:
+        self.start()
+
+    def start(self) -> None:
+        """The first stamp is due now."""
         self._start_ns = now_ns()
 
     def due_ns(self, stamp_ns: int) -> int:

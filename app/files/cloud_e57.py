@@ -13,6 +13,7 @@ import numpy as np
 
 from app.files.cloud_library import first_line, library, written
 from app.files.cloud_points import Cloud, Points, cloud_of
+from app.files.cloud_tables import malformed
 from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
 
@@ -115,12 +116,7 @@ def read_e57(path: Path) -> Cloud:
         with pye57.E57(str(path)) as file:
             scans = [_scan(path, pye57.libe57, file, i) for i in range(file.scan_count)]
     except pye57.libe57.E57Exception as error:
-        raise Refusal(
-            "cloud-malformed",
-            str(path),
-            f"it is no whole E57 ({first_line(error)})",
-            "Export the cloud again",
-        ) from error
+        raise malformed(path, f"it is no whole E57 ({first_line(error)})") from error
     if not scans:
         return cloud_of({axis: np.zeros(0) for axis in "xyz"})
     kept = set.intersection(*(set(scan) for scan in scans))

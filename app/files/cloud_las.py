@@ -12,6 +12,7 @@ import numpy as np
 
 from app.files.cloud_library import library, written
 from app.files.cloud_points import Cloud, Points, cloud_of
+from app.files.cloud_tables import cut_off, malformed
 from app.metrology.refusal import Refusal
 
 STEP_MM = 1e-4
@@ -84,23 +85,14 @@ def read_las(path: Path, file: BinaryIO) -> Cloud:
     except OSError:
         raise
     except Exception as error:  # both libraries and the Rust behind them raise their own
-        raise Refusal(
-            "cloud-malformed",
-            str(path),
-            f"it is no whole LAS or LAZ ({str(error) or type(error).__name__})",
-            "Export the cloud again",
-        ) from error
+        why = f"it is no whole LAS or LAZ ({str(error) or type(error).__name__})"
+        raise malformed(path, why) from error
     columns = {
         name: np.concatenate([piece[name] for piece in pieces]) for name in (pieces or [{}])[0]
     }
     found = len(columns.get("x", ()))
     if found < announced:
-        raise Refusal(
-            "cloud-cut-off",
-            f"{path} holds {found} of {announced} points",
-            "the file was cut off",
-            "Export the cloud again",
-        )
+        raise cut_off(path, found, announced)
     return cloud_of(columns or {axis: np.zeros(0) for axis in "xyz"})
 
 
@@ -114,12 +106,7 @@ def _check_counts(path: Path, file: BinaryIO) -> None:
         int.from_bytes(head[243:247], "little") * EXTENDED_HEADER if head[25:26] > b"\3" else 0
     )
     if max(records, extended) > size:
-        raise Refusal(
-            "cloud-malformed",
-            str(path),
-            "its header announces more than the file holds",
-            "Export the cloud again",
-        )
+        raise malformed(path, "its header announces more than the file holds")
     file.seek(0)
 
 

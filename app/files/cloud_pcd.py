@@ -9,6 +9,7 @@ from typing import BinaryIO
 import numpy as np
 
 from app.files.cloud_points import Cloud, Points, cloud_of
+from app.files.cloud_tables import COUNT_WIDTH, as_doubles, binary_rows, malformed, text_rows
 from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
 
@@ -24,7 +25,6 @@ RECORD = np.dtype(
 )
 FARTHEST_MM = 2.0**14
 """A float's step is below 1 µm up to here."""
-COUNT_WIDTH = 20
 LONGEST_HEADER = 100
 KINDS = {"F": "f", "I": "i", "U": "u"}
 
@@ -76,9 +76,9 @@ def read_pcd(path: Path, file: BinaryIO) -> Cloud:
         count = int(fields["POINTS"][0])
         data = fields["DATA"][0]
     except (KeyError, ValueError, TypeError, IndexError) as error:
-        raise _malformed(path, f"its header cannot be understood ({error})") from error
+        raise malformed(path, f"its header cannot be understood ({error})") from error
     if missing := [axis for axis in "xyz" if axis not in names]:
-        raise _malformed(path, f"its points have no {', '.join(missing)}")
+        raise malformed(path, f"its points have no {', '.join(missing)}")
     if data == "binary":
         return cloud_of(_binary(path, file, layout, count))
     if data == "ascii":
@@ -92,28 +92,14 @@ def read_pcd(path: Path, file: BinaryIO) -> Cloud:
 
 
 def _binary(path: Path, file: BinaryIO, layout: np.dtype[np.void], count: int) -> dict[str, Floats]:
-    start = file.tell()
-    whole = max(file.seek(0, 2) - start, 0) // max(layout.itemsize, 1)
-    if whole < count:
-        raise _cut_off(path, whole, count)
-    file.seek(start)
-    table = np.fromfile(file, layout, count)
-    with np.errstate(invalid="ignore"):  # of NaN that are marked as signalling
-        return {name: table[name][:, 0].astype(np.float64) for name in layout.names or ()}
+    table = binary_rows(path, file, file.tell(), layout, count)
+    return {name: as_doubles(table[name][:, 0]) for name in layout.names or ()}
 
 
 def _ascii(path: Path, file: BinaryIO, layout: np.dtype[np.void], count: int) -> dict[str, Floats]:
-    lines = [line for line, _ in zip(file, range(count), strict=False)]
-    if len(lines) < count:
-        raise _cut_off(path, len(lines), count)
     names = layout.names or ()
     widths = [layout[name].shape[0] for name in names]
-    if not lines:
-        return {name: np.zeros(0) for name in names}
-    try:
-        table = np.loadtxt(lines, ndmin=2, usecols=range(sum(widths)))
-    except (ValueError, IndexError) as error:
-        raise _malformed(path, str(error).split(";")[0]) from error
+    table = text_rows(path, file, sum(widths), count)
     firsts = np.cumsum([0, *widths])
     return {name: table[:, firsts[i]] for i, name in enumerate(names)}
 
@@ -130,7 +116,7 @@ def _header_fields(path: Path, file: BinaryIO) -> dict[str, list[str]]:
         if not line or "DATA" in fields:
             break
     if not fields.get("DATA"):
-        raise _malformed(path, "its header does not end")
+        raise malformed(path, "its header does not end")
     return fields
 
 
@@ -153,16 +139,3 @@ def _header(count: int) -> bytes:
         "DATA binary",
     ]
     return ("\n".join(lines) + "\n").encode()
-
-
-def _malformed(path: Path, why: str) -> Refusal:
-    return Refusal("cloud-malformed", str(path), why, "Export the cloud again")
-
-
-def _cut_off(path: Path, found: int, announced: int) -> Refusal:
-    return Refusal(
-        "cloud-cut-off",
-        f"{path} holds {found} of {announced} points",
-        "the file was cut off",
-        "Export the cloud again",
-    )

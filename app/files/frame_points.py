@@ -14,8 +14,7 @@ from app.files.recording_blocks import Profiles, profiles
 from app.files.recording_stream import Block, Frame
 from app.files.recording_wire import AXIS, HEIGHT, WIDTH
 from app.metrology.frames import Floats
-from app.metrology.point_spread import spread_um
-from app.metrology.reconstruct import placed_points, sensor_points
+from app.metrology.point_spread import scan_points
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import extract_stripe
 
@@ -97,8 +96,9 @@ def _single(placing: Placing, block: Block, frame: Frame, number: int) -> Profil
 
 def _points(placing: Placing, stripes: Profiles, poses: Floats, first_number: int) -> Points:
     use = placing.calibration
-    in_sensor = sensor_points(use.camera, use.plane, np.column_stack([stripes.u, stripes.v]))
-    spread = spread_um(use.camera, use.plane, in_sensor, stripes.sigma_px, stripes.axis)
+    uv = np.column_stack([stripes.u, stripes.v])
     frame = np.repeat(np.arange(len(poses)), stripes.count)
-    points_mm = placed_points(in_sensor, frame, poses)
+    points_mm, spread = scan_points(
+        use.camera, use.plane, uv, stripes.sigma_px, stripes.axis, frame, poses
+    )
     return packed(points_mm, stripes.intensity, spread, first_number + frame)

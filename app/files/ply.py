@@ -7,8 +7,8 @@ from typing import BinaryIO
 import numpy as np
 
 from app.files.cloud_points import POINT, Cloud, Points, cloud_of
+from app.files.cloud_tables import COUNT_WIDTH, as_doubles, binary_rows, malformed, text_rows
 from app.metrology.frames import Floats
-from app.metrology.refusal import Refusal
 
 TYPES = {
     **dict.fromkeys(("char", "int8"), "i1"),
@@ -23,7 +23,6 @@ TYPES = {
 ORDERS = {"binary_little_endian": "<", "binary_big_endian": ">", "ascii": "="}
 LONGEST_HEADER = 1000
 WRITTEN = {"f8": "double", "f4": "float", "i4": "int"}
-COUNT_WIDTH = 20
 
 
 class PlySink:
@@ -68,23 +67,23 @@ def find_vertices(path: Path, file: BinaryIO) -> Vertices:
     words = [line.split() for line in _header_lines(path, file)]
     formats = [line[1] for line in words if line[:1] == ["format"] and len(line) > 1]
     if not formats or formats[0] not in ORDERS:
-        raise _malformed(path, "its header names no format that PLY knows")
+        raise malformed(path, "its header names no format that PLY knows")
     order = ORDERS[formats[0]]
     bytes_before = lines_before = 0
     for name, count, properties in _elements(path, words):
         if any(kind == "list" for kind, _ in properties):
-            raise _malformed(path, f"element {name} before the vertices holds lists")
+            raise malformed(path, f"element {name} before the vertices holds lists")
         if len({field for _, field in properties}) < len(properties):
-            raise _malformed(path, f"element {name} has two properties of one name")
+            raise malformed(path, f"element {name} has two properties of one name")
         layout = np.dtype([(field, order + TYPES[kind]) for kind, field in properties])
         if name == "vertex":
             missing = [axis for axis in "xyz" if axis not in (layout.names or ())]
             if missing:
-                raise _malformed(path, f"its vertices have no {', '.join(missing)}")
+                raise malformed(path, f"its vertices have no {', '.join(missing)}")
             return Vertices(formats[0] == "ascii", count, layout, bytes_before, lines_before)
         bytes_before += count * layout.itemsize
         lines_before += count
-    raise _malformed(path, "its header names no element vertex")
+    raise malformed(path, "its header names no element vertex")
 
 
 def read_vertices(path: Path, file: BinaryIO, vertices: Vertices) -> dict[str, Floats]:
@@ -92,13 +91,8 @@ def read_vertices(path: Path, file: BinaryIO, vertices: Vertices) -> dict[str, F
     if vertices.ascii:
         return _read_ascii(path, file, vertices)
     start = file.tell() + vertices.bytes_before
-    whole = max(file.seek(0, 2) - start, 0) // vertices.layout.itemsize
-    if whole < vertices.count:
-        raise _cut_off(path, whole, vertices.count)
-    file.seek(start)
-    table = np.fromfile(file, vertices.layout, vertices.count)
-    with np.errstate(invalid="ignore"):  # of NaN that are marked as signalling
-        return {name: table[name].astype(np.float64) for name in vertices.layout.names or ()}
+    table = binary_rows(path, file, start, vertices.layout, vertices.count)
+    return {name: as_doubles(table[name]) for name in vertices.layout.names or ()}
 
 
 def _header(count: int) -> bytes:
@@ -124,7 +118,7 @@ def _header_lines(path: Path, file: BinaryIO) -> list[str]:
         lines.append(line.decode("latin-1").strip())
         if lines[-1] == "end_header":
             return lines
-    raise _malformed(path, "its header does not end")
+    raise malformed(path, "its header does not end")
 
 
 def _elements(path: Path, words: list[list[str]]) -> list[tuple[str, int, list[tuple[str, str]]]]:
@@ -133,12 +127,12 @@ def _elements(path: Path, words: list[list[str]]) -> list[tuple[str, int, list[t
     for line in words:
         if line[:1] == ["element"]:
             if len(line) != 3 or not line[2].isdecimal():
-                raise _malformed(path, f"its header holds {' '.join(line)!r}")
+                raise malformed(path, f"its header holds {' '.join(line)!r}")
             elements.append((line[1], int(line[2]), []))
         elif line[:1] == ["property"]:
             known = len(line) >= 3 and (line[1] in TYPES or line[1] == "list")
             if not elements or not known:
-                raise _malformed(path, f"its header holds {' '.join(line)!r}")
+                raise malformed(path, f"its header holds {' '.join(line)!r}")
             elements[-1][2].append((line[1], line[-1]))
     return elements
 
@@ -147,26 +141,5 @@ def _read_ascii(path: Path, file: BinaryIO, vertices: Vertices) -> dict[str, Flo
     names = vertices.layout.names or ()
     for _ in range(vertices.lines_before):
         file.readline()
-    lines = [line for line, _ in zip(file, range(vertices.count), strict=False)]
-    if len(lines) < vertices.count:
-        raise _cut_off(path, len(lines), vertices.count)
-    if not lines:
-        return {name: np.zeros(0) for name in names}
-    try:
-        table = np.loadtxt(lines, ndmin=2, usecols=range(len(names)))
-    except (ValueError, IndexError) as error:
-        raise _malformed(path, str(error).split(";")[0]) from error
+    table = text_rows(path, file, len(names), vertices.count)
     return {name: table[:, i] for i, name in enumerate(names)}
-
-
-def _malformed(path: Path, why: str) -> Refusal:
-    return Refusal("cloud-malformed", str(path), why, "Export the cloud again")
-
-
-def _cut_off(path: Path, found: int, announced: int) -> Refusal:
-    return Refusal(
-        "cloud-cut-off",
-        f"{path} holds {found} of {announced} points",
-        "the file was cut off",
-        "Export the cloud again",
-    )

@@ -1,11 +1,38 @@
-"""How well a scanned point is known by the fit of its stripe alone."""
+"""Points of a scan, and how well each is known by the fit of its stripe alone."""
 
 import numpy as np
+from numpy.typing import NDArray
 
 from app.metrology.camera import Camera
 from app.metrology.compiled import kernel
 from app.metrology.frames import Floats
 from app.metrology.laser_plane import LaserPlane
+from app.metrology.reconstruct import placed_points, sensor_points
+
+
+def scan_points(
+    camera: Camera,
+    plane: LaserPlane,
+    uv_px: Floats,
+    sigma_px: Floats,
+    axis: str,
+    frame_of_point: NDArray[np.int64],
+    T_arm_sensor: Floats,
+) -> tuple[Floats, Floats]:
+    """Points of some frames in the arm frame (Eq. 9), and their standard uncertainty.
+
+    Args:
+        uv_px: (N, 2) distorted pixels of all frames.
+        sigma_px, axis: as of ``spread_um``.
+        frame_of_point: (N,) which of the F frames each pixel belongs to.
+        T_arm_sensor: (F, 4, 4) at each frame's mid-exposure.
+
+    Returns:
+        (N, 3) mm, NaN as in ``reconstruct.sensor_points``; (N,) µm as of ``spread_um``.
+    """
+    in_sensor = sensor_points(camera, plane, uv_px)
+    points_mm = placed_points(in_sensor, frame_of_point, T_arm_sensor)
+    return points_mm, spread_um(camera, plane, in_sensor, sigma_px, axis)
 
 
 def spread_um(

@@ -81,28 +81,6 @@ def frame_points(
     return filled
 
 
-def scan_points(
-    camera: Camera,
-    plane: LaserPlane,
-    T_flange_sensor: Floats,
-    uv_px: Floats,
-    frame_of_point: NDArray[np.int64],
-    T_arm_flange: Floats,
-) -> Floats:
-    """Points of a whole scan in the arm frame (Eq. 9).
-
-    Args:
-        uv_px: (N, 2) distorted pixels of all frames.
-        frame_of_point: (N,) which of the F frames each pixel belongs to.
-        T_arm_flange: (F, 4, 4) the arm's pose at each frame's mid-exposure.
-
-    Returns:
-        (N, 3) mm; NaN as in ``sensor_points``.
-    """
-    in_sensor = sensor_points(camera, plane, uv_px)
-    return placed_points(in_sensor, frame_of_point, T_arm_flange @ T_flange_sensor)
-
-
 def placed_points(
     in_sensor: Floats,
     frame_of_point: NDArray[np.int64],

@@ -21,13 +21,12 @@ from app.metrology.arm import Arm, flange_poses
 from app.metrology.camera import Camera
 from app.metrology.frames import Floats
 from app.metrology.laser_plane import LaserPlane
-from app.metrology.point_spread import spread_um
-from app.metrology.reconstruct import placed_points, sensor_points
+from app.metrology.point_spread import scan_points
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import Stripe, extract_stripe
 from app.metrology.stripe_band import StripeBand
 from app.station.arm_side import LATE_S, ArmSide
-from app.station.recorder import Recorder, StripeFrame, size_of
+from app.station.recorder import Recorder, StripeFrame
 from app.station.sensor_side import SensorSide
 from hardware.interfaces import Frame
 
@@ -165,7 +164,8 @@ class ScanPipeline:
             StripeFrame(
                 frame.mid_exposure_ns,
                 band.extract(frame.image) if band else extract_stripe(frame.image, axis),
-                *size_of(frame),
+                frame.image.shape[1],
+                frame.image.shape[0],
             )
             for frame in frames
         ]
@@ -223,10 +223,11 @@ class ScanPipeline:
             for name in ("u", "v", "intensity", "sigma_px")
         ]
         u, v, intensity, sigma_px = columns
-        in_sensor = sensor_points(use.camera, use.plane, np.column_stack([u, v]))
+        uv = np.column_stack([u, v])
         T_arm_sensor = flange_poses(use.arm, q_rad) @ use.T_flange_sensor
-        points = placed_points(in_sensor, frame, T_arm_sensor)
-        spread = spread_um(use.camera, use.plane, in_sensor, sigma_px, use.stripe_axis)
+        points, spread = scan_points(
+            use.camera, use.plane, uv, sigma_px, use.stripe_axis, frame, T_arm_sensor
+        )
         cloud.write(points, intensity, spread, numbers[frame])
         self.counts.points = cloud.points
         self._note(len(points))

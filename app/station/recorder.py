@@ -12,7 +12,6 @@ from app.metrology.refusal import Refusal
 from app.metrology.stripe import Stripe
 from app.station.arm_side import LATE_S, ArmSide
 from hardware.clock import now_ns
-from hardware.interfaces import Frame
 
 QUEUE_BATCHES = 64
 POLL_S = 0.05
@@ -30,12 +29,6 @@ class StripeFrame:
     stripe: Stripe
     width_px: int
     height_px: int
-
-
-def size_of(frame: Frame) -> tuple[int, int]:
-    """Width and height in pixels."""
-    height, width = frame.image.shape
-    return width, height
 
 
 class Recorder:

@@ -18,8 +18,8 @@ from app.metrology.crenellated import Crenellated, corners
 from app.metrology.detection.corners import detect_object
 from app.metrology.laser_plane import LaserPlane
 from app.metrology.line_scatter import neighbours_alike
-from app.metrology.point_spread import spread_um
-from app.metrology.reconstruct import frame_points, placed_points, sensor_points
+from app.metrology.point_spread import scan_points
+from app.metrology.reconstruct import frame_points
 from app.metrology.refusal import Refusal
 from app.metrology.scene import Scene, edge_rows
 from app.metrology.stripe import extract_stripe
@@ -66,16 +66,13 @@ def warm_up() -> None:
         light = height * np.exp(-0.5 * (off_line / sigma_px) ** 2)
         lit = np.minimum(drawn + light, 255.0)
         for picture in (np.rint(lit).astype(np.uint8), np.rint(257.0 * lit).astype(np.uint16)):
-            stripe = extract_stripe(picture, "u")
+            extract_stripe(picture, "u")
             extract_stripe(picture.T, "v")
             for axis, seen in (("u", picture), ("v", picture.T)):
                 band = StripeBand(axis)
                 for _ in range(2):
                     band.extract(seen)
-    points = sensor_points(_camera(), LEVEL, np.column_stack([stripe.u, stripe.v]))
-    placed = placed_points(points, np.zeros(len(points), dtype=np.int64), np.eye(4)[None])
-    spread = spread_um(_camera(), LEVEL, points, stripe.sigma_px)
-    packed(placed, stripe.intensity, spread, 0)
+    warm_up_points()
     bare = np.full_like(drawn, TABLE)
     bare[: HEIGHT_PX // 2] = FLOOR
     found = detect_object(drawn, BLOCK)
@@ -89,11 +86,12 @@ def warm_up() -> None:
 
 def warm_up_points() -> None:
     """Runs the loops that bring pixels to points, for pixels of either precision."""
-    camera, plane = _camera(), LaserPlane(np.array([0.0, 0.0, 1.0]), 0.0)
-    uv, at = np.array([[10.0, 20.0]]), np.eye(4)[None]
-    placed_points(sensor_points(camera, plane, uv), np.zeros(1, dtype=np.int64), at)
+    camera, at, one = _camera(), np.eye(4)[None], np.ones(1)
+    uv, frame = np.array([[10.0, 20.0]]), np.zeros(1, dtype=np.int64)
+    points_mm, spread = scan_points(camera, LEVEL, uv, one, "u", frame, at)
+    packed(points_mm, one, spread, 0)
     u, v = uv.astype(np.float32).T.copy()
-    frame_points(camera, plane, u, v, np.array([0, 1]), at)
+    frame_points(camera, LEVEL, u, v, np.array([0, 1]), at)
 
 
 def drawn_block() -> NDArray[np.uint8]:

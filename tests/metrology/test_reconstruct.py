@@ -7,7 +7,7 @@ from app.metrology.arm import flange_poses
 from app.metrology.camera import Camera, project
 from app.metrology.frames import apply, inverse, rotation_from_vector
 from app.metrology.laser_plane import LaserPlane
-from app.metrology.reconstruct import arm_points, scan_points, sensor_points
+from app.metrology.reconstruct import arm_points, placed_points, sensor_points
 from tests.metrology.builders import random_arm, random_pose
 
 CAMERA = Camera(
@@ -52,7 +52,8 @@ def test_a_scan_is_every_frame_in_its_own_pose() -> None:
     in_sensor = points_on_the_laser_plane(rng, 90)
     uv = project(CAMERA, in_sensor)
     frame = rng.integers(0, 4, 90)
-    found = scan_points(CAMERA, PLANE, T_flange_sensor, uv, frame, T_arm_flange)
+    seen = sensor_points(CAMERA, PLANE, uv)
+    found = placed_points(seen, frame, T_arm_flange @ T_flange_sensor)
     back = apply(inverse(T_arm_flange[frame] @ T_flange_sensor), found)
     np.testing.assert_allclose(back, in_sensor, atol=1e-6)
     for k in range(4):
