@@ -1,194 +1,67 @@
-"""Fitting a Gaussian on a background to the peaks of many columns at once.
-
-Columns are taken LANES at a time, side by side, so that every step is one for all of
-them: a block's numbers lie in one array of single precision, in rows of LANES. Indices
-are unsigned, since a signed one could count from the end, which keeps a loop slow.
-"""
+"""Fitting a Gaussian on a background to the peaks of many columns at once."""
 
 import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.compiled import vector_kernel
 from app.metrology.frames import Floats
+from app.metrology.stripe_block import (
+    ALL,
+    CHI2,
+    CLIPPED,
+    FIRST,
+    G0,
+    G1,
+    G2,
+    G3,
+    LANES,
+    LAST,
+    MOVED,
+    N00,
+    N10,
+    N11,
+    N20,
+    N21,
+    N22,
+    N30,
+    N31,
+    N32,
+    N33,
+    NO_PEAK,
+    ONE,
+    PEAK,
+    PER_A,
+    PER_S,
+    STATE,
+    SUM_ROWS,
+    USED,
+    VAR,
+    WIDER,
+    A,
+    B,
+    C,
+    S,
+    Singles,
+    gather,
+    set_windows,
+    start,
+)
 from app.metrology.stripe_search import Grey
 
-Singles = NDArray[np.float32]
+F = np.float32
+Factors = tuple[F, F, F, F, F, F, F, F, F, F]
 
-LANES = 64
-# Rows of a block: the lower half of the normal matrix (row by row), its right-hand side,
-# chi squared and the number of pixels; the parameters and their inverses; first and last
-# pixel of the fit, what became of the lane, its last step in shares of the width, the centre's
-# variance, and how many pixels are clipped.
-_SUMS, _PARAMETERS, _STATES = 16, 6, 6
-(N00, N10, N11, N20, N21, N22, N30, N31, N32, N33, G0, G1, G2, G3, CHI2, USED) = (
-    np.uintp(LANES * i) for i in range(_SUMS)
-)
-C, A, S, B, PER_A, PER_S = (np.uintp(LANES * (_SUMS + i)) for i in range(_PARAMETERS))
-FIRST, LAST, STATE, MOVED, VAR, CLIPPED = (
-    np.uintp(LANES * (_SUMS + _PARAMETERS + i)) for i in range(_STATES)
-)
-# Of the start, in the place of sums: the level of half height, pixels above and below it, and
-# how far the latter is.
-LEVEL, INSIDE, OUTSIDE, FAR = N00, N10, N11, N20
-ALL = np.uintp(LANES)
-TWO = np.uintp(2)
-ONE = np.uintp(1)
-BLOCK_ROWS = _SUMS + _PARAMETERS + _STATES
-# What became of a lane: no peak; a peak that needs more rows than the block holds; a peak.
-NO_PEAK, WIDER, PEAK = np.float32(0), np.float32(1), np.float32(2)
-
-# A fit reaches so many standard deviations and pixels from the centre, and further out
-# beside clipped pixels: a clipped profile looks wider, and has its foot further out.
-REACH, REACH_PX, BESIDE_CLIPPED_PX = np.float32(3.2), np.float32(1), np.float32(2)
 FEWEST_PIXELS = np.float32(5)
 # Half a width and half a height is the most that a step may move by.
 LONGEST_STEP = np.float32(0.5)
-HALF_WIDTHS = np.float32(1 / 2.3548)
 # The longest step, in shares of the width, after which what is left to go is none: the
 # next would be a tenth as long.
 SETTLED = np.float32(0.05)
-# Rows about a peak that are looked at where the usual number does not do.
-WIDEST_REACH = 40
 # Rows about some peaks that tell the usual width.
 USUAL_REACH = 20
 # Rows of the table of fits.
 CENTRE, AMPLITUDE, SIGMA, BACKGROUND, VARIANCE, CHI2_OF, PIXELS, CLIPPED_OF, BECAME = range(9)
-NARROWEST, LEAST_START = np.float32(0.2), np.float32(0.4)
-
-
-@vector_kernel
-def to_brightest(
-    pixels: Grey, width: int, columns: NDArray[np.int32], rows: NDArray[np.int32], core: int
-) -> None:
-    """Moves the rows (n,) of peaks to the brightest pixel of their core, the row before on."""
-    for i in range(len(columns)):
-        at = np.uintp((rows[i] - 1) * width + columns[i])
-        best, top = 0, pixels[at]
-        for k in range(1, core):
-            at += np.uintp(width)
-            if pixels[at] > top:
-                best, top = k, pixels[at]
-        rows[i] += best - 1
-
-
-@vector_kernel
-def gather(
-    pixels: Grey,
-    width: int,
-    columns: NDArray[np.int32],
-    rows: NDArray[np.int32],
-    reach: int,
-    raw: Grey,
-    profile: Singles,
-) -> None:
-    """Takes the pixels about the peaks, for a block.
-
-    Args:
-        pixels: (H W,) the image's pixels.
-        columns, rows: (n <= LANES,) where the peaks are; the last fills up the block.
-        reach: rows about ``rows``; those beyond the image repeat its border.
-        raw: room to work in, as long as profile.
-        profile: ((2 reach + 1) LANES,) or more, filled row by row.
-    """
-    n = len(columns)
-    height = len(pixels) // width
-    for i in range(LANES):
-        lane = min(i, n - 1)
-        row = rows[lane] - reach
-        to = np.uintp(i)
-        if row >= 0 and row + 2 * reach < height:
-            at = np.uintp(row * width + columns[lane])
-            for _ in range(2 * reach + 1):
-                raw[to] = pixels[at]
-                at += np.uintp(width)
-                to += ALL
-        else:
-            for k in range(2 * reach + 1):
-                inside = min(max(row + k, 0), height - 1)
-                raw[to] = pixels[np.uintp(inside * width + columns[lane])]
-                to += ALL
-    for j in range(np.uintp(LANES * (2 * reach + 1))):
-        profile[j] = np.float32(raw[j])
-
-
-@vector_kernel
-def start(block: Singles, profile: Singles, reach: int, saturated: np.float32) -> None:
-    """Centre, width at half height, height and background of every lane's peak."""
-    middle = np.uintp(reach) * ALL
-    end = np.uintp(2 * reach) * ALL
-    third, half = np.float32(1 / 3), np.float32(0.5)
-    for i in range(ALL):
-        here = middle + i
-        top = max(max(profile[here - ALL], profile[here + ALL]), profile[here])
-        top = max(max(profile[here - TWO * ALL], profile[here + TWO * ALL]), top)
-        low = (profile[i] + profile[ALL + i] + profile[TWO * ALL + i]) * third
-        to = end + i
-        high = (profile[to] + profile[to - ALL] + profile[to - TWO * ALL]) * third
-        background = min(low, high)
-        block[B + i] = background
-        block[A + i] = top - background
-        block[LEVEL + i] = half * (min(top, saturated) + max(low, high))
-    crossings(block, profile, middle, reach, FIRST, False)
-    crossings(block, profile, middle, reach, LAST, True)
-    for i in range(ALL):
-        left, right = np.float32(reach) - block[FIRST + i], np.float32(reach) + block[LAST + i]
-        whole = (block[FIRST + i] > 0) & (block[LAST + i] > 0)
-        state = PEAK if whole else WIDER
-        state = state if block[A + i] > 0 else NO_PEAK
-        state = NO_PEAK if whole & (right - left < np.float32(1)) else state
-        block[STATE + i] = state
-        block[C + i] = half * (left + right) if whole else np.float32(reach)
-        block[S + i] = max((right - left) * HALF_WIDTHS, LEAST_START) if whole else np.float32(1)
-        block[A + i] = block[A + i] if block[A + i] > 0 else np.float32(1)
-
-
-@vector_kernel
-def crossings(
-    block: Singles, profile: Singles, middle: np.uintp, reach: int, to: np.uintp, downwards: bool
-) -> None:
-    """How far from its middle row a lane's profile first falls to the level; 0 for never."""
-    for i in range(ALL):
-        block[INSIDE + i] = profile[middle + i]
-        block[OUTSIDE + i] = profile[middle + i]
-        block[FAR + i] = np.float32(0)
-    for k in range(1, reach + 1):
-        away = np.uintp(k) * ALL
-        row = middle + away if downwards else middle - away
-        far = np.float32(k)
-        for i in range(ALL):
-            pixel = profile[row + i]
-            seeking = block[OUTSIDE + i] > block[LEVEL + i]
-            block[INSIDE + i] = block[OUTSIDE + i] if seeking else block[INSIDE + i]
-            block[OUTSIDE + i] = pixel if seeking else block[OUTSIDE + i]
-            block[FAR + i] = far if seeking else block[FAR + i]
-    for i in range(ALL):
-        inside, outside, level = block[INSIDE + i], block[OUTSIDE + i], block[LEVEL + i]
-        away_px = block[FAR + i] - (level - outside) / (inside - outside)
-        block[to + i] = away_px if (outside <= level) & (inside > level) else np.float32(0)
-
-
-@vector_kernel
-def set_windows(block: Singles, profile: Singles, reach: int, saturated: np.float32) -> None:
-    """The pixels that every lane's fit takes: both flanks, even beside clipped pixels."""
-    rows = np.uintp(2 * reach + 1)
-    last = np.float32(2 * reach)
-    for i in range(ALL):
-        away = REACH * block[S + i] + REACH_PX
-        block[FIRST + i] = np.ceil(block[C + i] - away)
-        block[LAST + i] = np.floor(block[C + i] + away)
-        block[CLIPPED + i] = np.float32(0)
-    for k in range(rows):
-        x = np.float32(k)
-        for i in range(ALL):
-            within = (x >= block[FIRST + i]) & (x <= block[LAST + i])
-            clipped = within & (profile[k * ALL + i] >= saturated)
-            block[CLIPPED + i] += np.float32(1) if clipped else np.float32(0)
-    for i in range(ALL):
-        out = BESIDE_CLIPPED_PX if block[CLIPPED + i] > 0 else np.float32(0)
-        block[FIRST + i] -= out
-        block[LAST + i] += out
-        short = (block[FIRST + i] < 0) | (block[LAST + i] > last)
-        block[STATE + i] = min(block[STATE + i], WIDER) if short else block[STATE + i]
+NARROWEST = np.float32(0.2)
 
 
 @vector_kernel
@@ -221,7 +94,7 @@ def normal_equations(
         first, last = min(first, block[FIRST + i]), max(last, block[LAST + i])
         block[PER_A + i] = np.float32(1) / block[A + i]
         block[PER_S + i] = np.float32(1) / block[S + i]
-    for i in range(np.uintp(_SUMS) * ALL):
+    for i in range(np.uintp(SUM_ROWS) * ALL):
         block[i] = np.float32(0)
     n0, n1, n2 = noise[0], noise[1], noise[2]
     k = np.uintp(max(first, np.float32(0)))
@@ -263,6 +136,20 @@ def normal_equations(
 
 
 @vector_kernel
+def factored(block: Singles, i: int) -> Factors:
+    """A lane's normal matrix as ``L D L'``: the four of D, then L below its ones, by columns."""
+    d0 = block[N00 + i]
+    l1, l2, l3 = block[N10 + i] / d0, block[N20 + i] / d0, block[N30 + i] / d0
+    d1 = block[N11 + i] - l1 * block[N10 + i]
+    m2 = (block[N21 + i] - l1 * block[N20 + i]) / d1
+    m3 = (block[N31 + i] - l1 * block[N30 + i]) / d1
+    d2 = block[N22 + i] - l2 * block[N20 + i] - m2 * m2 * d1
+    o3 = (block[N32 + i] - l2 * block[N30 + i] - m2 * m3 * d1) / d2
+    d3 = block[N33 + i] - l3 * block[N30 + i] - m3 * m3 * d1 - o3 * o3 * d2
+    return d0, d1, d2, d3, l1, l2, l3, m2, m3, o3
+
+
+@vector_kernel
 def step(block: Singles) -> None:
     """Moves every lane's parameters by one Gauss-Newton step.
 
@@ -270,15 +157,7 @@ def step(block: Singles) -> None:
     """
     least = np.float32(1e-6)
     for i in range(ALL):
-        # N = L D L'
-        d0 = block[N00 + i]
-        l1, l2, l3 = block[N10 + i] / d0, block[N20 + i] / d0, block[N30 + i] / d0
-        d1 = block[N11 + i] - l1 * block[N10 + i]
-        m2 = (block[N21 + i] - l1 * block[N20 + i]) / d1
-        m3 = (block[N31 + i] - l1 * block[N30 + i]) / d1
-        d2 = block[N22 + i] - l2 * block[N20 + i] - m2 * m2 * d1
-        o3 = (block[N32 + i] - l2 * block[N30 + i] - m2 * m3 * d1) / d2
-        d3 = block[N33 + i] - l3 * block[N30 + i] - m3 * m3 * d1 - o3 * o3 * d2
+        d0, d1, d2, d3, l1, l2, l3, m2, m3, o3 = factored(block, i)
         y0 = block[G0 + i]
         y1 = block[G1 + i] - l1 * y0
         y2 = block[G2 + i] - l2 * y0 - m2 * y1
@@ -317,14 +196,7 @@ def invert(block: Singles) -> None:
     """Puts the inverse of every lane's normal matrix in the matrix's place."""
     one = np.float32(1)
     for i in range(ALL):
-        d0 = block[N00 + i]
-        l1, l2, l3 = block[N10 + i] / d0, block[N20 + i] / d0, block[N30 + i] / d0
-        d1 = block[N11 + i] - l1 * block[N10 + i]
-        m2 = (block[N21 + i] - l1 * block[N20 + i]) / d1
-        m3 = (block[N31 + i] - l1 * block[N30 + i]) / d1
-        d2 = block[N22 + i] - l2 * block[N20 + i] - m2 * m2 * d1
-        o3 = (block[N32 + i] - l2 * block[N30 + i] - m2 * m3 * d1) / d2
-        d3 = block[N33 + i] - l3 * block[N30 + i] - m3 * m3 * d1 - o3 * o3 * d2
+        d0, d1, d2, d3, l1, l2, l3, m2, m3, o3 = factored(block, i)
         c0, c1, c2, c3 = one / d0, one / d1, one / d2, one / d3
         # the inverse of L in N = L D L'
         z20 = m2 * l1 - l2

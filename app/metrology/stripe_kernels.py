@@ -5,6 +5,7 @@ from numpy.typing import NDArray
 
 from app.metrology.compiled import kernel
 from app.metrology.frames import Floats
+from app.metrology.stripe_block import PEAK, WIDER, WIDEST_REACH, Singles, to_brightest
 from app.metrology.stripe_choice import choose, in_long_runs
 from app.metrology.stripe_fit import (
     AMPLITUDE,
@@ -12,15 +13,10 @@ from app.metrology.stripe_fit import (
     CENTRE,
     CHI2_OF,
     CLIPPED_OF,
-    PEAK,
     PIXELS,
     SIGMA,
     VARIANCE,
-    WIDER,
-    WIDEST_REACH,
-    Singles,
     fit_peaks,
-    to_brightest,
     usual_width,
 )
 from app.metrology.stripe_noise import FIRST_GAIN, tell_noise

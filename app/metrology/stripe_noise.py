@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from app.metrology.compiled import kernel, vector_kernel
 from app.metrology.frames import Floats
-from app.metrology.stripe_fit import (
+from app.metrology.stripe_block import (
     ALL,
     FIRST,
     LANES,
@@ -25,21 +25,17 @@ from app.metrology.stripe_fit import (
     N33,
     PEAK,
     PER_S,
-    SETTLED,
     STATE,
     USED,
     A,
     B,
     C,
     Singles,
-    bell,
     gather,
-    invert,
-    normal_equations,
     set_windows,
     start,
-    step,
 )
+from app.metrology.stripe_fit import SETTLED, bell, invert, normal_equations, step
 from app.metrology.stripe_search import Grey
 
 # Pieces of rows, evenly over the image, whose neighbours are compared, and their length.

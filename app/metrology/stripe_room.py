@@ -6,7 +6,7 @@ from typing import TypeVar, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.stripe_fit import BLOCK_ROWS, LANES, WIDEST_REACH
+from app.metrology.stripe_block import BLOCK_ROWS, LANES, WIDEST_REACH
 from app.metrology.stripe_noise import BLOCKS, LEVELS
 from app.metrology.stripe_search import PADDING, RING, STRIP_ROWS, Grey, Wide
 
