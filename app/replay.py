@@ -58,7 +58,7 @@ class Replay:
     def start(self, scene: Scene, bus: Bus) -> None:
         """Begins to show points, on a thread of its own."""
         use = self._calibration
-        scene.clear()
+        scene.begin()
         scene.set_arm_model(self._arm)
         depth = float(np.median(_depths(use)))
         low, high = depth + DEPTH_MM[0], depth + DEPTH_MM[1]
@@ -123,8 +123,7 @@ class Replay:
             wait_s = (self._clock.due_ns(stamp_ns) - now_ns()) / 1e9
             if self._ended.wait(max(wait_s, 0.0)):
                 raise _EndedError
-            xyz = np.column_stack([piece[axis] for axis in "xyz"])
-            scene.add_points(xyz, piece["intensity"].astype(np.float64))
+            scene.add_points(piece)
 
 
 class _EndedError(Exception):

@@ -1,6 +1,7 @@
 """A running scan: frames to stripes, stripes to the recording, to points, to the display."""
 
 import logging
+import math
 import os
 import queue
 import threading
@@ -15,11 +16,12 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from app.files.clouds import CloudWriter, cloud_writer
+from app.files.cloud_points import Points
+from app.files.clouds import CloudWriter, cloud_writer, packed
 from app.files.failures import refusal_of
 from app.metrology.arm import Arm, flange_poses
 from app.metrology.camera import Camera
-from app.metrology.frames import Floats
+from app.metrology.frames import Floats, apply
 from app.metrology.laser_plane import LaserPlane
 from app.metrology.point_spread import scan_points
 from app.metrology.refusal import Refusal
@@ -40,7 +42,8 @@ TAP_FRAMES = 128
 POINTS_QUEUE = 64
 POLL_S = 0.1
 RATE_WINDOW_S = 1.0
-Show = Callable[[Floats, Floats], None]
+DISTANCE_AGE_S = 0.5
+Show = Callable[[Points], None]
 Numbers = NDArray[np.int64]
 
 
@@ -95,6 +98,7 @@ class ScanPipeline:
         self._cloud_path = folder / "cloud.ply"
         self._show = show
         self._made: deque[tuple[float, int]] = deque()
+        self._distance = (-math.inf, 0.0)
         self._extracting: queue.Queue[Future[list[StripeFrame]] | None] = queue.Queue(2 * CORES)
         self._stripes: queue.Queue[list[StripeFrame] | None] = queue.Queue(POINTS_QUEUE)
         self._lost_before = sensor.reader.link().lost
@@ -128,6 +132,12 @@ class ScanPipeline:
         """Points of the last second."""
         now = time.monotonic()
         return sum(count for at, count in tuple(self._made) if now - at <= RATE_WINDOW_S)
+
+    @property
+    def distance_mm(self) -> float | None:
+        """Of the newest stripe from the camera; None where none was seen just now."""
+        at_s, distance_mm = self._distance
+        return distance_mm if time.monotonic() - at_s <= DISTANCE_AGE_S else None
 
     @property
     def trouble(self) -> Refusal | None:
@@ -228,16 +238,26 @@ class ScanPipeline:
         points, spread = scan_points(
             use.camera, use.plane, uv, sigma_px, use.stripe_axis, frame, T_arm_sensor
         )
-        cloud.write(points, intensity, spread, numbers[frame])
+        records = packed(points, intensity, spread, numbers[frame])
+        cloud.append(records)
         self.counts.points = cloud.points
         self._note(len(points))
-        self._show(points, intensity)
+        self._note_distance(points[frame == frame[-1:]], T_arm_sensor[-1])
+        self._show(records)
 
     def _note(self, count: int) -> None:
         now = time.monotonic()
         self._made.append((now, count))
         while self._made and now - self._made[0][0] > RATE_WINDOW_S:
             self._made.popleft()
+
+    def _note_distance(self, stripe_mm: Floats, T_arm_sensor: Floats) -> None:
+        """Of the last frame's points (N, 3) of the arm frame."""
+        camera_mm = apply(T_arm_sensor, self._calibration.camera.centre_mm[None])[0]
+        distances = np.linalg.norm(stripe_mm - camera_mm, axis=1)
+        distances = distances[np.isfinite(distances)]
+        if len(distances):
+            self._distance = (time.monotonic(), float(np.median(distances)))
 
     def _drain(self) -> None:
         """Lets the stage before end: its queue must not fill up."""

@@ -147,7 +147,7 @@ class Scanner:
             assert calibration is not None
             started = datetime.now(UTC)
             folder = self._new_folder(started)
-            self._scene.clear()
+            self._scene.begin(folder.name)
             info = self._rig.sensor.info
             if info is not None and info.has_laser_switch:
                 self._rig.sensor.set_laser(True)

@@ -5,6 +5,7 @@ reached only through the station's own server. It is a preview, never the record
 """
 
 import threading
+import time
 from collections.abc import Callable, Sequence
 from typing import TypeVar
 
@@ -12,14 +13,16 @@ import numpy as np
 import rich
 import viser
 
+from app.files.cloud_points import Points
 from app.metrology.arm import Arm, link_transforms
 from app.metrology.camera import Camera
 from app.metrology.crenellated import Crenellated
 from app.metrology.frames import Floats, apply
 from app.metrology.laser_plane import LaserPlane
 from app.station.arm_view import ArmView
-from app.station.cloud_view import CloudView
+from app.station.clouds import Clouds
 from app.station.eye import Eye
+from app.station.painter import Legend, Measure, Traits
 from app.station.shapes import block_mesh, reach_mm
 from app.station.views import M_PER_MM, add_mesh, pose_of
 
@@ -51,11 +54,13 @@ class Scene:
         self._server._websock_server._broadcast_buffer.max_window_size = WINDOW_MESSAGES
         self._lock = threading.RLock()
         self._handing_over = threading.Lock()
-        self._waiting: list[tuple[Floats, Floats]] = []
+        self._waiting: list[tuple[Points, float]] = []
         self._waiting_points = 0
         self._q_rad: Sequence[float] | None = None
         self._laser_on = False
-        self._cloud = CloudView(self._server, point_budget)
+        self._clouds = Clouds(self._server, point_budget)
+        self._live = ""
+        self._began_s = time.monotonic()
         self._arm: ArmView | None = None
         self._arm_model: Arm | None = None
         self._block: viser.MeshHandle | None = None
@@ -63,6 +68,7 @@ class Scene:
         self._looked = False
         self._prepare()
         self._eye = Eye(self._server)
+        self.begin()
         self._stopping = threading.Event()
         self._thread = threading.Thread(target=self._run, name="scene", daemon=True)
         self._thread.start()
@@ -74,30 +80,73 @@ class Scene:
 
     @property
     def points_shown(self) -> int:
-        return self._cloud.shown
+        """Of the scan under way, or the last one."""
+        return self._clouds.shown_of(self._live)
+
+    @property
+    def legend(self) -> Legend | None:
+        """What the colours mean; None before there are any."""
+        return self._clouds.painter.legend
+
+    @property
+    def scans(self) -> dict[str, int]:
+        """The scans in the picture, by name, with how many points of each are shown."""
+        with self._lock:
+            return {name: self._clouds.shown_of(name) for name in self._clouds.names}
 
     def close(self) -> None:
         self._stopping.set()
         self._thread.join(5.0)
         _quiet(self._server.stop)
 
-    def clear(self) -> None:
-        """Removes the cloud; arm, sensor and block stay."""
+    def begin(self, name: str = "") -> None:
+        """A new scan: the picture is cleared for it; arm, sensor and block stay."""
         with self._lock:
             self._take_waiting()
-            self._cloud.clear()
+            self._clouds.clear()
+            self._live = name
+            self._began_s = time.monotonic()
+            self._clouds.open(name, live=True)
             self._seen_size_mm = 0.0
 
-    def add_points(self, xyz_mm: Floats, intensity: Floats) -> None:
-        """Adds points (N, 3) of the arm frame with the stripe's intensity (N,).
+    def add_points(self, points: Points) -> None:
+        """Adds points (N,) of the arm frame to the scan under way.
 
         Never waits for what is being drawn. When the display is behind, it gets fewer of
         the points, the fewer the further: it is a preview.
         """
         with self._handing_over:
             step = 1 + self._waiting_points // WAITING_POINTS
-            self._waiting.append((xyz_mm[::step], intensity[::step]))
+            self._waiting.append((points[::step], time.monotonic() - self._began_s))
             self._waiting_points += len(self._waiting[-1][0])
+
+    def open_scan(self, name: str) -> None:
+        """A place in the picture for a scan of before."""
+        with self._lock:
+            self._clouds.open(name)
+
+    def add_to_scan(self, name: str, points: Points, taken_s: Floats) -> bool:
+        """Shows points (N,) of a scan of before; False once it was taken out of the picture."""
+        with self._lock:
+            known = self._clouds.add(name, points, taken_s)
+            self._look_at_clouds()
+            return known
+
+    def close_scan(self, name: str) -> None:
+        """Takes a scan out of the picture."""
+        with self._lock:
+            self._clouds.close(name)
+
+    def colour_by(self, measure: Measure, limits: tuple[float, float] | None) -> None:
+        """Colours all clouds by this, within limits of its unit, or automatic ones."""
+        with self._lock:
+            self._clouds.painter.show(measure, limits)
+
+    def points_of(self, name: str) -> tuple[Floats, Traits, float]:
+        """What is shown of a scan: (N, 3) mm, beside it (N,), and the size of its cubes."""
+        with self._lock:
+            points_mm, voxel_mm = self._clouds.points_of(name)
+            return points_mm, self._clouds.traits_of(name), voxel_mm
 
     def set_arm_model(self, arm: Arm | None) -> None:
         """Draws this arm from now on, by its own kinematics."""
@@ -187,9 +236,11 @@ class Scene:
         radius_mm = 0.5 * float(np.linalg.norm(high - low)) + 0.06 * reach_mm(arm)
         self._eye.look(M_PER_MM * (low + high) / 2, M_PER_MM * radius_mm)
 
-    def _look_at_cloud(self) -> None:
-        """As the cloud grows: all of it, with some of the sensor over it."""
-        low, high = self._cloud.bounds_mm
+    def _look_at_clouds(self) -> None:
+        """As they grow: all of them, with some of the sensor over them."""
+        low, high = self._clouds.bounds_mm
+        if not np.isfinite(low).all():
+            return
         size_mm = float(np.linalg.norm(high - low))
         if size_mm > CLOUD_GROWTH * self._seen_size_mm:
             self._seen_size_mm = size_mm
@@ -200,17 +251,18 @@ class Scene:
         while not self._stopping.wait(FLUSH_S):
             with self._lock:
                 self._show_waiting()
+                self._clouds.settle()
                 self._show_arm()
 
     def _show_waiting(self) -> None:
         waiting = self._take_waiting()
         if waiting:
+            taken_s = np.repeat([at for _, at in waiting], [len(points) for points, _ in waiting])
             points = np.concatenate([points for points, _ in waiting])
-            self._cloud.add(points, np.concatenate([intensity for _, intensity in waiting]))
-            if self._cloud.shown:
-                self._look_at_cloud()
+            self._clouds.add(self._live, points, taken_s)
+            self._look_at_clouds()
 
-    def _take_waiting(self) -> list[tuple[Floats, Floats]]:
+    def _take_waiting(self) -> list[tuple[Points, float]]:
         with self._handing_over:
             waiting, self._waiting, self._waiting_points = self._waiting, [], 0
         return waiting

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from app.files.arm import write_arm
+from app.files.cloud_points import Points
 from app.files.recording_writer import RecordingWriter
 from app.metrology.refusal import Refusal
 from app.replay import Replay
@@ -33,14 +34,14 @@ class Shown:
         self.points: list[np.ndarray] = []
         self.came_ns: list[int] = []
 
-    def clear(self) -> None: ...
+    def begin(self) -> None: ...
 
     def set_arm_model(self, arm: object) -> None: ...
 
     def set_sensor(self, *of: object) -> None: ...
 
-    def add_points(self, xyz_mm: np.ndarray, intensity: np.ndarray) -> None:
-        self.points.append(xyz_mm)
+    def add_points(self, points: Points) -> None:
+        self.points.append(np.column_stack([points[axis] for axis in "xyz"]))
         self.came_ns.append(now_ns())
 
 

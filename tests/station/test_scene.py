@@ -5,6 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 
+from app.files.cloud_points import Points, packed
 from app.metrology.arm import Joint, flange_pose, link_transforms, tip_centres
 from app.metrology.camera import Camera, project
 from app.metrology.crenellated import Crenellated, corners
@@ -43,8 +44,13 @@ def surface(count: int, seed: int = 1, size_mm: float = 60.0) -> np.ndarray:
     return np.column_stack([700 + xy[:, 0], 80 + xy[:, 1], 0.002 * (xy**2).sum(axis=1)])
 
 
+def records(points: np.ndarray, intensity: float = 100.0, uncertainty_um: float = 5.0) -> Points:
+    ones = np.ones(len(points))
+    return packed(points, intensity * ones, uncertainty_um * ones, 0)
+
+
 def add(scene: Scene, points: np.ndarray) -> None:
-    scene.add_points(points, np.full(len(points), 100.0))
+    scene.add_points(records(points))
 
 
 def test_points_come_to_the_browser_where_they_are_to_a_micrometre(
@@ -94,7 +100,7 @@ def test_small_nodes_are_merged(scene: Scene, viewer: Viewer) -> None:
     add_many = [surface(20, seed) for seed in range(70)]
     with scene._lock:
         for points in add_many:
-            scene._cloud.add(points, np.full(len(points), 50.0))
+            scene._clouds.add("", records(points), np.zeros(len(points)))
     assert len(viewer.listen().clouds()) < 20
 
 
@@ -108,12 +114,12 @@ def test_a_late_viewer_gets_everything_in_small_windows(scene: Scene) -> None:
     assert scene._server._websock_server._broadcast_buffer.max_window_size == WINDOW_MESSAGES
 
 
-def test_clearing_removes_the_cloud_and_leaves_the_rest(scene: Scene, viewer: Viewer) -> None:
+def test_a_new_scan_removes_the_cloud_and_leaves_the_rest(scene: Scene, viewer: Viewer) -> None:
     scene.set_block(np.eye(4), BLOCK)
     add(scene, surface(1000))
     until(lambda: scene.points_shown > 0)
     assert viewer.listen().clouds()
-    scene.clear()
+    scene.begin()
     assert scene.points_shown == 0
     viewer.listen()
     assert not viewer.clouds()
