@@ -101,7 +101,7 @@ def serve(config: Path | None, data: Path | None, host: str, port: int, open_bro
         hosts=(*settings.hosts, host),
         limits=settings.limits,
     )
-    print("Starting the station; the first start takes half a minute.", flush=True)
+    print("Starting the station; the first start takes a minute.", flush=True)
     _run(parts, listening, host, open_browser)
 
 

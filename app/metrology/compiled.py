@@ -4,6 +4,7 @@ from collections.abc import Callable
 from typing import TypeVar, cast
 
 from numba import njit
+from numba.core.dispatcher import Dispatcher
 
 F = TypeVar("F", bound=Callable[..., object])
 
@@ -25,3 +26,8 @@ def vector_kernel(function: F) -> F:
     """
     compiled = njit(nogil=True, cache=True, error_model="numpy", fastmath={"contract"})
     return cast(F, compiled(function))
+
+
+def compiled_here(function: Callable[..., object]) -> bool:
+    """Whether a kernel had to be compiled in this process, since none was kept on disk."""
+    return isinstance(function, Dispatcher) and bool(function.stats.cache_misses)

@@ -5,6 +5,9 @@ kept on disk for later starts. In the middle of a calibration that would hold th
 pictures up for longer than a device may be silent.
 """
 
+import multiprocessing
+import signal
+from collections.abc import Callable
 from contextlib import suppress
 
 import cv2
@@ -12,8 +15,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.files.cloud_points import packed
+from app.metrology import reconstruct_kernels as kernels
 from app.metrology.adjustment.weighing import judged
 from app.metrology.camera import Camera, project
+from app.metrology.compiled import compiled_here
 from app.metrology.crenellated import Crenellated, corners
 from app.metrology.detection.corners import detect_object
 from app.metrology.laser_plane import LaserPlane
@@ -56,10 +61,35 @@ LEVEL = LaserPlane(np.array([0.0, 0.0, 1.0]), BLOCK.crest_z_mm)
 
 
 def warm_up() -> None:
-    """Runs every compiled loop of the live station once, on drawings with and without a block.
+    """Runs every compiled loop of the live station once.
 
-    The first time on a machine this takes a minute, later about a second.
+    The first time on a machine all are compiled, half of them in a process of its own on
+    another core; later they are read from disk in about a second.
     """
+    warm_up_points()
+    if compiled_here(kernels.frame_points):
+        _share_out()
+    for part in PARTS:
+        part()
+
+
+def _share_out() -> None:
+    """Compiles every part in a process of its own, which leaves the loops on disk."""
+    beside = multiprocessing.get_context("spawn")
+    workers = [beside.Process(target=_alone, args=(part,), daemon=True) for part in PARTS]
+    for worker in workers:
+        worker.start()
+    for worker in workers:
+        worker.join()
+
+
+def _alone(part: Callable[[], None]) -> None:
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the station ends its workers itself
+    part()
+
+
+def warm_up_stripes() -> None:
+    """Runs the loops that find stripes, in pictures of 8 and 16 bits, along both axes."""
     drawn = drawn_block()
     off_line = np.arange(HEIGHT_PX)[:, None] - LINE_ROW
     for height, sigma_px in LINES:
@@ -72,7 +102,11 @@ def warm_up() -> None:
                 band = StripeBand(axis)
                 for _ in range(2):
                     band.extract(seen)
-    warm_up_points()
+
+
+def warm_up_block() -> None:
+    """Runs the loops that find the block, on drawings with and without it, and solve for it."""
+    drawn = drawn_block()
     bare = np.full_like(drawn, TABLE)
     bare[: HEIGHT_PX // 2] = FLOOR
     found = detect_object(drawn, BLOCK)
@@ -82,6 +116,10 @@ def warm_up() -> None:
     judged(rows)
     neighbours_alike(rows.places, rows.residuals)
     VoxelFilter(1.0).take_new(np.zeros((MANY_POINTS, 3)))
+
+
+PARTS = (warm_up_stripes, warm_up_block)
+"""No loop is used by both: two processes that keep one loop at a time would lose one's."""
 
 
 def warm_up_points() -> None:
