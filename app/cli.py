@@ -11,7 +11,7 @@ import typer
 
 from app.cli_arm import articulation, identify
 from app.cli_bench import bench
-from app.cli_scan import reconstruct, replay, study
+from app.cli_scan import reconstruct, replay, study, sync
 from app.console import (
     print_figures,
     print_json,
@@ -268,6 +268,7 @@ def verify(
 
 
 cli.command()(reconstruct)
+cli.command()(sync)
 cli.command()(study)
 cli.command()(replay)
 cli.command()(identify)

@@ -23,6 +23,18 @@ def reconstruct(
             "-o", "--output", help="The cloud: .ply, .pcd, .e57, .xyz, .las or .laz by its name."
         ),
     ] = Path("cloud.ply"),
+    delay_ms: Annotated[
+        float | None,
+        typer.Option(
+            min=-1000.0,
+            max=1000.0,
+            help="By how much the arm's stamps are later than the camera's; by default as the "
+            "station applied it.",
+        ),
+    ] = None,
+    sync: Annotated[
+        Path | None, typer.Option(help="The same, from the sync.json that crenel sync wrote.")
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Rebuild the cloud of a recording in the arm frame, with any calibration."""
@@ -34,16 +46,22 @@ def reconstruct(
             f"{output.with_suffix('.ply').name}",
             param_hint="'-o'",
         )
+    if delay_ms is not None and sync is not None:
+        raise typer.BadParameter("give one of the two", param_hint="'--delay-ms', '--sync'")
     from app.files.arm import read_arm
     from app.files.atomic import checked_target
     from app.files.calibration import read_calibration
     from app.files.rebuild import rebuild
+    from app.files.sync import read_sync
 
     began = time.perf_counter()
-    checked_target(output, (recording, calibration, arm))
+    checked_target(output, [recording, calibration, arm, *([sync] if sync else [])])
     sensor, arm_model = read_calibration(calibration), read_arm(arm)
+    delay_ns = None if delay_ms is None else round(1e6 * delay_ms)
+    if sync is not None:
+        delay_ns = read_sync(sync, sensor, arm_model).delay_ns
     with progress_bar("Reconstructing", not as_json) as tell:
-        rebuilt = rebuild(recording, sensor, arm_model, output, tell)
+        rebuilt = rebuild(recording, sensor, arm_model, output, tell, delay_ns)
     seconds = time.perf_counter() - began
     for text in rebuilt.warnings:
         warn(text)
@@ -58,6 +76,53 @@ def reconstruct(
     )
     print_figures(f"Cloud of {recording}", figures)
     print(f"{output} written in {seconds:.2f} s")
+
+
+@refusing
+def sync(
+    recording: Annotated[
+        Path,
+        typer.Argument(
+            metavar="SCAN.mcap",
+            help="A pass over a plane: nearer and away again, several times, as it goes over it.",
+        ),
+    ],
+    calibration: Annotated[Path, typer.Option(help="The sensor's calibration.json.")],
+    arm: Annotated[Path, typer.Option(help="The arm's arm.json.")],
+    output: Annotated[Path, typer.Option("-o", "--output", help="Where to write it.")] = Path(
+        "sync.json"
+    ),
+    as_json: AsJson = False,
+) -> None:
+    """Find the constant delay between arm and camera, with its uncertainty.
+
+    For crenel reconstruct --sync; the station finds and applies it on the Scan page.
+    """
+    from app.files.arm import read_arm
+    from app.files.atomic import checked_target
+    from app.files.calibration import read_calibration
+    from app.files.sync import sync as run
+
+    checked_target(output, (recording, calibration, arm))
+    sensor, arm_model = read_calibration(calibration), read_arm(arm)
+    with progress_bar("Looking for the delay", not as_json) as tell:
+        sheet = run(recording, sensor, arm_model, tell)
+        sheet.write(output)
+    if as_json:
+        print_json({**sheet.fields(), "file": str(output)})
+        return
+    figures = (
+        ("the arm's stamps are later by", f"{sheet.delay_ms:.3f} ms"),
+        ("standard uncertainty", f"{sheet.standard_uncertainty_ms:.3f} ms (k = 1)"),
+        ("pass", f"{sheet.seconds:.1f} s, {sheet.frames} frames, {sheet.reversals} reversals"),
+        ("speed across the plane", f"{sheet.speed_mm_s:.0f} mm/s rms"),
+        (
+            "points about the plane",
+            f"{sheet.rms_without_um:.0f} µm rms without it, {sheet.rms_um:.0f} µm with it",
+        ),
+    )
+    print_figures(f"Delay between arm and camera, {recording}", figures)
+    print(f"{output} written")
 
 
 @refusing

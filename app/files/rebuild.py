@@ -91,11 +91,16 @@ def rebuild(
     arm: Arm,
     cloud_path: Path,
     progress: Progress = no_progress,
+    delay_ns: int | None = None,
 ) -> Rebuilt:
     """Reconstructs a recording's cloud in the arm frame and writes it, as its name says.
 
     The recording is opened, and points are made, on all cores; only a few blocks of it
     are in memory at a time.
+
+    Args:
+        delay_ns: by how much the arm's stamps are later than the camera's; None as the
+            station applied it, where the recording says so.
 
     Raises:
         Refusal: calibration, arm and recording do not belong together, the recording
@@ -104,12 +109,17 @@ def rebuild(
     """
     with cloud_writer(cloud_path) as cloud:
         return rebuild_into(
-            recording_path, calibration, arm, lambda points, _: cloud.append(points), progress
+            recording_path,
+            calibration,
+            arm,
+            lambda points, _: cloud.append(points),
+            progress,
+            delay_ns,
         )
 
 
 def rebuilt_points(
-    recording_path: Path, calibration: Calibration, arm: Arm
+    recording_path: Path, calibration: Calibration, arm: Arm, delay_ns: int | None = None
 ) -> tuple[Floats, Rebuilt]:
     """As ``rebuild``, the points (N, 3) in memory."""
     kept: list[Floats] = []
@@ -118,6 +128,7 @@ def rebuilt_points(
         calibration,
         arm,
         lambda points, _: kept.append(np.column_stack([points[axis] for axis in "xyz"])),
+        delay_ns=delay_ns,
     )
     return np.concatenate(kept), result
 
@@ -128,10 +139,11 @@ def rebuild_into(
     arm: Arm,
     take: Take,
     progress: Progress = no_progress,
+    delay_ns: int | None = None,
 ) -> Rebuilt:
     """As ``rebuild``, the points handed to ``take`` in their order, on the caller's thread."""
     check_serials(calibration, arm)
-    job = _Job(open_recording(recording_path), calibration, arm, take)
+    job = _Job(open_recording(recording_path), calibration, arm, take, delay_ns)
     workers = os.cpu_count() or 1
     with ThreadPoolExecutor(workers, "rebuild") as pool:
         try:
@@ -146,12 +158,18 @@ class _Job:
     """One pass over a recording."""
 
     def __init__(
-        self, recording: Recording, calibration: Calibration, arm: Arm, take: Take
+        self,
+        recording: Recording,
+        calibration: Calibration,
+        arm: Arm,
+        take: Take,
+        delay_ns: int | None,
     ) -> None:
         self._recording = recording
         self._calibration = calibration
         self._arm = arm
         self._take_points = take
+        self._given_delay_ns = delay_ns
         self._points = 0
         self._joints = JointReader(recording.path, arm)
         self._track = JointTrack(arm.joint_count)
@@ -197,6 +215,11 @@ class _Job:
             warnings=tuple(self._warnings(joints, frames)),
         )
 
+    @property
+    def _delay_ns(self) -> int:
+        given = self._given_delay_ns
+        return self._recording.delay_ns if given is None else given
+
     def _take(self, block: Block) -> None:
         """The block's joints to the track, its frames to those that wait."""
         for samples in block.joints:
@@ -206,7 +229,7 @@ class _Job:
         if not frames:
             return
         if not self._numbered:
-            self._check_station()
+            check_station(self._recording, self._calibration, self._arm)
         stamps_ns = np.array([frame.stamp_ns for frame in frames])
         self._frame_clock.add(stamps_ns, np.array([frame.log_ns for frame in frames]))
         self._waiting.append(_Waiting(block, frames, self._numbered, int(stamps_ns.max())))
@@ -224,9 +247,13 @@ class _Job:
 
     def _settle(self, pool: ThreadPoolExecutor, up_to_ns: int | None) -> None:
         """Has points made of frames that joints reach past; None: no more will come."""
-        while self._waiting and (up_to_ns is None or self._waiting[0].last_ns <= up_to_ns):
+        delay_ns = self._delay_ns
+        while self._waiting and (
+            up_to_ns is None or self._waiting[0].last_ns + delay_ns <= up_to_ns
+        ):
             waiting = self._waiting.popleft()
-            q_rad = self._track.at_all(np.array([frame.stamp_ns for frame in waiting.frames]))
+            stamps_ns = np.array([frame.stamp_ns for frame in waiting.frames])
+            q_rad = self._track.at_all(stamps_ns + delay_ns)
             self._making.append(pool.submit(self._made, waiting, q_rad))
             if up_to_ns is None and len(self._making) > 2 * (os.cpu_count() or 1):
                 self._write()
@@ -288,21 +315,6 @@ class _Job:
                 )
         return said
 
-    def _check_station(self) -> None:
-        station, serials = self._recording.station, self._calibration.serial_numbers
-        path = self._recording.path
-        for device, recorded, known in (
-            ("sensor", station.get("sensor_serial", ""), serials.sensor),
-            ("arm", station.get("arm_serial", ""), self._arm.serial_number),
-        ):
-            if recorded and known and recorded != known:
-                raise Refusal(
-                    f"{device}-of-another-serial",
-                    f"{path} was taken with {device} {recorded}",
-                    f"the {'calibration' if device == 'sensor' else 'arm.json'} is for {known}",
-                    "Give the files that belong together",
-                )
-
     def _refuse_nothing(self) -> None:
         if self._points:
             return
@@ -341,6 +353,22 @@ class _Job:
             f"{track.gap_limit_ns / 1e6:.0f} ms apart are used",
             "Scan again, with arm and camera on one clock",
         )
+
+
+def check_station(recording: Recording, calibration: Calibration, arm: Arm) -> None:
+    """Refuses a recording of another sensor than the calibration's, or of another arm."""
+    serials = calibration.serial_numbers
+    for device, recorded, known in (
+        ("sensor", recording.station.get("sensor_serial", ""), serials.sensor),
+        ("arm", recording.station.get("arm_serial", ""), arm.serial_number),
+    ):
+        if recorded and known and recorded != known:
+            raise Refusal(
+                f"{device}-of-another-serial",
+                f"{recording.path} was taken with {device} {recorded}",
+                f"the {'calibration' if device == 'sensor' else 'arm.json'} is for {known}",
+                "Give the files that belong together",
+            )
 
 
 def check_serials(calibration: Calibration, arm: Arm) -> None:

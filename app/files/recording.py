@@ -24,6 +24,7 @@ from app.metrology.stripe import Stripe
 
 JOINTS_TOPIC, IMAGE_TOPIC, STRIPE_TOPIC = "/arm/joints", "/sensor/image", "/sensor/stripe"
 STATION_METADATA = "crenel/station"
+ARM_DELAY = "arm_delay_ns"
 LARGEST_RECORD = 2**30
 
 SCHEMAS = {
@@ -93,6 +94,13 @@ class Recording:
     station: dict[str, str] = field(default_factory=dict)
     """What the recording says of arm and sensor, e.g. ``sensor_serial``."""
     topics: set[str] = field(default_factory=set)
+
+    @property
+    def delay_ns(self) -> int:
+        """By how much the arm's stamps were taken to be later than the camera's."""
+        with suppress(ValueError):
+            return int(self.station.get(ARM_DELAY, "0"))
+        return 0
 
     def records(self) -> Iterator[Record]:
         """Joints, images and stripes in the order of the file.

@@ -23,6 +23,7 @@ from hardware.twin.kinematics import (
     translation,
 )
 from hardware.twin.motion import HALT_S, JointPath, Motion, path_over, reaching_path, smooth
+from hardware.twin.passing import SECONDS, passing_poses
 from hardware.twin.swinging import (
     BALL_MM,
     BAR_MM,
@@ -195,6 +196,18 @@ class Hand:
                 self._run(self._path_to(start, 50.0), begin, begin + 0.25 * share)
                 path = self._swept(thing.T_arm_obj, sweep)
                 self._run(path, begin + 0.25 * share, begin + share)
+            return True
+        return False
+
+    def pass_over_plate(self) -> bool:
+        """Goes over the plate and back, nearer and away again; False when cancelled."""
+        plate = self._scene.thing("plate")
+        assert isinstance(plate.shape, Box)
+        with self._move("passing over the plate"):
+            poses = passing_poses(plate.T_arm_obj, 0.7 * plate.shape.high_mm[1])
+            poses = poses @ self._T_sensor_flange
+            self._run(self._path_to(poses[0], 50.0), 0.0, 0.2)
+            self._run(path_over(self._arm, poses, self._now(), SECONDS / self._pace), 0.2, 1.0)
             return True
         return False
 

@@ -97,7 +97,16 @@ class Studio:
 class TwinSensor:
     """Meets ``SensorDriver``."""
 
-    def __init__(self, studio: Studio, info: SensorInfo, rate_hz: float, seed: int = 0) -> None:
+    def __init__(
+        self,
+        studio: Studio,
+        info: SensorInfo,
+        rate_hz: float,
+        seed: int = 0,
+        early_ns: int = 0,
+    ) -> None:
+        """``early_ns``: by how much its stamps are before the middle of the exposure."""
+        self._early_ns = early_ns
         self._studio, self._info, self._period_ns = studio, info, 1e9 / rate_hz
         self._rng = np.random.default_rng(seed)
         self._health = LinkHealth()
@@ -143,7 +152,7 @@ class TwinSensor:
                     self._health.lost += 1
                     continue
                 self._health.received += 1
-            return Frame(sequence, mid_ns, image, exposure_us, laser_on)
+            return Frame(sequence, mid_ns - self._early_ns, image, exposure_us, laser_on)
 
     def _wait_for_readout(self, deadline_ns: int) -> bool:
         """Until the frame that is due has been exposed and read out; False at the deadline."""

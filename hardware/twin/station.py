@@ -71,6 +71,8 @@ class TwinConfig:
     width_px: int = 1280
     height_px: int = 1024
     frames_hz: float = 25.0
+    arm_delay_ms: float = 0.0
+    """By how much the arm's stamps are later than the camera's."""
     detector: Detector = field(default_factory=Detector)
     light: Light = field(default_factory=Light)
 
@@ -181,7 +183,8 @@ class Twin:
             exposure_range_us=EXPOSURE_RANGE_US,
             has_laser_switch=True,
         )
-        return TwinSensor(self.studio, info, self.config.frames_hz, self.config.seed)
+        early_ns = round(1e6 * self.config.arm_delay_ms)
+        return TwinSensor(self.studio, info, self.config.frames_hz, self.config.seed, early_ns)
 
     def sensor_pose(self, stamp_ns: int) -> Floats:
         """``T_arm_sensor`` (4, 4) as it truly is at a moment."""

@@ -1,0 +1,114 @@
+"""The delay between arm and camera on the command line."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from app.files.arm import write_arm
+from app.files.clouds import read_cloud
+from app.files.recording import ARM_DELAY
+from app.files.recording_writer import RecordingWriter
+from app.metrology.arm import flange_pose
+from app.metrology.camera import project
+from app.metrology.frames import Floats
+from app.metrology.primitives import fit_plane
+from app.metrology.stripe import Stripe
+from tests.cli.test_cli import crenel, names_in, refused
+from tests.files.builders import ARM, HEIGHT, POSE_DEG, WIDTH, little_calibration
+from tests.files.test_documents import calibration_file
+from tests.files.test_rebuild import MS, NAMES
+
+DELAY_MS = 12.0
+
+
+def q_of(seconds: float) -> Floats:
+    """Of a hand that goes over a plate in waves."""
+    waves = [0.012 * np.sin(5 * seconds), 0.05 * np.sin(6 * seconds), 0.02 * np.sin(1.3 * seconds)]
+    return np.deg2rad(POSE_DEG) + np.array([*waves, 0.01 * np.sin(2 * seconds), 0.0, 0.0])
+
+
+def pass_over_a_plate(path: Path, station: dict[str, str] | None = None) -> None:
+    """Frames of a plane that stands across the laser's sheet; the arm's stamps late."""
+    use, rng = little_calibration(), np.random.default_rng(3)
+    there = flange_pose(ARM, q_of(0.0)) @ use.T_flange_sensor
+    normal = there[:3, :3] @ np.array([0.0, 0.9, 0.43589])
+    offset = float(normal @ (there @ [0.0, 1.5, 0.0, 1.0])[:3])
+    with RecordingWriter(path, NAMES, station) as writer:
+        for ms in range(0, 5200, 2):
+            q = q_of(ms / 1e3) + 1e-6 * rng.normal(size=6)
+            writer.joints(round((ms + DELAY_MS) * MS), q)
+        for ms in range(60, 5100, 40):
+            T = flange_pose(ARM, q_of(ms / 1e3)) @ use.T_flange_sensor
+            nx, ny, _ = T[:3, :3].T @ normal
+            x = np.linspace(-12, 12, 60)
+            y = (offset - normal @ T[:3, 3] - nx * x) / ny
+            uv = project(use.camera, np.column_stack([x, y, np.zeros(60)]))
+            v = uv[:, 1] + 0.02 * rng.normal(size=60)
+            stripe = Stripe(uv[:, 0], v, np.full(60, 99.0), np.full(60, 0.02))
+            writer.stripe(ms * MS, stripe, WIDTH, HEIGHT)
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    pass_over_a_plate(tmp_path / "scan.mcap")
+    calibration_file().write(tmp_path / "calibration.json")
+    write_arm(tmp_path / "arm.json", ARM)
+    return tmp_path
+
+
+def given(folder: Path) -> tuple[str | Path, ...]:
+    return ("--calibration", folder / "calibration.json", "--arm", folder / "arm.json")
+
+
+def rms_um(folder: Path, *more: str | Path, scan: str = "scan.mcap") -> float:
+    cloud = folder / "cloud.ply"
+    result = crenel("reconstruct", folder / scan, *given(folder), "-o", cloud, *more)
+    assert result.exit_code == 0, result.output
+    return 1e3 * fit_plane(read_cloud(cloud).points_mm).rms_mm
+
+
+def test_the_delay_is_found_and_a_rebuild_takes_it_out(folder: Path) -> None:
+    output = folder / "sync.json"
+    result = crenel("sync", folder / "scan.mcap", *given(folder), "-o", output, "--json")
+    assert result.exit_code == 0, result.output
+    told = json.loads(result.stdout)
+    assert told["delay_ms"] == pytest.approx(DELAY_MS, abs=4 * told["standard_uncertainty_ms"])
+    assert told["standard_uncertainty_ms"] < 0.2
+    assert json.loads(output.read_text())["delay_ms"] == told["delay_ms"]
+    without, found = rms_um(folder), rms_um(folder, "--sync", output)
+    assert found < 30 < 80 < without
+    assert rms_um(folder, "--delay-ms", str(DELAY_MS)) == pytest.approx(found, rel=0.05)
+    assert without == pytest.approx(told["rms_without_um"], rel=0.1)
+
+
+def test_a_rebuild_takes_out_what_the_station_took_out(folder: Path) -> None:
+    pass_over_a_plate(folder / "late.mcap", {ARM_DELAY: "12000000"})
+    assert rms_um(folder, scan="late.mcap") < 30
+    assert rms_um(folder, "--delay-ms", "0", scan="late.mcap") > 80
+    pass_over_a_plate(folder / "odd.mcap", {ARM_DELAY: "soon"})
+    assert rms_um(folder, scan="odd.mcap") > 80
+
+
+def test_what_does_not_tell_the_delay_is_refused_and_nothing_written(folder: Path) -> None:
+    with RecordingWriter(folder / "one-way.mcap", NAMES) as writer:
+        for ms in range(0, 2000, 2):
+            writer.joints(ms * MS, q_of(ms / 1e3))
+    before = names_in(folder)
+    assert "no frames" in refused("sync", folder / "one-way.mcap", *given(folder))
+    here = folder / "calibration.json"
+    assert "would replace" in refused("sync", folder / "scan.mcap", *given(folder), "-o", here)
+    assert "no MCAP" in refused("sync", here, *given(folder), "-o", folder / "sync.json")
+    assert names_in(folder) == before
+
+
+def test_a_delay_of_other_devices_is_refused(folder: Path) -> None:
+    output = folder / "sync.json"
+    assert crenel("sync", folder / "scan.mcap", *given(folder), "-o", output).exit_code == 0
+    sheet = json.loads(output.read_text())
+    output.write_text(json.dumps({**sheet, "arm_serial": "A-2"}))
+    line = refused("reconstruct", folder / "scan.mcap", *given(folder), "--sync", output)
+    assert "is of arm A-2" in line
+    both = ("--sync", output, "--delay-ms", "1")
+    assert crenel("reconstruct", folder / "scan.mcap", *given(folder), *both).exit_code == 2

@@ -1,0 +1,156 @@
+"""The delay between arm and camera, from simulated passes over planes and other things."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from app.metrology.clock_delay import clock_delay
+from app.metrology.clock_pass import PlanePass
+from app.metrology.frames import Floats
+from app.metrology.joint_stamps import angles_at
+from app.metrology.refusal import Refusal
+
+Path = Callable[[Floats], Floats]
+AT_NS = 10**12
+NORMAL = np.array([0.02, -0.03, 1.0]) / np.linalg.norm([0.02, -0.03, 1.0])
+
+
+def up_and_down(t: Floats) -> Floats:
+    """(T, 6) x, y, z (mm) and turns (rad) of a hand that goes over a plate in waves."""
+    waves = 8 * np.sin(5 * t) + 0.5 * np.sin(11 * t)
+    turns = (0.05 * np.sin(3 * t), 0.03 * np.sin(2 * t + 1), 0.02 * np.cos(1.3 * t))
+    return np.column_stack([0 * t, 15 * np.sin(1.3 * t), waves, *turns])
+
+
+@dataclass(frozen=True)
+class Setting:
+    """A pass by what can be told of it; the sensor looks down its z at z = -100 mm."""
+
+    path: Path = up_and_down
+    delay_ms: float = 4.0
+    seconds: float = 5.0
+    frames_hz: float = 25.0
+    point_sd_mm: float = 0.01
+    frame_sd_mm: float = 0.01
+    bent_mm: float = 0.0
+    """Of what the calibration does wrong over the height."""
+    shape: str = "plane"
+
+
+def poses(q: Floats) -> Floats:
+    T = np.tile(np.eye(4), (len(q), 1, 1))
+    T[:, :3, :3] = Rotation.from_euler("xyz", np.nan_to_num(q[:, 3:])).as_matrix()
+    T[:, :3, 3] = q[:, :3]
+    T[~np.isfinite(q).all(axis=1)] = np.nan
+    return T
+
+
+def passed(setting: Setting, seed: int = 0) -> PlanePass:
+    rng = np.random.default_rng(seed)
+    taken_s = np.arange(0.05, setting.seconds, 1 / setting.frames_hz) + rng.uniform(0, 1e-3)
+    read_s = np.arange(-0.4, setting.seconds + 0.4, 1e-3)
+    across = np.linspace(-12.0, 12.0, 120)
+    points = []
+    for T in poses(setting.path(taken_s)):
+        normal = T[:3, :3].T @ NORMAL
+        down = (-100.0 - NORMAL @ T[:3, 3] - normal[0] * across) / normal[2]
+        if setting.shape == "sphere":
+            down = down - (across + T[0, 3]) ** 2 / 40 - T[1, 3] ** 2 / 40
+        if setting.shape == "plate on a table":
+            down = np.where(across > 5, down - 12.0, down)
+        points.append(np.column_stack([across, 0 * across, down]))
+    in_sensor = np.concatenate(points)
+    height = in_sensor[:, 2] + 100
+    in_sensor[:, 2] += setting.bent_mm * np.sin(height / 4 + 1)
+    in_sensor[:, 2] += setting.point_sd_mm * rng.normal(size=len(in_sensor))
+    q = setting.path(read_s)
+    q[:, :3] += setting.frame_sd_mm * rng.normal(size=(len(q), 3))
+    stamps_ns = AT_NS + np.round(1e9 * read_s + 1e6 * setting.delay_ms).astype(np.int64)
+    return PlanePass(
+        AT_NS + np.round(1e9 * taken_s).astype(np.int64),
+        np.arange(len(taken_s) + 1) * len(across),
+        in_sensor,
+        np.full(len(in_sensor), setting.point_sd_mm),
+        lambda at_ns: poses(angles_at(stamps_ns, q, at_ns, 25_000_000)),
+    )
+
+
+@pytest.mark.parametrize("delay_ms", [0.0, 4.0, -130.0])
+def test_the_delay_is_found_whatever_it_is(delay_ms: float) -> None:
+    found = clock_delay(passed(Setting(delay_ms=delay_ms)))
+    assert found.standard_uncertainty_ms < 0.05
+    assert abs(found.delay_ms - delay_ms) < 4 * found.standard_uncertainty_ms
+    assert found.rms_um < 13.0
+    assert (found.rms_without_um > 100.0) == (delay_ms != 0.0)
+    assert found.reversals == pytest.approx(7, abs=1)
+
+
+def test_the_stated_uncertainty_is_the_scatter() -> None:
+    errors = []
+    for seed in range(30):
+        found = clock_delay(passed(Setting(delay_ms=0.0), seed))
+        errors.append(found.delay_ms / found.standard_uncertainty_ms)
+    assert 0.7 < np.sqrt(np.mean(np.square(errors))) < 1.3
+    assert abs(np.mean(errors)) < 0.6
+
+
+def test_errors_of_the_calibration_do_not_pass_for_a_delay() -> None:
+    found = clock_delay(passed(Setting(bent_mm=0.05)))
+    assert abs(found.delay_ms - 4.0) < 2 * found.standard_uncertainty_ms
+    assert abs(found.delay_ms - 4.0) < 0.2
+
+
+def test_another_surface_in_the_picture_has_no_part_in_it() -> None:
+    found = clock_delay(passed(Setting(shape="plate on a table")))
+    assert abs(found.delay_ms - 4.0) < 4 * found.standard_uncertainty_ms
+
+
+def test_a_few_frames_far_off_do_no_harm() -> None:
+    whole = passed(Setting())
+    spoilt = whole.points_mm.copy()
+    for frame in (20, 50, 90):
+        spoilt[whole.first[frame] : whole.first[frame + 1], 2] += 0.4
+    found = clock_delay(replace(whole, points_mm=spoilt))
+    assert abs(found.delay_ms - 4.0) < 4 * found.standard_uncertainty_ms
+
+
+def moved(across: Path, along_mm: float = 30.0) -> Path:
+    def path(t: Floats) -> Floats:
+        flat = np.column_stack([0 * t, along_mm * np.sin(1.3 * t), 0 * t])
+        flat[:, 2] = 0.03 * flat[:, 1] + across(t)  # along the plane, as it leans
+        return np.column_stack([flat, np.zeros((len(t), 3))])
+
+    return path
+
+
+@pytest.mark.parametrize(
+    ("setting", "code"),
+    [
+        (Setting(path=moved(lambda t: 5 * t)), "pass-without-reversal"),
+        (Setting(path=moved(lambda t: 0 * t)), "pass-along-the-plane"),
+        (Setting(path=moved(lambda t: 0.1 * np.sin(2 * t), 1.0)), "pass-too-slow"),
+        # up and down over one line: the plane through it could stand any way
+        (Setting(path=moved(lambda t: 8 * np.sin(5 * t), 0.0)), "pass-along-the-plane"),
+        (
+            Setting(path=moved(lambda t: 2 * np.sin(5 * t)), frame_sd_mm=0.2),
+            "pass-tells-too-little",
+        ),
+        (Setting(shape="sphere"), "not-a-plane"),
+        (Setting(seconds=0.9), "pass-too-short"),
+    ],
+)
+def test_a_pass_that_cannot_tell_it_is_refused_in_words(setting: Setting, code: str) -> None:
+    with pytest.raises(Refusal) as refused:
+        clock_delay(passed(setting))
+    assert refused.value.code == code
+    assert refused.value.why
+    assert refused.value.remedy
+
+
+def test_without_the_arm_around_the_frames_it_is_refused() -> None:
+    lost = replace(passed(Setting()), poses_at=lambda at_ns: np.full((len(at_ns), 4, 4), np.nan))
+    with pytest.raises(Refusal, match="the arm's position is not known"):
+        clock_delay(lost)
