@@ -17,6 +17,7 @@ from app.station.rig import Rig
 from app.station.scanner import Scanner
 from app.station.scanner import ScanState as RoomScanState
 from app.station.scene import Scene
+from app.station.viewing import Viewing
 from app.store.store import Store
 
 
@@ -30,6 +31,7 @@ class Context:
     preview: Preview
     scene: Scene
     scanner: Scanner
+    viewing: Viewing
     jobs: Jobs
     store: Store
     guide: Guide

@@ -6,8 +6,10 @@ from typing import Annotated, Literal
 from pydantic import BaseModel, ConfigDict, Field
 
 from app.guide.view import FlowView
+from app.metrology.measured_shape import ShapeName
 from app.station import scanner
 from app.station.findings import Finding, Quality
+from app.station.painter import Measure
 
 Page = Literal["calibrate", "scan", "records"]
 
@@ -39,6 +41,31 @@ class Switch(Request):
 
 class Exposure(Request):
     exposure_us: Annotated[float, Field(gt=0, allow_inf_nan=False, strict=False)]
+
+
+class Rename(Request):
+    name: Annotated[str, Field(min_length=1, max_length=120)]
+
+
+Limit = Annotated[float, Field(allow_inf_nan=False, strict=False)]
+Share = Annotated[float, Field(ge=0, le=1, strict=False)]
+
+
+class Colouring(Request):
+    measure: Measure
+    low: Limit | None = None
+    high: Limit | None = None
+
+
+class Region(Request):
+    """A rectangle of a page's 3D view, in shares of it from its left and its top."""
+
+    view: Annotated[str, Field(max_length=64)]
+    shape: ShapeName
+    left: Share
+    top: Share
+    right: Share
+    bottom: Share
 
 
 class PreviewRequest(Request):

@@ -7,6 +7,8 @@ messages are passed on, decoded and encoded anew; everything else is dropped.
 
 import asyncio
 import contextlib
+import math
+import re
 
 import httpx
 import msgspec
@@ -19,11 +21,15 @@ from websockets.typing import Subprotocol
 
 from app.api.context import TheContext, context_of
 from app.api.problems import problem
+from app.station.picking import ViewCamera
+from app.station.viewing import Viewing
 
 router = APIRouter()
 PASSED_HEADERS = ("content-type", "content-encoding")
 TRY_AGAIN_LATER = 1013
 Vector = tuple[float, float, float]
+KEY = re.compile("[0-9a-f]{16,64}")
+"""A page's own name for its view, as the last part of the viewer's address."""
 
 
 class CameraMessage(
@@ -41,14 +47,22 @@ class CameraMessage(
     look_at: Vector
     up_direction: Vector
 
+    def looking(self) -> ViewCamera | None:
+        """As the station uses it; None where it looks nowhere."""
+        finite = all(map(math.isfinite, (*self.wxyz, *self.position)))
+        if not finite or not any(self.wxyz) or not 0 < self.fov < math.pi:
+            return None
+        aspect = max(self.image_width, 1) / max(self.image_height, 1)
+        return ViewCamera(self.wxyz, self.position, self.fov, aspect)
+
 
 CAMERA = msgspec.msgpack.Decoder(CameraMessage)
 
 
-def passed(message: bytes) -> bytes | None:
+def passed(message: bytes) -> CameraMessage | None:
     """What of a browser's message reaches viser: a camera message, or nothing."""
     try:
-        return msgspec.msgpack.encode(CAMERA.decode(message))
+        return CAMERA.decode(message)
     except msgspec.DecodeError:
         return None
 
@@ -61,6 +75,8 @@ def redirect() -> Response:
 @router.get("/viewer/{path:path}")
 async def page(path: str, context: TheContext) -> Response:
     """The viewer's own page."""
+    if KEY.fullmatch(path.rstrip("/")):
+        path = ""
     address = f"http://127.0.0.1:{context.scene.port}/{path}"
     try:
         async with (
@@ -77,9 +93,14 @@ async def page(path: str, context: TheContext) -> Response:
 
 @router.websocket("/viewer")
 @router.websocket("/viewer/")
-async def socket(browser: WebSocket) -> None:
-    """Carries the scene to the browser, and the browser's camera back."""
-    port = context_of(browser).scene.port
+@router.websocket("/viewer/{key}")
+@router.websocket("/viewer/{key}/")
+async def socket(browser: WebSocket, key: str = "") -> None:
+    """Carries the scene to the browser, and the browser's camera back.
+
+    With a key, the station knows by it where that page looks from.
+    """
+    viewing, port = context_of(browser).viewing, context_of(browser).scene.port
     asked = [Subprotocol(name) for name in browser.scope["subprotocols"]]
     try:
         viser = await connect(
@@ -94,11 +115,13 @@ async def socket(browser: WebSocket) -> None:
         await browser.accept()
         await browser.close(TRY_AGAIN_LATER, "the 3D view does not answer")
         return
+
+    page = _Page(viewing, key if KEY.fullmatch(key) else "")
     async with viser:
         await browser.accept(viser.subprotocol)
         tasks = [
             asyncio.create_task(_to_browser(viser, browser)),
-            asyncio.create_task(_to_viser(browser, viser)),
+            asyncio.create_task(_to_viser(browser, viser, page)),
         ]
         try:
             await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
@@ -106,6 +129,26 @@ async def socket(browser: WebSocket) -> None:
             for task in tasks:
                 task.cancel()
             await asyncio.gather(*tasks, return_exceptions=True)
+            page.leave()
+
+
+class _Page:
+    """Tells the station where a page looks from, under the page's key."""
+
+    def __init__(self, viewing: Viewing, key: str) -> None:
+        self._viewing, self._key = viewing, key
+        self._camera: ViewCamera | None = None
+
+    def look(self, message: CameraMessage) -> None:
+        camera = message.looking()
+        if camera is not None and self._key:
+            self._camera = camera
+            self._viewing.look(self._key, camera)
+
+    def leave(self) -> None:
+        """The connection is gone; what a newer one of the page has told stays."""
+        if self._camera is not None:
+            self._viewing.leave(self._key, self._camera)
 
 
 async def _to_browser(viser: ClientConnection, browser: WebSocket) -> None:
@@ -116,7 +159,7 @@ async def _to_browser(viser: ClientConnection, browser: WebSocket) -> None:
         await browser.close()
 
 
-async def _to_viser(browser: WebSocket, viser: ClientConnection) -> None:
+async def _to_viser(browser: WebSocket, viser: ClientConnection, page: _Page) -> None:
     with contextlib.suppress(ConnectionClosed, WebSocketDisconnect):
         while True:
             message = await browser.receive()
@@ -124,4 +167,5 @@ async def _to_viser(browser: WebSocket, viser: ClientConnection) -> None:
                 return
             camera = passed(message.get("bytes") or b"")
             if camera is not None:
-                await viser.send(camera)
+                page.look(camera)
+                await viser.send(msgspec.msgpack.encode(camera))

@@ -28,6 +28,7 @@ from app.station.preview import Preview
 from app.station.rig import Rig
 from app.station.scanner import Scanner, ScanResult
 from app.station.scene import Scene
+from app.station.viewing import Viewing
 from app.store.calibrations import CalibrationRecord
 from app.store.scans import ScanRecord
 from app.store.store import Store
@@ -62,6 +63,7 @@ def open_context(parts: Parts) -> Context:
     rig = Rig(bus, parts.arm, parts.sensor, store.folder)
     scene = Scene()
     scanner = Scanner(bus, rig, scene, store.folder / "scans")
+    viewing = Viewing(bus, scene, store.folder / "scans", scanner.distance)
     preview = Preview(bus, rig.arm, rig.sensor)
     jobs = Jobs(bus)
 
@@ -85,7 +87,18 @@ def open_context(parts: Parts) -> Context:
     simulated = parts.hand is not None
     station = Station(parts.name, SOFTWARE.version, has_hand=simulated, simulated=simulated)
     return Context(
-        station, bus, rig, preview, scene, scanner, jobs, store, guide, scan_hand, arm_guide
+        station,
+        bus,
+        rig,
+        preview,
+        scene,
+        scanner,
+        viewing,
+        jobs,
+        store,
+        guide,
+        scan_hand,
+        arm_guide,
     )
 
 
@@ -96,6 +109,7 @@ def close_context(context: Context) -> None:
     context.scanner.close()
     context.preview.stop()
     context.rig.stop()
+    context.viewing.close()
     context.scene.close()
 
 

@@ -11,7 +11,8 @@ from app.metrology.refusal import Refusal
 
 FILTER_SIGMAS = 3.0
 """Points farther than this many standard deviations from the fit are filtered out."""
-# A plane's normal (3,) and offset, or a sphere's centre (3,) and radius, in mm.
+# A plane's normal (3,) and offset, a sphere's centre (3,) and radius, or a cylinder's axis
+# (6,), a point and the direction, and radius; in mm.
 Shape = tuple[Floats, float]
 START_TRIALS = 200
 START_POINTS = 2000
@@ -60,9 +61,9 @@ def fit_plane(points_mm: Floats) -> PlaneFit:
     Raises:
         Refusal: too few points, or all on one line.
     """
-    points, finite = _finite(points_mm, 3, "plane")
+    points, finite = finite_points(points_mm, 3, "plane")
     start = _start_plane(points)
-    (normal, offset_mm), keep = _filtered(points, start, _plane_distances, _plane_through)
+    (normal, offset_mm), keep = filtered(points, start, _plane_distances, _plane_through)
     inside = _plane_distances(points, (normal, offset_mm))[keep]
     used = finite.copy()
     used[finite] = keep
@@ -85,11 +86,9 @@ def fit_sphere(points_mm: Floats) -> SphereFit:
     Raises:
         Refusal: too few points, or points that fix no sphere (all in one plane).
     """
-    points, finite = _finite(points_mm, 4, "sphere")
+    points, finite = finite_points(points_mm, 4, "sphere")
     start = _start_sphere(points)
-    (centre_mm, radius_mm), keep = _filtered(
-        points, start, _sphere_distances, _least_squares_sphere
-    )
+    (centre_mm, radius_mm), keep = filtered(points, start, _sphere_distances, _least_squares_sphere)
     inside = _sphere_distances(points, (centre_mm, radius_mm))[keep]
     used = finite.copy()
     used[finite] = keep
@@ -102,7 +101,12 @@ def fit_sphere(points_mm: Floats) -> SphereFit:
     )
 
 
-def _finite(points_mm: Floats, least: int, shape: str) -> tuple[Floats, NDArray[np.bool_]]:
+def finite_points(points_mm: Floats, least: int, shape: str) -> tuple[Floats, NDArray[np.bool_]]:
+    """The usable points (N, 3) of a cloud (M, 3), and which they are, (M,).
+
+    Raises:
+        Refusal: fewer than ``least``.
+    """
     points = np.asarray(points_mm, dtype=np.float64)
     finite = np.all(np.isfinite(points), axis=1)
     if finite.sum() < least:
@@ -114,7 +118,7 @@ def _finite(points_mm: Floats, least: int, shape: str) -> tuple[Floats, NDArray[
     return points[finite], finite
 
 
-def _filtered(
+def filtered(
     points: Floats,
     start: Shape,
     distances_of: Callable[[Floats, Shape], Floats],
@@ -156,7 +160,7 @@ def _plane_through(points: Floats, _: Shape | None = None) -> Shape:
 
 def _start_plane(points: Floats) -> Shape:
     """The plane through three points that has the least median distance to a sample."""
-    sample, chosen = _draws(points, 3)
+    sample, chosen = draws(points, 3)
     normals = np.cross(chosen[:, 1] - chosen[:, 0], chosen[:, 2] - chosen[:, 0])
     lengths = np.linalg.norm(normals, axis=1)
     proper = lengths > 1e-9 * float(np.max(lengths, initial=1e-12))
@@ -171,7 +175,7 @@ def _start_plane(points: Floats) -> Shape:
 
 def _start_sphere(points: Floats) -> Shape:
     """The sphere through four points that has the least median distance to a sample."""
-    sample, chosen = _draws(points, 4)
+    sample, chosen = draws(points, 4)
     best: tuple[float, Floats, float] | None = None
     for four in chosen:
         system = 2 * (four[1:] - four[0])
@@ -187,7 +191,7 @@ def _start_sphere(points: Floats) -> Shape:
     return best[1], best[2]
 
 
-def _draws(points: Floats, size: int) -> tuple[Floats, Floats]:
+def draws(points: Floats, size: int) -> tuple[Floats, Floats]:
     """A sample of the points, and ``START_TRIALS`` draws of ``size`` of them; repeatable."""
     rng = np.random.default_rng(0)
     sample = points[rng.permutation(len(points))[:START_POINTS]]

@@ -12,11 +12,11 @@ from app.metrology.laser_plane import LaserPlane
 from app.station.shapes import (
     Mesh,
     box,
-    fan_mesh,
     joined,
     link_meshes,
     measuring_field,
     reach_mm,
+    sheet,
     tube,
 )
 from app.station.views import M_PER_MM, Colour, add_mesh, pose_of
@@ -135,7 +135,7 @@ class ArmView:
     def _add_field(self, name: str, outline_mm: Floats) -> None:
         self._laser_on = False
         self._field = add_mesh(
-            self._server, f"{name}/field", fan_mesh(outline_mm), IDLE, opacity=0.10, both_sides=True
+            self._server, f"{name}/field", sheet(outline_mm), IDLE, opacity=0.10, both_sides=True
         )
         around = np.stack([outline_mm, np.roll(outline_mm, -1, axis=0)], axis=1) * M_PER_MM
         self._rim = self._server.scene.add_line_segments(

@@ -13,6 +13,7 @@ from typing import Literal
 from app.files.failures import files_refused, refusal_of
 from app.metrology.refusal import Refusal
 from app.station.bus import Bus
+from app.station.distance import Distance, distance_of
 from app.station.findings import Finding
 from app.station.pipeline import ScanCalibration, ScanPipeline
 from app.station.rig import Rig
@@ -122,6 +123,15 @@ class Scanner:
                 calibration.depth_range_mm,
             )
         self._publish()
+
+    def distance(self) -> Distance | None:
+        """Of the stripe from the camera, against the calibrated range; None without a scan."""
+        with self._lock:
+            scan = self._scan
+        if scan is None or scan.ended_s is not None:
+            return None
+        found_mm = scan.pipeline.distance_mm
+        return None if found_mm is None else distance_of(found_mm, scan.calibration.depth_range_mm)
 
     def why_not(self) -> Refusal | None:
         """Why a scan cannot start now; None when it can."""

@@ -22,8 +22,9 @@ from app.metrology.laser_plane import LaserPlane
 from app.station.arm_view import ArmView
 from app.station.clouds import Clouds
 from app.station.eye import Eye
-from app.station.painter import Legend, Measure, Traits
-from app.station.shapes import block_mesh, reach_mm
+from app.station.fit_view import FitViews
+from app.station.painter import Legend, Measure, Target, Traits
+from app.station.shapes import Mesh, block_mesh, reach_mm
 from app.station.views import M_PER_MM, add_mesh, pose_of
 
 T = TypeVar("T")
@@ -59,7 +60,9 @@ class Scene:
         self._q_rad: Sequence[float] | None = None
         self._laser_on = False
         self._clouds = Clouds(self._server, point_budget)
+        self._fits = FitViews(self._server)
         self._live = ""
+        self._begun = 0
         self._began_s = time.monotonic()
         self._arm: ArmView | None = None
         self._arm_model: Arm | None = None
@@ -84,6 +87,16 @@ class Scene:
         return self._clouds.shown_of(self._live)
 
     @property
+    def begun(self) -> int:
+        """How many scans have begun: with each the picture is cleared."""
+        return self._begun
+
+    @property
+    def measure(self) -> Measure:
+        """What the clouds are coloured by."""
+        return self._clouds.painter.measure
+
+    @property
     def legend(self) -> Legend | None:
         """What the colours mean; None before there are any."""
         return self._clouds.painter.legend
@@ -104,6 +117,9 @@ class Scene:
         with self._lock:
             self._take_waiting()
             self._clouds.clear()
+            self._fits.clear()
+            self._clouds.painter.aim_at(None)
+            self._begun += 1
             self._live = name
             self._began_s = time.monotonic()
             self._clouds.open(name, live=True)
@@ -141,6 +157,20 @@ class Scene:
         """Colours all clouds by this, within limits of its unit, or automatic ones."""
         with self._lock:
             self._clouds.painter.show(measure, limits)
+
+    def aim_at(self, target: Target | None) -> None:
+        """The shape that deviations are from."""
+        with self._lock:
+            self._clouds.painter.aim_at(target)
+
+    def show_shape(self, number: int, mesh: Mesh, label: str) -> None:
+        """Draws a fitted shape, translucent, with its name."""
+        with self._lock:
+            self._fits.show(number, mesh, label)
+
+    def hide_shape(self, number: int) -> None:
+        with self._lock:
+            self._fits.hide(number)
 
     def points_of(self, name: str) -> tuple[Floats, Traits, float]:
         """What is shown of a scan: (N, 3) mm, beside it (N,), and the size of its cubes."""

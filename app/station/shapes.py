@@ -17,6 +17,7 @@ from app.metrology.reconstruct import sensor_points
 Faces = NDArray[np.uint32]
 SIDES = 28
 FIELD_SAMPLES = 33
+BALL_ROWS = 24
 
 
 @dataclass(frozen=True)
@@ -81,6 +82,27 @@ def box(low_mm: Floats, high_mm: Floats) -> Mesh:
             vertices.append(corners)
             faces += quad if outward else [triangle[::-1] for triangle in quad]
     return Mesh(np.concatenate(vertices), np.array(faces, dtype=np.uint32))
+
+
+def sheet(corners_mm: Floats) -> Mesh:
+    """A flat convex outline (K, 3), to be seen from both sides."""
+    k = np.arange(1, len(corners_mm) - 1, dtype=np.uint32)
+    return Mesh(corners_mm, np.column_stack([np.zeros_like(k), k, k + 1]))
+
+
+def ball(centre_mm: Floats, radius_mm: float) -> Mesh:
+    """A sphere, its poles along z."""
+    rows = np.linspace(0.0, np.pi, BALL_ROWS + 1)
+    turns = np.linspace(0.0, 2 * np.pi, 2 * BALL_ROWS, endpoint=False)
+    row, turn = (grid.ravel() for grid in np.meshgrid(rows, turns, indexing="ij"))
+    outward = np.column_stack([np.sin(row) * np.cos(turn), np.sin(row) * np.sin(turn), np.cos(row)])
+    k = np.arange(BALL_ROWS * len(turns))
+    after = k - k % len(turns) + (k + 1) % len(turns)
+    below, below_after = k + len(turns), after + len(turns)
+    faces = np.concatenate(
+        [np.column_stack([k, below, after]), np.column_stack([after, below, below_after])]
+    )
+    return Mesh(centre_mm + radius_mm * outward, faces.astype(np.uint32))
 
 
 def block_mesh(block: Crenellated) -> Mesh:
@@ -153,9 +175,3 @@ def measuring_field(
         return np.asarray(points[ConvexHull(flat).vertices])
     except QhullError:
         return np.zeros((0, 3))
-
-
-def fan_mesh(outline_mm: Floats) -> Mesh:
-    """A flat convex outline (K, 3) as triangles."""
-    k = np.arange(1, len(outline_mm) - 1, dtype=np.uint32)
-    return Mesh(outline_mm, np.column_stack([np.zeros_like(k), k, k + 1]))

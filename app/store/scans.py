@@ -44,6 +44,16 @@ class ScanStore:
                 ),
             )
 
+    def rename(self, scan_id: str, name: str) -> None:
+        """Gives a scan another name."""
+        with self._database.writing() as connection:
+            connection.execute("UPDATE scan SET name = ? WHERE id = ?", (name, scan_id))
+
+    def delete(self, scan_id: str) -> None:
+        """Takes a scan from the list; its folder is the caller's affair."""
+        with self._database.writing() as connection:
+            connection.execute("DELETE FROM scan WHERE id = ?", (scan_id,))
+
     def get(self, scan_id: str) -> ScanRecord | None:
         found = self._read("WHERE id = ?", scan_id)
         return found[0] if found else None

@@ -1,0 +1,40 @@
+"""A finished cloud of our own read in pieces, so that memory stays bounded."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+
+from app.files.cloud_points import POINT, Points
+from app.files.failures import files_refused
+from app.files.ply import find_vertices
+from app.metrology.refusal import Refusal
+
+PIECE = 250_000
+
+
+def cloud_pieces(path: Path) -> Iterator[tuple[Points, float]]:
+    """Points of ``cloud.ply`` in the order of their frames, and how much is read, 0 to 1.
+
+    Raises:
+        Refusal: missing, cut off, or not as the scanner writes it.
+    """
+    with files_refused(path), open(path, "rb") as file:
+        vertices = find_vertices(path, file)
+        if vertices.ascii or vertices.layout != POINT or vertices.bytes_before:
+            raise Refusal(
+                "cloud-foreign",
+                f"{path} is not as a scan leaves it",
+                "it was written anew by another program",
+            )
+        left = vertices.count
+        while left > 0:
+            points = np.fromfile(file, POINT, min(PIECE, left))
+            if not len(points):
+                raise Refusal(
+                    "cloud-cut-off",
+                    f"{path} holds {vertices.count - left} of {vertices.count} points",
+                    "the file was cut off",
+                )
+            left -= len(points)
+            yield points, 1.0 - left / vertices.count

@@ -1,0 +1,267 @@
+"""Scans shown beside one another, and shapes fitted to what a page shows in a rectangle."""
+
+import dataclasses
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from app.files.cloud_points import Points, packed
+from app.files.clouds import cloud_writer
+from app.metrology.frames import Floats
+from app.metrology.refusal import Refusal
+from app.station.bus import Bus
+from app.station.distance import distance_of
+from app.station.picked import MOST_FITTED, ShownCloud, pick
+from app.station.picking import FrontSurface, Rectangle, ViewCamera
+from app.station.scene import Scene
+from app.station.viewing import StoredScan, Viewing
+from tests.station.conftest import until
+from tests.station.viewer import Viewer
+
+KEY = "ab" * 16
+MIDDLE = Rectangle(0.25, 0.25, 0.75, 0.75)
+FRAMES = 60
+
+
+def from_above(height_mm: float = 300.0) -> ViewCamera:
+    """Over (500, 0, 0), the picture's right along X, its top along Y."""
+    x, y, z, w = Rotation.from_matrix(np.diag([1.0, -1.0, -1.0])).as_quat()
+    return ViewCamera((w, x, y, z), (0.5, 0.0, height_mm / 1000), 0.8, 1.5)
+
+
+def cloud(points: Floats, frame: np.ndarray | int = 0, noise_mm: float = 0.0) -> Points:
+    noise = np.random.default_rng(5).normal(0, noise_mm, points.shape) if noise_mm else 0.0
+    ones = np.ones(len(points))
+    return packed(points + noise, 100 * ones, 5 * ones, frame)
+
+
+def ball(count: int = 20_000, noise_mm: float = 0.01) -> Points:
+    """The upper half of a sphere of 20 mm, scanned from left to right, over a table."""
+    rng = np.random.default_rng(2)
+    outward = rng.normal(size=(count, 3))
+    outward /= np.linalg.norm(outward, axis=1)[:, None]
+    outward[:, 2] = np.abs(outward[:, 2])
+    outward = outward[np.argsort(outward[:, 0])]
+    points = outward * (20.0 + rng.normal(0, noise_mm, (count, 1))) + [500, 0, 15]
+    return cloud(points, np.arange(count) * FRAMES // count)
+
+
+def table(count: int = 20_000) -> Points:
+    xy = np.random.default_rng(3).uniform(-100, 100, (count, 2))
+    return cloud(np.column_stack([500 + xy[:, 0], xy[:, 1], np.zeros(count)]), 999)
+
+
+@dataclasses.dataclass
+class Room:
+    """A scene with a folder of scans."""
+
+    scene: Scene
+    bus: Bus
+    viewing: Viewing
+    folder: Path
+
+    def store(self, name: str, points: Points) -> StoredScan:
+        (self.folder / name).mkdir()
+        with cloud_writer(self.folder / name / "cloud.ply") as writer:
+            writer.append(points)
+        return StoredScan(name, name.capitalize(), self.folder / name, FRAMES, 6.0)
+
+    def shown(self, scan_id: str) -> int:
+        found = {scan.id: scan for scan in self.viewing.state().scans}
+        return found[scan_id].points_shown if scan_id in found else 0
+
+    def whole(self, *ids: str) -> bool:
+        scans = self.viewing.state().scans
+        return {scan.id for scan in scans if scan.loaded == 1.0} >= set(ids)
+
+    def fitted(self, rectangle: Rectangle, shape: str) -> None:
+        """Fits, and waits for the end of it."""
+        self.viewing.fit(KEY, rectangle, shape)  # type: ignore[arg-type]
+        until(lambda: not self.viewing.state().busy)
+
+    def told(self) -> list[str]:
+        return [event.text for event in self.bus._events]
+
+
+@pytest.fixture
+def room(tmp_path: Path) -> Iterator[Room]:
+    scene, bus = Scene(point_budget=40_000), Bus()
+    viewing = Viewing(bus, scene, tmp_path, lambda: None)
+    viewing.look(KEY, from_above())
+    yield Room(scene, bus, viewing, tmp_path)
+    viewing.close()
+    scene.close()
+
+
+def test_a_point_is_seen_where_the_picture_shows_it() -> None:
+    camera = from_above()
+    half = 300 * np.tan(0.4)
+    corners = np.array([[500, 0, 0], [500 + 1.5 * half, half, 0], [500, 0, 400.0]])
+    seen = camera.seen(corners)
+    np.testing.assert_allclose(seen[:2], [[0.5, 0.5, 300], [1.0, 0.0, 300]], atol=1e-9)
+    assert np.isnan(seen[2]).all()
+
+
+def test_what_lies_behind_the_front_surface_is_not_picked() -> None:
+    rng = np.random.default_rng(1)
+    xy = rng.uniform(-60, 60, (30_000, 2)) + [500, 0]
+    front = np.column_stack([xy, 40 + 0.5 * (xy[:, 0] - 500)])
+    behind = np.column_stack([xy + rng.uniform(-5, 5, xy.shape), np.full(len(xy), -60.0)])
+    flying = np.column_stack([xy[:300], np.full(300, 120.0)])
+    everything = np.concatenate([behind, front, flying])
+    surface = FrontSurface(from_above(), Rectangle(0.4, 0.4, 0.6, 0.6), everything, 0.1)
+    assert surface.holds(front).mean() > 0.02
+    assert not surface.holds(behind).any()
+    assert surface.holds(flying).mean() < 0.02
+    whole = from_above().seen(front)
+    within = (np.abs(whole[:, :2] - 0.5) <= 0.1).all(axis=1)
+    assert surface.holds(front).sum() > 0.98 * within.sum()
+
+
+def test_more_points_than_a_fit_takes_are_taken_evenly(tmp_path: Path) -> None:
+    count = 3 * MOST_FITTED + 7
+    x = np.linspace(480, 520, count)
+    points = cloud(np.column_stack([x, np.zeros(count), np.zeros(count)]), np.arange(count) // 900)
+    with cloud_writer(tmp_path / "cloud.ply") as writer:
+        writer.append(points)
+    thin = np.column_stack([x, np.zeros(count), np.zeros(count)])[::50]
+    shown = ShownCloud(thin, np.zeros(len(thin), [("taken_s", "<f4")]), 0.1, tmp_path / "cloud.ply")
+    picked = pick(from_above(), Rectangle(0, 0, 1, 1), [shown])
+    assert picked.count == count
+    assert picked.every
+    assert MOST_FITTED / 2 < len(picked.points_mm) <= MOST_FITTED
+    steps = np.diff(picked.points_mm[:, 0])
+    assert steps.max() < 1.01 * steps.min()
+
+
+def test_a_sphere_is_fitted_to_all_points_of_the_file(room: Room) -> None:
+    scan = room.store("ball", np.concatenate([table(), ball()]))
+    room.viewing.show(scan)
+    until(lambda: room.whole("ball"))
+    room.fitted(Rectangle(0.42, 0.4, 0.58, 0.6), "sphere")
+    (fitted,) = room.viewing.state().fits
+    diameter, *centre = fitted.figures
+    assert fitted.every
+    assert fitted.points <= fitted.picked <= 40_000
+    assert (diameter.label, diameter.unit, diameter.uncertainty_unit) == ("Diameter", "mm", "µm")
+    assert diameter.value == pytest.approx(40.0, abs=0.003)
+    assert diameter.uncertainty is not None
+    assert 0.05 < diameter.uncertainty < 3.0
+    assert [figure.value for figure in centre] == pytest.approx([500, 0, 15], abs=0.003)
+    assert fitted.rms_um == pytest.approx(10, rel=0.1)
+    assert fitted.rms_um < fitted.largest_um < fitted.form_um < 8 * fitted.rms_um
+    viewer = Viewer(room.scene.port)
+    vertices = viewer.listen().nodes["/fits/1/shape"]["props"]["vertices"].reshape(-1, 3)
+    viewer.close()
+    radius = np.linalg.norm(1e3 * vertices - [500, 0, 15], axis=1)
+    np.testing.assert_allclose(radius, 20.0, atol=0.01)
+
+
+def test_of_the_scan_under_way_what_is_shown_is_fitted_and_that_is_said(room: Room) -> None:
+    room.scene.begin("now")
+    level = cloud(table()["x"][:, None] * [1, 0, 0] + table()["y"][:, None] * [0, 1, 0], 0, 0.01)
+    room.scene.add_points(level)
+    until(lambda: room.shown("now") > 0)
+    room.fitted(MIDDLE, "plane")
+    (fitted,) = room.viewing.state().fits
+    assert not fitted.every
+    figures = {figure.label: figure for figure in fitted.figures}
+    assert figures["Tilt from level"].value == pytest.approx(0, abs=0.02)
+    assert figures["Distance from the arm's zero"].value == pytest.approx(0, abs=0.05)
+    assert figures["Normal Z"].value == pytest.approx(1)
+    # one batch of points is one moment: too little to tell an uncertainty by
+    assert figures["Distance from the arm's zero"].uncertainty is None
+
+
+def test_deviations_are_from_the_last_fit_and_end_with_it(room: Room) -> None:
+    with pytest.raises(Refusal, match="There is no fitted shape yet"):
+        room.viewing.colour_by("deviation", None)
+    room.viewing.show(room.store("ball", ball()))
+    until(lambda: room.whole("ball"))
+    room.fitted(Rectangle(0, 0, 1, 1), "sphere")
+    room.viewing.colour_by("deviation", None)
+    until(lambda: room.viewing.state().legend is not None)
+    legend = room.viewing.state().legend
+    assert legend is not None
+    assert (legend.unit, legend.low) == ("µm", -legend.high)
+    assert legend.high == pytest.approx(30, rel=0.15)
+    room.viewing.remove_fit(1)
+    assert room.viewing.state().measure == "height"
+    assert not room.viewing.state().fits
+
+
+def test_a_new_scan_clears_scans_and_fits(room: Room) -> None:
+    room.viewing.show(room.store("ball", ball()))
+    until(lambda: room.whole("ball"))
+    room.fitted(Rectangle(0, 0, 1, 1), "sphere")
+    assert room.viewing.state().fits
+    room.scene.begin("next")
+    state = room.viewing.state()
+    assert [scan.id for scan in state.scans] == ["next"]
+    assert not state.fits
+
+
+def test_a_rectangle_over_nothing_and_a_shape_that_is_not_there_are_said(room: Room) -> None:
+    room.viewing.show(room.store("table", table()))
+    until(lambda: room.whole("table"))
+    room.viewing.look(KEY, ViewCamera(from_above().wxyz, (3.0, 3.0, 0.3), 0.8, 1.5))
+    room.fitted(MIDDLE, "plane")
+    assert "no points in the rectangle" in room.told()[-1]
+    room.viewing.look(KEY, from_above())
+    room.fitted(MIDDLE, "sphere")
+    assert "No sphere was fitted" in room.told()[-1]
+    room.fitted(MIDDLE, "cylinder")
+    assert "No cylinder was fitted" in room.told()[-1]
+    with pytest.raises(Refusal, match="not connected"):
+        room.viewing.fit("cd" * 16, MIDDLE, "plane")
+
+
+def test_scans_stand_beside_one_another_within_one_budget(room: Room) -> None:
+    one, other = room.store("one", ball()), room.store("other", table())
+    room.viewing.show(one)
+    room.viewing.show(other)
+    room.viewing.show(other)
+    until(lambda: room.whole("one", "other"))
+    until(lambda: sum(room.scene.scans.values()) <= 40_000)
+    assert room.shown("one") > 5000
+    assert room.shown("other") > 5000
+    viewer = Viewer(room.scene.port)
+    kept = {name for name in viewer.listen().nodes if name.startswith("/kept/")}
+    room.viewing.hide("one")
+    assert [scan.id for scan in room.viewing.state().scans] == ["other"]
+    left = {name for name in viewer.listen().nodes if name.startswith("/kept/")}
+    viewer.close()
+    assert left < kept
+    assert one.folder.joinpath("cloud.ply").is_file()
+
+
+def test_a_cloud_that_is_gone_or_spoilt_is_said_and_leaves_nothing(room: Room) -> None:
+    scan = room.store("ball", ball())
+    file = scan.folder / "cloud.ply"
+    file.write_bytes(file.read_bytes()[:-20_000])
+    room.viewing.show(scan)
+    until(lambda: bool(room.told()))
+    assert "Ball cannot be shown" in room.told()[-1]
+    assert not room.viewing.state().scans
+    file.unlink()
+    with pytest.raises(Refusal, match="not in the data folder"):
+        room.viewing.show(scan)
+
+
+def test_limits_by_hand_must_be_a_range(room: Room) -> None:
+    for limits in ((3.0, 3.0), (4.0, 1.0), (0.0, float("inf"))):
+        with pytest.raises(Refusal, match="lower limit"):
+            room.viewing.colour_by("intensity", limits)
+    room.viewing.colour_by("intensity", (0.0, 50.0))
+    legend = room.viewing.state().legend
+    assert legend is not None
+    assert (legend.low, legend.high, legend.automatic) == (0.0, 50.0, False)
+
+
+def test_a_distance_is_within_the_range_or_to_one_side_of_it() -> None:
+    assert distance_of(150.0, (120.0, 180.0)).state == "in"
+    assert distance_of(119.0, (120.0, 180.0)).state == "near"
+    assert distance_of(181.0, (120.0, 180.0)).state == "far"
