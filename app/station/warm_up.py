@@ -7,7 +7,6 @@ pictures up for longer than a device may be silent.
 
 import multiprocessing
 import signal
-from collections.abc import Callable
 from contextlib import suppress
 
 import cv2
@@ -63,8 +62,8 @@ LEVEL = LaserPlane(np.array([0.0, 0.0, 1.0]), BLOCK.crest_z_mm)
 def warm_up() -> None:
     """Runs every compiled loop of the live station once.
 
-    The first time on a machine all are compiled, half of them in a process of its own on
-    another core; later they are read from disk in about a second.
+    The first time on a machine they are compiled, each part in a process of its own; later
+    they are read from disk in about a second. To be called from the main thread.
     """
     warm_up_points()
     if compiled_here(kernels.frame_points):
@@ -76,16 +75,16 @@ def warm_up() -> None:
 def _share_out() -> None:
     """Compiles every part in a process of its own, which leaves the loops on disk."""
     beside = multiprocessing.get_context("spawn")
-    workers = [beside.Process(target=_alone, args=(part,), daemon=True) for part in PARTS]
-    for worker in workers:
-        worker.start()
+    workers = [beside.Process(target=part, daemon=True) for part in PARTS]
+    # Ctrl-C is for the station, which ends its workers itself: they are born deaf to it
+    heard = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        for worker in workers:
+            worker.start()
+    finally:
+        signal.signal(signal.SIGINT, heard)
     for worker in workers:
         worker.join()
-
-
-def _alone(part: Callable[[], None]) -> None:
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the station ends its workers itself
-    part()
 
 
 def warm_up_stripes() -> None:
