@@ -193,6 +193,9 @@ def extract(
     choice: Annotated[
         Choice, typer.Option(help="Which of several peaks of a column is the stripe.")
     ] = Choice.CONTINUITY,
+    mask: Annotated[
+        Path | None, typer.Option(help="mask.json: zones in which nothing is measured.")
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Extract the laser stripe: columns u, v, intensity, sigma_px.
@@ -202,12 +205,14 @@ def extract(
     from app.files.atomic import checked_target
     from app.files.extract import extract as extract_all
     from app.files.extract import write_stripes
+    from app.files.mask import Mask
     from app.metrology.stripe import StripeSettings
 
-    checked_target(output, images)
+    checked_target(output, images if mask is None else [*images, mask])
+    zones = None if mask is None else Mask.read(mask)
     settings = StripeSettings(threshold, min_width, max_width, choice=choice.value)
     with progress_bar("Extracting", not as_json) as tell:
-        stripes = extract_all(images, axis.value, tell, settings)
+        stripes = extract_all(images, axis.value, tell, settings, zones)
         write_stripes(output, stripes)
     if as_json:
         found = [

@@ -14,7 +14,7 @@ from pathlib import Path
 import uvicorn
 from fastapi import FastAPI
 
-from app.api import arm, client, flow, live, machine, problems, records, view, viewer
+from app.api import arm, client, flow, live, machine, problems, records, settings, view, viewer
 from app.api.context import Context
 from app.api.guard import Guard
 from app.api.ticker import tick
@@ -50,7 +50,7 @@ def build_app(parts: Parts) -> FastAPI:
     )
     app.state.context = context
     problems.install(app)
-    for room in (flow, arm, machine, records, view, live, viewer, client):
+    for room in (flow, arm, machine, settings, records, view, live, viewer, client):
         app.include_router(room.router)
     app.add_middleware(Guard, hosts=parts.hosts)
     return app

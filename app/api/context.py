@@ -12,6 +12,7 @@ from app.guide.guide import Guide
 from app.guide.scan_hand import ScanHand
 from app.station.bus import Bus
 from app.station.jobs import Jobs
+from app.station.operator_settings import OperatorSettings
 from app.station.preview import Preview
 from app.station.rig import Rig
 from app.station.scanner import Scanner
@@ -37,6 +38,7 @@ class Context:
     guide: Guide
     scan_hand: ScanHand
     arm_guide: ArmGuide
+    settings: OperatorSettings
 
     def scan_state(self, state: RoomScanState | None = None) -> ScanState:
         """The scan as the browser shows it."""

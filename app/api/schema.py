@@ -7,6 +7,7 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from app.guide.view import FlowView
 from app.metrology.measured_shape import ShapeName
+from app.metrology.stripe import Choice
 from app.station import scanner
 from app.station.findings import Finding, Quality
 from app.station.painter import Measure
@@ -66,6 +67,18 @@ class Region(Request):
     top: Share
     right: Share
     bottom: Share
+
+
+class SettingsChange(Request):
+    """The whole of the settings; null is automatic. Their ranges are the station's."""
+
+    threshold: float | None
+    min_width_px: float | None
+    choice: Choice
+    exposure_us: float | None
+    zones: list[list[list[float]]]
+    blur_limit_mm: float | None
+    record_pictures: bool
 
 
 class PreviewRequest(Request):

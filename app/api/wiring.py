@@ -23,6 +23,7 @@ from app.metrology.findings import LIMITS, Limits
 from app.metrology.refusal import Refusal
 from app.station.bus import Bus
 from app.station.jobs import Jobs
+from app.station.operator_settings import OperatorSettings
 from app.station.pipeline import ScanCalibration
 from app.station.preview import Preview
 from app.station.rig import Rig
@@ -66,6 +67,11 @@ def open_context(parts: Parts) -> Context:
     viewing = Viewing(bus, scene, store.folder / "scans", scanner.distance)
     preview = Preview(bus, rig.arm, rig.sensor)
     jobs = Jobs(bus)
+    settings = OperatorSettings(
+        bus, rig, scanner, preview, store.settings.read(), store.settings.keep
+    )
+    if store.settings.trouble is not None:
+        bus.event("refused", f"The settings are lost: {store.settings.trouble.line}", "attention")
 
     def use_active() -> None:
         _use(store.calibrations.active(), store, rig, preview, scanner, bus)
@@ -99,6 +105,7 @@ def open_context(parts: Parts) -> Context:
         guide,
         scan_hand,
         arm_guide,
+        settings,
     )
 
 

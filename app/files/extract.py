@@ -6,6 +6,7 @@ from pathlib import Path
 
 from app.files.atomic import write_atomically
 from app.files.images import read_grey
+from app.files.mask import Mask
 from app.files.progress import Progress, no_progress
 from app.files.tables import table_text
 from app.metrology.refusal import Refusal
@@ -27,16 +28,25 @@ def extract(
     axis: str,
     progress: Progress = no_progress,
     settings: StripeSettings = AUTOMATIC,
+    mask: Mask | None = None,
 ) -> list[PictureStripe]:
-    """The stripe of every picture; raises ``Refusal`` where one cannot be read or has none."""
+    """The stripe of every picture, outside a mask's zones.
+
+    Raises:
+        Refusal: a picture cannot be read, has none, or is of another size than the mask.
+    """
     found: list[PictureStripe] = []
+    where = None if mask is None else mask.where()
     for done, path in enumerate(images):
         progress(done / len(images), path.name)
-        stripe = extract_stripe(read_grey(path), axis, settings=settings)
+        picture = read_grey(path)
+        if mask is not None:
+            mask.check_size(path, picture.shape[1], picture.shape[0])
+        stripe = extract_stripe(picture, axis, where, settings)
         if not len(stripe.u):
             raise Refusal(
                 "stripe-not-found",
-                f"{path} shows no laser stripe",
+                f"{path} shows no laser stripe{' outside the mask' if mask else ''}",
                 f"no bright line runs {'across' if axis == 'u' else 'down'} the picture",
                 "Take it with the laser on and the exposure set, or choose the other --axis",
             )

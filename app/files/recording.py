@@ -25,6 +25,8 @@ from app.metrology.stripe import Stripe
 JOINTS_TOPIC, IMAGE_TOPIC, STRIPE_TOPIC = "/arm/joints", "/sensor/image", "/sensor/stripe"
 STATION_METADATA = "crenel/station"
 ARM_DELAY = "arm_delay_ns"
+EXTRACTION = "extraction"
+"""How stripes were extracted, as JSON; empty where all was automatic."""
 LARGEST_RECORD = 2**30
 
 SCHEMAS = {

@@ -34,7 +34,8 @@ class RecordingWriter:
         """Creates the file, which must not exist.
 
         Args:
-            station: what is known of the devices: ``arm_serial``, ``sensor_serial``.
+            station: what is known of the devices and was set: ``arm_serial``,
+                ``sensor_serial``, ``arm_delay_ns``, ``extraction``.
 
         Raises:
             Refusal: the file exists or cannot be created.
@@ -68,6 +69,11 @@ class RecordingWriter:
         trace: TracebackType | None,
     ) -> None:
         self.close()
+
+    def tell(self, station: Mapping[str, str]) -> None:
+        """What has changed of ``station``; a reader goes by what stands last."""
+        self._writer.write_metadata(STATION_METADATA, dict(station))
+        self._sink.check()
 
     @property
     def bytes_written(self) -> int:

@@ -19,15 +19,18 @@ from numpy.typing import NDArray
 from app.files.cloud_points import Points
 from app.files.clouds import CloudWriter, cloud_writer, packed
 from app.files.failures import refusal_of
+from app.files.recording import ARM_DELAY, EXTRACTION
+from app.files.scan_settings import AUTOMATIC, ScanSettings
 from app.metrology.arm import Arm, flange_poses
 from app.metrology.camera import Camera
 from app.metrology.frames import Floats, apply
 from app.metrology.laser_plane import LaserPlane
 from app.metrology.point_spread import scan_points
 from app.metrology.refusal import Refusal
-from app.metrology.stripe import Stripe, extract_stripe
-from app.metrology.stripe_band import StripeBand
+from app.metrology.stripe import Stripe
 from app.station.arm_side import LATE_S, ArmSide
+from app.station.extraction import extraction_by
+from app.station.pace import Pace
 from app.station.recorder import Recorder, StripeFrame
 from app.station.sensor_side import SensorSide
 from hardware.interfaces import Frame
@@ -89,8 +92,10 @@ class ScanPipeline:
         calibration: ScanCalibration,
         folder: Path,
         show: Show,
+        settings: ScanSettings = AUTOMATIC,
     ) -> None:
         self.counts = Counts()
+        self.pace = Pace(arm, settings.blur_limit_mm)
         self.failure: Refusal | None = None
         self._arm = arm
         self._sensor = sensor
@@ -102,12 +107,11 @@ class ScanPipeline:
         self._extracting: queue.Queue[Future[list[StripeFrame]] | None] = queue.Queue(2 * CORES)
         self._stripes: queue.Queue[list[StripeFrame] | None] = queue.Queue(POINTS_QUEUE)
         self._lost_before = sensor.reader.link().lost
-        self._recorder = Recorder(
-            folder / "scan.mcap",
-            tuple(joint.name for joint in calibration.arm.joints),
-            {"arm_serial": calibration.arm_serial, "sensor_serial": calibration.sensor_serial},
-            arm,
-        )
+        self._settings = settings
+        self._extraction = extraction_by(settings, calibration.stripe_axis)
+        self._delay_ns = settings.delay_ns(calibration.arm_serial, calibration.sensor_serial)
+        joint_names = tuple(joint.name for joint in calibration.arm.joints)
+        self._recorder = Recorder(folder / "scan.mcap", joint_names, self._told(), arm)
         self._tap = sensor.frames.tap(TAP_FRAMES)
         self._threads = [
             threading.Thread(target=self._take_all, name="scan-take", daemon=True),
@@ -144,6 +148,27 @@ class ScanPipeline:
         """Why the scan cannot go on: the disk, most likely."""
         return self.failure or self._recorder.failure
 
+    @property
+    def pictures(self) -> tuple[int, int]:
+        """Recorded, and left out because the disk was busy with stripes."""
+        return self._recorder.pictures, self._recorder.pictures_dropped
+
+    def apply(self, settings: ScanSettings) -> None:
+        """Goes on by other settings; the delay stays what the recording began with."""
+        self._extraction = extraction_by(settings, self._calibration.stripe_axis)
+        self.pace.limit_mm = settings.blur_limit_mm
+        self._settings = settings
+        self._recorder.tell(self._told())
+
+    def _told(self) -> dict[str, str]:
+        """What the recording says of the station."""
+        return {
+            "arm_serial": self._calibration.arm_serial,
+            "sensor_serial": self._calibration.sensor_serial,
+            ARM_DELAY: str(self._delay_ns),
+            EXTRACTION: self._settings.extraction_text,
+        }
+
     def stop(self) -> None:
         """Takes no more frames, finishes those taken, and completes both files."""
         self._sensor.frames.untap(self._tap)
@@ -159,6 +184,9 @@ class ScanPipeline:
                 taken = self._tap.get(BATCH_FRAMES, POLL_S)
                 frames = [frame for frame in taken if frame.laser_on]
                 self.counts.frames_without_laser += len(taken) - len(frames)
+                if self._settings.record_pictures:
+                    for frame in frames:
+                        self._recorder.offer_picture(frame)
                 if frames:
                     self._extracting.put(pool.submit(self._seen, frames))
         self._extracting.put(None)
@@ -168,14 +196,15 @@ class ScanPipeline:
 
         Where frames wait for it, the stripe is followed from the first one on.
         """
-        axis = self._calibration.stripe_axis
-        band = StripeBand(axis) if len(frames) == BATCH_FRAMES else None
+        extraction = self._extraction
+        band = extraction.band(frames[0].image) if len(frames) == BATCH_FRAMES else None
         return [
             StripeFrame(
                 frame.mid_exposure_ns,
-                band.extract(frame.image) if band else extract_stripe(frame.image, axis),
+                band.extract(frame.image) if band else extraction.stripe(frame.image),
                 frame.image.shape[1],
                 frame.image.shape[0],
+                frame.exposure_us,
             )
             for frame in frames
         ]
@@ -213,6 +242,7 @@ class ScanPipeline:
         number = 0
         while (frames := self._stripes.get()) is not None:
             stamps_ns = np.array([frame.stamp_ns for frame in frames])
+            stamps_ns += self._delay_ns
             q_rad = self._arm.at_all(stamps_ns, LATE_S if self._arm.fresh else 0.0)
             known = np.isfinite(q_rad).all(axis=1) if q_rad is not None else np.zeros(len(frames))
             placed = [int(i) for i in np.flatnonzero(known)]
@@ -220,6 +250,7 @@ class ScanPipeline:
             if q_rad is not None and placed:
                 stripes = [frames[i].stripe for i in placed]
                 self._add(cloud, stripes, q_rad[placed], number + np.array(placed))
+                self._judge(frames[placed[-1]], q_rad[placed[-1]], len(frames))
             number += len(frames)
 
     def _add(
@@ -244,6 +275,24 @@ class ScanPipeline:
         self._note(len(points))
         self._note_distance(points[frame == frame[-1:]], T_arm_sensor[-1])
         self._show(records)
+
+    def _judge(self, frame: StripeFrame, q_rad: Floats, frames: int) -> None:
+        """Of the last of some frames: how fast the sensor went."""
+        use, stamp_ns = self._calibration, frame.stamp_ns + self._delay_ns
+        before_rad = self.pace.before(stamp_ns)
+        if before_rad is None or not len(frame.stripe.u):
+            return
+        before, at = flange_poses(use.arm, np.stack([before_rad, q_rad])) @ use.T_flange_sensor
+        stripe_mm, spread = scan_points(
+            use.camera,
+            use.plane,
+            frame.stripe.uv_px,
+            frame.stripe.sigma_px,
+            use.stripe_axis,
+            np.zeros(len(frame.stripe.u), dtype=np.int64),
+            np.eye(4)[None],
+        )
+        self.pace.judge(stripe_mm, spread, (before, at), stamp_ns, frame.exposure_us, frames)
 
     def _note(self, count: int) -> None:
         now = time.monotonic()

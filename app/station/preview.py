@@ -13,12 +13,14 @@ from typing import Literal
 import cv2
 import numpy as np
 
+from app.files.scan_settings import AUTOMATIC, ScanSettings
 from app.metrology.crenellated import Crenellated
 from app.metrology.detection.picture import Image
 from app.metrology.refusal import Refusal
-from app.metrology.stripe import Stripe, extract_stripe, saturation_level
+from app.metrology.stripe import Stripe, saturation_level
 from app.station.arm_side import ArmSide
 from app.station.bus import Bus
+from app.station.extraction import Extraction, extraction_by
 from app.station.findings import Finding
 from app.station.object_watch import NOTHING, ObjectWatch, Seen, SeenCorner, Segment
 from app.station.picture_words import picture_words, saturated_percent, still_words
@@ -77,6 +79,8 @@ class Preview:
         self._sensor = sensor
         self._objects = ObjectWatch()
         self._axis: Literal["u", "v"] = "u"
+        self._settings = AUTOMATIC
+        self._extraction = Extraction()
         self._viewers = 0
         self._detecting = False
         self._latest: PreviewImage | None = None
@@ -136,6 +140,12 @@ class Preview:
 
     def set_stripe_axis(self, axis: Literal["u", "v"]) -> None:
         self._axis = axis
+        self._extraction = extraction_by(self._settings, axis)
+
+    def set_settings(self, settings: ScanSettings) -> None:
+        """How the stripe is extracted that is drawn on the picture."""
+        self._settings = settings
+        self._extraction = extraction_by(settings, self._axis)
 
     def latest(self) -> PreviewImage | None:
         """The newest picture made; None before the first."""
@@ -201,7 +211,7 @@ class Preview:
         if not frame.laser_on:
             return None
         try:
-            return extract_stripe(frame.image, self._axis)
+            return self._extraction.stripe(frame.image)
         except Refusal:
             return None
 

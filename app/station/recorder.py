@@ -4,16 +4,20 @@ import queue
 import threading
 import time
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
+from app.files.recording import ARM_DELAY
 from app.files.recording_writer import RecordingWriter
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import Stripe
 from app.station.arm_side import LATE_S, ArmSide
 from hardware.clock import now_ns
+from hardware.interfaces import Frame
 
 QUEUE_BATCHES = 64
+QUEUE_PICTURES = 16
 POLL_S = 0.05
 # What a killed process may lose.
 FLUSH_S = 0.5
@@ -29,6 +33,7 @@ class StripeFrame:
     stripe: Stripe
     width_px: int
     height_px: int
+    exposure_us: float
 
 
 class Recorder:
@@ -41,10 +46,15 @@ class Recorder:
     def __init__(
         self, path: Path, joint_names: tuple[str, ...], station: Mapping[str, str], arm: ArmSide
     ) -> None:
+        """``station``: as of ``RecordingWriter``."""
         self.failure: Refusal | None = None
+        self.pictures = self.pictures_dropped = 0
+        self._delay_ns = int(station.get(ARM_DELAY, 0))
         self._arm = arm
         self._joints_after_ns = now_ns() - LEAD_NS
         self._frames: queue.Queue[list[StripeFrame] | None] = queue.Queue(QUEUE_BATCHES)
+        self._pictures: queue.Queue[Frame] = queue.Queue(QUEUE_PICTURES)
+        self._told: queue.Queue[Mapping[str, str]] = queue.Queue()
         self._writer = RecordingWriter(path, joint_names, station)
         self._thread = threading.Thread(target=self._run, name="scan-recorder", daemon=True)
         self._thread.start()
@@ -68,6 +78,17 @@ class Recorder:
                 continue
         return False
 
+    def offer_picture(self, frame: Frame) -> None:
+        """Has a picture recorded where there is time for it; else it is counted as dropped."""
+        try:
+            self._pictures.put_nowait(frame)
+        except queue.Full:
+            self.pictures_dropped += 1
+
+    def tell(self, station: Mapping[str, str]) -> None:
+        """Adds what has changed of the station since the recording began."""
+        self._told.put(station)
+
     def close(self) -> None:
         """Writes what waits, with the joints around it, and completes the file."""
         while self._thread.is_alive():
@@ -83,7 +104,7 @@ class Recorder:
             with self._writer:
                 last_ns = self._write_frames()
                 if self._arm.fresh:
-                    self._arm.at(last_ns, LATE_S)
+                    self._arm.at(last_ns + self._delay_ns, LATE_S)
                 self._write_joints()
         except Refusal as refusal:
             self.failure = refusal
@@ -95,17 +116,33 @@ class Recorder:
             if time.monotonic() - flushed_s > FLUSH_S:
                 self._writer.flush()
                 flushed_s = time.monotonic()
+            while not self._told.empty():
+                self._writer.tell(self._told.get())
+            if self._frames.empty():
+                self._write_picture()
             try:
-                frames = self._frames.get(timeout=POLL_S)
+                frames = self._frames.get(timeout=POLL_S if self._pictures.empty() else 0.0)
             except queue.Empty:
                 self._write_joints()
                 continue
             if frames is None:
+                self._write_pictures_left()
                 return last_ns
             self._write_joints()
             for frame in frames:
                 last_ns = frame.stamp_ns
                 self._writer.stripe(last_ns, frame.stripe, frame.width_px, frame.height_px)
+
+    def _write_picture(self) -> None:
+        """One, when no stripe waits."""
+        with suppress(queue.Empty):
+            frame = self._pictures.get_nowait()
+            self._writer.image(frame.mid_exposure_ns, frame.image)
+            self.pictures += 1
+
+    def _write_pictures_left(self) -> None:
+        while not self._pictures.empty():
+            self._write_picture()
 
     def _write_joints(self) -> None:
         window = self._arm.window(self._joints_after_ns + 1, now_ns())

@@ -87,6 +87,7 @@ def _live(pipeline: ScanPipeline, rig: Rig) -> list[Finding]:
         found.append(Finding("bad", rig.sensor.link().text, "The scan goes on when it is back."))
     elif not rig.sensor.laser_on:
         found.append(Finding("attention", "The laser is off", "Switch it on, or stop the scan."))
+    found += _paced(pipeline)
     if pipeline.backlog > BEHIND:
         share = 100 * pipeline.backlog
         found.append(
@@ -99,6 +100,20 @@ def _live(pipeline: ScanPipeline, rig: Rig) -> list[Finding]:
     return found
 
 
+def _paced(pipeline: ScanPipeline) -> list[Finding]:
+    """Too fast, or standing."""
+    now = pipeline.pace.now
+    if now is None:
+        return []
+    if now.too_fast:
+        text = f"Too fast: {now.blur_mm:.2f} mm of blur; the limit is {now.limit_mm:.2f} mm"
+        return [Finding("attention", text, "Go slower, or shorten the exposure.")]
+    if now.still:
+        text = "Standing still: the same points are taken again and again"
+        return [Finding("neutral", text, "Move on; the recording keeps them all.")]
+    return []
+
+
 def _counted(pipeline: ScanPipeline) -> list[Finding]:
     counts = pipeline.counts
     arrived = counts.frames + pipeline.lost_frames
@@ -109,6 +124,25 @@ def _counted(pipeline: ScanPipeline) -> list[Finding]:
                 "attention",
                 f"{pipeline.lost_frames} of {arrived} pictures were lost",
                 "Check the sensor's cable, or close other programs.",
+            )
+        )
+    pace = pipeline.pace
+    if pace.frames_too_fast > SAY_SHARE * counts.frames:
+        found.append(
+            Finding(
+                "attention",
+                f"{pace.frames_too_fast} of {counts.frames} pictures were taken too fast: up to "
+                f"{pace.worst_mm:.2f} mm of blur",
+                "Go over these places again, slower.",
+            )
+        )
+    if pipeline.pictures[1]:
+        kept, left_out = pipeline.pictures
+        found.append(
+            Finding(
+                "neutral",
+                f"{kept} pictures are in the recording, {left_out} were left out",
+                "Every stripe is in it; pictures wait for them.",
             )
         )
     if counts.frames_without_joints > SAY_SHARE * counts.frames:

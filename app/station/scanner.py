@@ -5,12 +5,13 @@ import shutil
 import threading
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Literal
 
 from app.files.failures import files_refused, refusal_of
+from app.files.scan_settings import AUTOMATIC, ScanSettings
 from app.metrology.refusal import Refusal
 from app.station.bus import Bus
 from app.station.distance import Distance, distance_of
@@ -45,7 +46,18 @@ class ScanState:
     lost_frames: int
     frames_without_joints: int
     seconds: float
+    blur_mm: float | None
+    """The way of the surface under the stripe during the newest exposure."""
+    step_mm: float | None
+    """From one stripe to the next: the points' spacing along the pass."""
+    blur_limit_mm: float | None
+    frames_too_fast: int
+    pictures: int
+    """Recorded beside their stripes."""
     findings: tuple[Finding, ...]
+
+
+NOTHING = ScanState("idle", "", None, 0, 0, 0.0, 0, 0, 0, 0.0, None, None, None, 0, 0, ())
 
 
 @dataclass(frozen=True)
@@ -96,6 +108,7 @@ class Scanner:
         self._scans_dir = scans_dir
         self._lock = threading.RLock()
         self._calibration: ScanCalibration | None = None
+        self._settings = AUTOMATIC
         self._scan: _Running | None = None
         self._published: ScanState | None = None
         self._closing = threading.Event()
@@ -133,6 +146,13 @@ class Scanner:
         found_mm = scan.pipeline.distance_mm
         return None if found_mm is None else distance_of(found_mm, scan.calibration.depth_range_mm)
 
+    def set_settings(self, settings: ScanSettings) -> None:
+        """What the operator has set; a running scan goes on by it, but for the delay."""
+        with self._lock:
+            self._settings = settings
+            if self._scan is not None and self._scan.ended_s is None:
+                self._scan.pipeline.apply(settings)
+
     def why_not(self) -> Refusal | None:
         """Why a scan cannot start now; None when it can."""
         with self._lock:
@@ -162,8 +182,15 @@ class Scanner:
             if info is not None and info.has_laser_switch:
                 self._rig.sensor.set_laser(True)
             try:
+                if self._settings.exposure_us is not None:
+                    self._rig.sensor.set_exposure_us(self._settings.exposure_us)
                 pipeline = ScanPipeline(
-                    self._rig.arm, self._rig.sensor, calibration, folder, self._scene.add_points
+                    self._rig.arm,
+                    self._rig.sensor,
+                    calibration,
+                    folder,
+                    self._scene.add_points,
+                    self._settings,
                 )
             except Refusal:
                 self._rig.sensor.laser_off()
@@ -212,10 +239,11 @@ class Scanner:
         why_not = "" if refusal is None or running else refusal.line
         state: State = "blocked" if why_not else "idle"
         if scan is None:
-            return ScanState(state, why_not, None, 0, 0, 0.0, 0, 0, 0, 0.0, ())
+            return replace(NOTHING, state=state, why_not=why_not)
         if running:
             state = "stopping" if scan.stopping else "running"
-        counts = scan.pipeline.counts
+        counts, pace = scan.pipeline.counts, scan.pipeline.pace
+        now = pace.now if running else None
         return ScanState(
             state=state,
             why_not=why_not,
@@ -227,6 +255,11 @@ class Scanner:
             lost_frames=scan.pipeline.lost_frames,
             frames_without_joints=counts.frames_without_joints,
             seconds=scan.seconds,
+            blur_mm=now.blur_mm if now else None,
+            step_mm=now.step_mm if now else None,
+            blur_limit_mm=now.limit_mm if now else None,
+            frames_too_fast=pace.frames_too_fast,
+            pictures=scan.pipeline.pictures[0],
             findings=findings_of(scan.pipeline, self._rig, running),
         )
 

@@ -7,6 +7,7 @@ from app.store.calibrations import CalibrationStore
 from app.store.database import Database
 from app.store.journal import JournalStore
 from app.store.lock import FolderLock
+from app.store.scan_settings import SettingsStore
 from app.store.scans import ScanStore
 
 
@@ -39,6 +40,7 @@ class Store:
         self.journal = JournalStore(self._database)
         self.calibrations = CalibrationStore(self._database, self.folder)
         self.scans = ScanStore(self._database, self.folder)
+        self.settings = SettingsStore(self.folder)
 
     def close(self) -> None:
         """Closes the database and lets another server have the folder; idempotent."""

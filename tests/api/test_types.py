@@ -11,7 +11,7 @@ import pytest
 from app.api import schema
 from app.guide import view
 from app.metrology.detection import evidence
-from app.station import device_state, findings, preview, rig
+from app.station import device_state, findings, operator_settings, preview, rig
 
 TYPES = Path(__file__).resolve().parents[2] / "frontend/src/api/types.ts"
 SHAPES: dict[str, type] = {
@@ -43,6 +43,8 @@ SHAPES: dict[str, type] = {
     "DeviceState": device_state.DeviceState,
     "Devices": rig.Devices,
     "ScanState": schema.ScanState,
+    "Delay": operator_settings.Delay,
+    "StationSettings": operator_settings.StationSettings,
     "CalibrationSummary": schema.CalibrationSummary,
     "ScanSummary": schema.ScanSummary,
     "Station": schema.Station,

@@ -329,6 +329,14 @@ export interface ScanState {
   lost_frames: number;
   frames_without_joints: number;
   seconds: number;
+  /** The way of the surface under the stripe during the newest exposure; null where none is seen. */
+  blur_mm: number | null;
+  /** From one stripe to the next: the points' spacing along the pass. */
+  step_mm: number | null;
+  blur_limit_mm: number | null;
+  frames_too_fast: number;
+  /** Recorded beside their stripes. */
+  pictures: number;
   findings: Finding[];
   /** True while the twin's hand moves the sensor over the part. */
   hand_running: boolean;
@@ -345,6 +353,33 @@ export interface CalibrationSummary {
   arm_serial: string;
   sensor_serial: string;
   object_serial: string;
+}
+
+/** Between the arm's clock and the camera's, as it was found. */
+export interface Delay {
+  delay_ms: number;
+  standard_uncertainty_ms: number;
+  rms_without_um: number;
+  rms_um: number;
+  /** Of which scan. */
+  scan: string;
+  applied: boolean;
+}
+
+/** What an operator sets of scans; null is automatic. */
+export interface StationSettings {
+  threshold: number | null;
+  min_width_px: number | null;
+  choice: "continuity" | "strength" | "first" | "last";
+  exposure_us: number | null;
+  /** Where nothing is measured: corners in pixels of the full frame. */
+  zones: [number, number][][];
+  blur_limit_mm: number | null;
+  record_pictures: boolean;
+  /** In use, or found and not yet used. */
+  delay: Delay | null;
+  finding_delay: boolean;
+  findings: Finding[];
 }
 
 export interface ScanSummary {
@@ -380,6 +415,7 @@ export type LiveMessage =
   | { type: "topic"; name: "devices"; value: Devices }
   | { type: "topic"; name: "flow"; value: FlowView }
   | { type: "topic"; name: "scan"; value: ScanState }
+  | { type: "topic"; name: "settings"; value: StationSettings }
   | { type: "topic"; name: "home"; value: Home }
   | { type: "topic"; name: "arm"; value: ArmView }
   | { type: "event"; id: number; kind: string; quality: Quality; text: string }

@@ -1,7 +1,7 @@
 import { useSyncExternalStore } from "react";
 
 import type { ArmView } from "../api/armTypes";
-import type { Devices, FlowView, Home, Quality, ScanState, Station } from "../api/types";
+import type { Devices, FlowView, Home, Quality, ScanState, Station, StationSettings } from "../api/types";
 
 export type Connection = "connecting" | "live" | "lost";
 
@@ -32,6 +32,7 @@ export interface LiveState {
   devices: Devices | null;
   flow: FlowView | null;
   scan: ScanState | null;
+  settings: StationSettings | null;
   home: Home | null;
   arm: ArmView | null;
   event: StationEvent | null;
@@ -47,6 +48,7 @@ let state: LiveState = {
   devices: null,
   flow: null,
   scan: null,
+  settings: null,
   home: null,
   arm: null,
   event: null,

@@ -1,0 +1,240 @@
+"""The operator's settings of scans: shown to every browser, kept, and applied at once."""
+
+import threading
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from pydantic import ValidationError
+
+from app.files.arm import read_arm
+from app.files.calibration import read_calibration
+from app.files.failures import refusal_of_invalid
+from app.files.mask import Mask
+from app.files.scan_settings import ScanSettings
+from app.files.sync import Sync, sync
+from app.metrology.refusal import Refusal
+from app.metrology.stripe import Choice
+from app.station.bus import Bus
+from app.station.findings import Finding
+from app.station.jobs import Job, Jobs, Progress
+from app.station.preview import Preview
+from app.station.rig import Rig
+from app.station.scanner import Scanner
+
+TOPIC = "settings"
+Corner = tuple[float, float]
+Zones = Sequence[Sequence[Sequence[float]]]
+
+
+@dataclass(frozen=True)
+class Delay:
+    """Between arm and camera, as it was found."""
+
+    delay_ms: float
+    standard_uncertainty_ms: float
+    rms_without_um: float
+    rms_um: float
+    scan: str
+    """Of which scan."""
+    applied: bool
+
+
+@dataclass(frozen=True)
+class StationSettings:
+    """As the browser shows them; null is automatic."""
+
+    threshold: float | None
+    min_width_px: float | None
+    choice: Choice
+    exposure_us: float | None
+    zones: tuple[tuple[Corner, ...], ...]
+    """Where nothing is measured: corners in pixels of the full frame."""
+    blur_limit_mm: float | None
+    record_pictures: bool
+    delay: Delay | None
+    """In use, or found and not yet used."""
+    finding_delay: bool
+    findings: tuple[Finding, ...]
+
+
+@dataclass(frozen=True)
+class PassRecord:
+    """A scan that a delay can be found from."""
+
+    name: str
+    recording: Path
+    calibration: Path
+    arm: Path
+
+
+class OperatorSettings:
+    """Every method may be called from any thread.
+
+    Args:
+        kept: what was set before.
+        keep: puts it where it survives a restart.
+    """
+
+    def __init__(
+        self,
+        bus: Bus,
+        rig: Rig,
+        scanner: Scanner,
+        preview: Preview,
+        kept: ScanSettings,
+        keep: Callable[[ScanSettings], None],
+    ) -> None:
+        self._bus, self._rig = bus, rig
+        self._scanner, self._preview, self._keep = scanner, preview, keep
+        self._lock = threading.RLock()
+        self._settings = kept
+        self._found: Sync | None = None
+        self._finding = False
+        self._apply()
+
+    @property
+    def settings(self) -> ScanSettings:
+        return self._settings
+
+    def view(self) -> StationSettings:
+        with self._lock:
+            now = self._settings
+            return StationSettings(
+                threshold=now.threshold,
+                min_width_px=now.min_width_px,
+                choice=now.choice,
+                exposure_us=now.exposure_us,
+                zones=now.mask.zones if now.mask is not None else (),
+                blur_limit_mm=now.blur_limit_mm,
+                record_pictures=now.record_pictures,
+                delay=self._delay(),
+                finding_delay=self._finding,
+                findings=self._findings(),
+            )
+
+    def change(self, fields: Mapping[str, object], zones: Zones) -> None:
+        """Sets everything but the delay.
+
+        Raises:
+            Refusal: a value out of its range, zones while no sensor is connected, or a disk
+                that does not take it; nothing is then changed.
+        """
+        with self._lock:
+            mask = self._mask(zones)
+            try:
+                new = ScanSettings.model_validate(
+                    {**fields, "mask": mask, "sync": self._settings.sync}
+                )
+            except ValidationError as error:
+                raise refusal_of_invalid("settings", error) from error
+            self._set(new)
+            if new.exposure_us is not None and self._rig.sensor.fresh:
+                self._rig.sensor.set_exposure_us(new.exposure_us)
+
+    def expose_by_the_picture(self) -> None:
+        """Sets the exposure so that the picture's bright parts are at 70 %; takes a second."""
+        exposure_us = self._rig.sensor.auto_exposure()
+        with self._lock:
+            self._set(self._settings.model_copy(update={"exposure_us": round(exposure_us, 1)}))
+
+    def find_delay(self, jobs: Jobs, source: PassRecord) -> None:
+        """Looks for the delay in a scan, as a job; raises ``Refusal`` while another runs."""
+
+        def work(progress: Progress) -> Sync:
+            calibration, arm = read_calibration(source.calibration), read_arm(source.arm)
+            found = sync(
+                source.recording, calibration, arm, lambda share, _: progress(source.name, share)
+            )
+            return found.model_copy(update={"recording": source.name})
+
+        with self._lock:
+            jobs.start("Looking for the delay", work, self._delay_found)
+            self._finding = True
+        self._publish()
+
+    def use_delay(self, on: bool) -> None:
+        """Applies the delay that was found last, or none from now on."""
+        with self._lock:
+            if on and self._found is None:
+                raise Refusal(
+                    "no-delay", "No delay was found yet", remedy="Pass over a plane and find it"
+                )
+            self._found, sync = (None, self._found) if on else (self._found, None)
+            self._set(self._settings.model_copy(update={"sync": sync}))
+
+    def _delay_found(self, job: Job[Sync]) -> None:
+        with self._lock:
+            self._finding = False
+            self._found = job.result or self._found
+        if job.refusal is not None:
+            self._bus.event("refused", job.refusal.line, "attention")
+        self._publish()
+
+    def _delay(self) -> Delay | None:
+        found = self._found or self._settings.sync
+        if found is None:
+            return None
+        return Delay(
+            found.delay_ms,
+            found.standard_uncertainty_ms,
+            found.rms_without_um,
+            found.rms_um,
+            found.recording,
+            applied=self._found is None,
+        )
+
+    def _mask(self, zones: Zones) -> Mask | None:
+        """The zones as a mask of the connected sensor."""
+        if not zones:
+            return None
+        held = self._settings.mask
+        if held is not None and held.zones == tuple(tuple(map(tuple, zone)) for zone in zones):
+            return held
+        info = self._rig.sensor.info
+        if info is None:
+            raise Refusal(
+                "sensor-lost",
+                "zones cannot be set now",
+                "the sensor is not connected",
+                "wait until it is",
+            )
+        try:
+            return Mask.model_validate(
+                {
+                    "width_px": info.width_px,
+                    "height_px": info.height_px,
+                    "sensor_serial": info.serial_number,
+                    "zones": zones,
+                }
+            )
+        except ValidationError as error:
+            raise refusal_of_invalid("zones", error) from error
+
+    def _findings(self) -> tuple[Finding, ...]:
+        mask, info = self._settings.mask, self._rig.sensor.info
+        if mask is None or info is None:
+            return ()
+        if (mask.width_px, mask.height_px) == (info.width_px, info.height_px):
+            return ()
+        return (
+            Finding(
+                "attention",
+                f"The zones are for a picture of {mask.width_px} × {mask.height_px} pixels and "
+                f"are left out; the sensor's has {info.width_px} × {info.height_px}",
+                "Clear them, and draw them anew.",
+            ),
+        )
+
+    def _set(self, settings: ScanSettings) -> None:
+        self._keep(settings)
+        self._settings = settings
+        self._apply()
+
+    def _apply(self) -> None:
+        self._scanner.set_settings(self._settings)
+        self._preview.set_settings(self._settings)
+        self._publish()
+
+    def _publish(self) -> None:
+        self._bus.publish(TOPIC, self.view())

@@ -1,0 +1,31 @@
+"""The operator's settings of scans, kept over restarts."""
+
+from pathlib import Path
+
+from app.files.scan_settings import AUTOMATIC, ScanSettings
+from app.metrology.refusal import Refusal
+
+FILE = "scan_settings.json"
+
+
+class SettingsStore:
+    """One file in the data folder."""
+
+    def __init__(self, folder: Path) -> None:
+        self._path = folder / FILE
+        self.trouble: Refusal | None = None
+        """Why what was kept could not be read; everything is then automatic."""
+
+    def read(self) -> ScanSettings:
+        """What was kept last; automatic before the first time."""
+        if not self._path.exists():
+            return AUTOMATIC
+        try:
+            return ScanSettings.read(self._path)
+        except Refusal as refusal:
+            self.trouble = refusal
+            return AUTOMATIC
+
+    def keep(self, settings: ScanSettings) -> None:
+        """Raises ``Refusal`` where the disk does not take it."""
+        settings.write(self._path)

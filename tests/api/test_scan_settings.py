@@ -1,0 +1,62 @@
+"""The settings' routes on the running server."""
+
+import pytest
+
+from tests.api.conftest import Server
+
+PLAIN: dict[str, object] = {
+    "threshold": None,
+    "min_width_px": None,
+    "choice": "continuity",
+    "exposure_us": None,
+    "zones": [],
+    "blur_limit_mm": None,
+    "record_pictures": False,
+}
+
+
+def test_settings_are_set_read_and_kept(server: Server) -> None:
+    zone = [[0, 0], [200.5, 0], [200.5, 300]]
+    set_to = {**PLAIN, "threshold": 20, "choice": "strength", "zones": [zone]}
+    answer = server.http.post("/api/settings", json=set_to)
+    assert answer.status_code == 200, answer.text
+    now = server.http.get("/api/settings").json()
+    assert (now["threshold"], now["choice"], now["zones"]) == (20, "strength", [zone])
+    assert now["delay"] is None
+    assert '"threshold": 20.0' in (server.data / "scan_settings.json").read_text()
+    assert server.http.post("/api/settings", json=PLAIN).json()["zones"] == []
+
+
+@pytest.mark.parametrize(
+    ("change", "status"),
+    [
+        ({"threshold": -3}, 422),
+        ({"min_width_px": "wide"}, 422),
+        ({"choice": "best"}, 422),
+        ({"zones": [[[1, 1], [2, 2], [3, 3]]]}, 422),
+        ({"zones": [[[1], [2, 2], [3, 3]]]}, 422),
+        ({"more": 1}, 422),
+    ],
+)
+def test_what_cannot_be_meant_changes_nothing(
+    server: Server, change: dict[str, object], status: int
+) -> None:
+    before = server.http.get("/api/settings").json()
+    answer = server.http.post("/api/settings", json={**PLAIN, **change})
+    assert answer.status_code == status, answer.text
+    assert answer.json()["title"]
+    assert server.http.get("/api/settings").json() == before
+
+
+def test_without_a_scan_there_is_no_delay_to_find(server: Server) -> None:
+    if not server.context.store.scans.all():
+        answer = server.http.post("/api/settings/delay/find")
+        assert answer.json()["code"] == "no-scan"
+    answer = server.http.post("/api/settings/delay", json={"on": True})
+    assert answer.json()["code"] == "no-delay"
+
+
+def test_a_foreign_page_sets_nothing(server: Server) -> None:
+    foreign = {"origin": "http://evil.example"}
+    answer = server.http.post("/api/settings", json=PLAIN, headers=foreign)
+    assert answer.status_code == 403
