@@ -1,5 +1,7 @@
 """What an operator sets of scans: the laser line, zones, limits, and the delay of the arm."""
 
+from pathlib import Path
+
 from fastapi import APIRouter
 
 from app.api.context import Context, TheContext
@@ -35,7 +37,25 @@ def expose(context: TheContext) -> StationSettings:
 @router.post("/delay/find")
 def find_delay(context: TheContext) -> StationSettings:
     """Looks for the delay between arm and camera in the last scan."""
-    context.settings.find_delay(context.jobs, _last_pass(context))
+    scan = next(iter(context.store.scans.all()), None)
+    if scan is None:
+        raise Refusal(
+            "no-scan",
+            "There is no scan to find the delay from",
+            remedy="Scan a flat plate, nearer and away again several times, then find it",
+        )
+    source = _source(context, scan.name, scan.folder, scan.calibration_id)
+    context.settings.find_delay(context.jobs, lambda: source)
+    return context.settings.view()
+
+
+@router.post("/delay/pass")
+def pass_for_delay(context: TheContext) -> StationSettings:
+    """Has the simulated hand pass over the plate, and looks for the delay in that."""
+    refusal = context.scanner.why_not()
+    if refusal is not None:
+        raise refusal
+    context.settings.find_delay(context.jobs, lambda: _passed(context))
     return context.settings.view()
 
 
@@ -46,17 +66,22 @@ def use_delay(asked: Switch, context: TheContext) -> StationSettings:
     return context.settings.view()
 
 
-def _last_pass(context: Context) -> PassRecord:
-    """The last scan, with the calibration that it was taken with."""
-    scan = next(iter(context.store.scans.all()), None)
-    if scan is None:
-        raise Refusal(
-            "no-scan",
-            "There is no scan to find the delay from",
-            remedy="Scan a flat plate, nearer and away again several times, then find it",
-        )
-    calibration = context.store.calibrations.get(scan.calibration_id)
+def _passed(context: Context) -> PassRecord:
+    """A scan that the hand has just taken."""
+    context.scanner.start("Pass over the plate")
+    try:
+        whole = context.scan_hand.pass_over_plate()
+    finally:
+        result = context.scanner.stop()
+    if not whole or result is None:
+        raise Refusal("pass-stopped", "The pass was stopped", remedy="Start it again")
+    return _source(context, result.name, result.folder, result.calibration_id)
+
+
+def _source(context: Context, name: str, folder: Path, calibration_id: str) -> PassRecord:
+    """A scan with the calibration that it was taken with."""
+    calibration = context.store.calibrations.get(calibration_id)
     if calibration is None:
-        raise Refusal("no-calibration", f"The calibration of {scan.name} is not here any more")
-    folder = calibration.file.parent
-    return PassRecord(scan.name, scan.folder / "scan.mcap", calibration.file, folder / ARM)
+        raise Refusal("no-calibration", f"The calibration of {name} is not here any more")
+    file = calibration.file
+    return PassRecord(name, folder / "scan.mcap", file, file.parent / ARM)

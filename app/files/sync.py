@@ -55,10 +55,15 @@ class Sync(Document):
 
 
 def sync(
-    recording_path: Path, calibration: Calibration, arm: Arm, progress: Progress = no_progress
+    recording_path: Path,
+    calibration: Calibration,
+    arm: Arm,
+    progress: Progress = no_progress,
+    named: str = "",
 ) -> Sync:
     """Estimates the delay from a recorded back-and-forth pass over a plane.
 
+    ``named`` is what whoever asks knows the recording by, where that is not its path.
     The stamps are taken as they were recorded: a delay that the station applied when the
     pass was taken has no part in it.
 
@@ -68,14 +73,15 @@ def sync(
     """
     check_serials(calibration, arm)
     passed, recording = plane_pass(recording_path, calibration, arm, progress)
-    with refusals_naming(recording_path):
+    named = named or str(recording_path)
+    with refusals_naming(named):
         found = clock_delay(passed)
     progress(1.0, "")
     return sheet_of(
         found,
         arm.serial_number or recording.station.get("arm_serial", ""),
         calibration.serial_numbers.sensor or recording.station.get("sensor_serial", ""),
-        recording_path.name,
+        named,
     )
 
 

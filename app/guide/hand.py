@@ -27,6 +27,9 @@ class Hand(Protocol):
     def scan_part(self, name: str) -> bool:
         """Sweeps the sensor over the part."""
 
+    def pass_over_plate(self) -> bool:
+        """Goes over a flat plate, nearer and away again, as a delay is found by."""
+
     def go_to_seat(self, seat: int, posture: int = 0) -> bool:
         """Puts the tip into the ``seat``-th of the seats that stand about the reach.
 

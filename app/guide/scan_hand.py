@@ -31,11 +31,7 @@ class ScanHand:
             return
         hand = self._hand
         if hand is None:
-            raise Refusal(
-                "no-hand",
-                "There is no simulated hand on real devices",
-                remedy="Move the sensor over the part yourself",
-            )
+            raise _no_hand()
 
         def work(progress: Progress) -> None:
             for done, part in enumerate(hand.parts):
@@ -51,6 +47,25 @@ class ScanHand:
             raise
         self._changed()
 
+    def pass_over_plate(self) -> bool:
+        """Goes over the plate, nearer and away again, within a job of the caller's.
+
+        Returns False when it was stopped. Raises ``Refusal``: ``no-hand``, or ``busy`` while
+        it scans.
+        """
+        hand = self._hand
+        if hand is None:
+            raise _no_hand()
+        if self._running:
+            raise Refusal("busy", "The hand is scanning", remedy="Stop it first")
+        self._running = True
+        self._changed()
+        try:
+            return hand.pass_over_plate()
+        finally:
+            self._running = False
+            self._changed()
+
     def stop(self) -> None:
         """Ends the sweep under way; idempotent."""
         if self._running and self._hand is not None:
@@ -62,3 +77,11 @@ class ScanHand:
         if job.refusal is not None:
             self._bus.event("refused", job.refusal.line, "bad")
         self._changed()
+
+
+def _no_hand() -> Refusal:
+    return Refusal(
+        "no-hand",
+        "There is no simulated hand on real devices",
+        remedy="Move the sensor over the part yourself",
+    )

@@ -138,15 +138,23 @@ class OperatorSettings:
         with self._lock:
             self._set(self._settings.model_copy(update={"exposure_us": round(exposure_us, 1)}))
 
-    def find_delay(self, jobs: Jobs, source: PassRecord) -> None:
-        """Looks for the delay in a scan, as a job; raises ``Refusal`` while another runs."""
+    def find_delay(self, jobs: Jobs, taken: Callable[[], PassRecord]) -> None:
+        """Looks for the delay in a scan, as a job; raises ``Refusal`` while another runs.
+
+        Args:
+            taken: called within the job; it may take the scan first.
+        """
 
         def work(progress: Progress) -> Sync:
+            source = taken()
             calibration, arm = read_calibration(source.calibration), read_arm(source.arm)
-            found = sync(
-                source.recording, calibration, arm, lambda share, _: progress(source.name, share)
+            return sync(
+                source.recording,
+                calibration,
+                arm,
+                lambda share, _: progress(source.name, share),
+                source.name,
             )
-            return found.model_copy(update={"recording": source.name})
 
         with self._lock:
             jobs.start("Looking for the delay", work, self._delay_found)

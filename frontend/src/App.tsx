@@ -9,9 +9,10 @@ import { CalibratePage } from "./pages/CalibratePage";
 import { HomePage } from "./pages/HomePage";
 import { RecordsPage } from "./pages/RecordsPage";
 import { ScanPage } from "./pages/ScanPage";
+import { SettingsPage } from "./pages/SettingsPage";
 import { TITLES, usePage } from "./state/router";
 
-const PAGE = { home: HomePage, calibrate: CalibratePage, scan: ScanPage, arm: ArmPage, records: RecordsPage };
+const PAGE = { home: HomePage, calibrate: CalibratePage, scan: ScanPage, arm: ArmPage, records: RecordsPage, settings: SettingsPage };
 
 export function App() {
   const page = usePage();

@@ -208,7 +208,8 @@ def test_a_delay_that_cannot_be_found_is_said(
     async def scenario() -> str:
         bus.attach(asyncio.get_running_loop())
         with bus.subscribe(without={"devices"}) as reader:
-            operator.find_delay(Jobs(bus), PassRecord("none", nowhere, nowhere, nowhere))
+            nothing = PassRecord("none", nowhere, nowhere, nowhere)
+            operator.find_delay(Jobs(bus), lambda: nothing)
             assert operator.view().finding_delay
             while not (events := (await reader.next()).events):
                 continue

@@ -1,12 +1,12 @@
 import type { MouseEvent } from "react";
 
-import { ArmIcon, CalibrateIcon, HomeIcon, RecordsIcon, ScanIcon } from "../parts/icons";
+import { ArmIcon, CalibrateIcon, HomeIcon, RecordsIcon, ScanIcon, SettingsIcon } from "../parts/icons";
 import { go, type Page, PAGES, pathOf, TITLES } from "../state/router";
 import { useLive } from "../state/store";
 import styles from "./Rail.module.css";
 import { StepList } from "./StepList";
 
-const ICONS = { home: HomeIcon, calibrate: CalibrateIcon, scan: ScanIcon, arm: ArmIcon, records: RecordsIcon };
+const ICONS = { home: HomeIcon, calibrate: CalibrateIcon, scan: ScanIcon, arm: ArmIcon, records: RecordsIcon, settings: SettingsIcon };
 
 /** Pages, and under them the steps of the flow while it is on. */
 export function Rail({ page }: { page: Page }) {

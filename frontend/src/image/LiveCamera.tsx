@@ -1,5 +1,5 @@
 import { useElementSize } from "@mantine/hooks";
-import { useEffect, useRef, useState } from "react";
+import { type ReactNode, useEffect, useRef, useState } from "react";
 
 import { type Preview, watchPreview } from "../api/preview";
 import type { PreviewHeader } from "../api/types";
@@ -14,9 +14,22 @@ const OLD_S = 1;
 
 type Target = [number, number, number, number][];
 
-/** The camera as it sees now, with corners, outline and stripe drawn on it; `target` is
- *  how the object should come to lie. */
-export function LiveCamera({ target = [] }: { target?: Target }) {
+/** The picture's size, and how many of the screen's pixels one of its own takes. */
+export interface Frame {
+  width_px: number;
+  height_px: number;
+  scale: number;
+}
+
+interface LiveCameraProps {
+  /** How the object should come to lie. */
+  target?: Target;
+  /** What lies on the picture, of its own size. */
+  over?: (frame: Frame) => ReactNode;
+}
+
+/** The camera as it sees now, with corners, outline and stripe drawn on it. */
+export function LiveCamera({ target = [], over }: LiveCameraProps) {
   const { ref, width, height } = useElementSize<HTMLDivElement>();
   const canvas = useRef<HTMLCanvasElement>(null);
   const room = useRef({ width, height });
@@ -47,9 +60,27 @@ export function LiveCamera({ target = [] }: { target?: Target }) {
           role="img"
           aria-label="Live picture of the camera"
         />
+        {header && over && <Over header={header} width={width} height={height} over={over} />}
         {!header && <p className={styles.waiting}>No picture yet. It appears when the camera sends one.</p>}
       </div>
-      {header && <Panel header={header} old_s={old ? old_s : null} />}
+      {header && <Panel header={header} old_s={old ? old_s : null} line={over !== undefined} />}
+    </div>
+  );
+}
+
+interface OverProps {
+  header: PreviewHeader;
+  width: number;
+  height: number;
+  over: (frame: Frame) => ReactNode;
+}
+
+function Over({ header: { width_px, height_px }, width, height, over }: OverProps) {
+  const scale = Math.min(width / width_px, height / height_px);
+  if (!(scale > 0)) return null;
+  return (
+    <div className={styles.over} style={{ width: width_px * scale, height: height_px * scale }}>
+      {over({ width_px, height_px, scale })}
     </div>
   );
 }
@@ -89,11 +120,19 @@ function useAge(newest: { current: number }): number {
   return age_s;
 }
 
+interface PanelProps {
+  header: PreviewHeader;
+  old_s: number | null;
+  /** The laser's line is looked at, not the object. */
+  line: boolean;
+}
+
 /** What the newest picture is worth, in figures, and what is wrong with it beyond the card's findings. */
-function Panel({ header, old_s }: { header: PreviewHeader; old_s: number | null }) {
+function Panel({ header, old_s, line }: PanelProps) {
   const told = useLive((s) => s.flow?.findings);
   const wrong = header.findings.filter(
     ({ quality, text }) =>
+      !line &&
       (quality === "attention" || quality === "bad") && !told?.some((finding) => finding.text === text),
   );
   return (
@@ -116,7 +155,9 @@ function Panel({ header, old_s }: { header: PreviewHeader; old_s: number | null 
             : { label: "Picture", value: age(old_s), unit: "old", quality: "bad" },
           { label: "Laser", value: header.laser_on ? "on" : "off" },
           { label: "Arm", value: header.arm_still ? "still" : "moving", quality: header.arm_still ? "good" : "attention" },
-          { label: "Corners", value: figures(header.corners.length) },
+          line
+            ? { label: "Line", value: header.stripe.length > 0 ? "found" : "none" }
+            : { label: "Corners", value: figures(header.corners.length) },
           { label: "Saturated", value: figures(header.saturated_percent, 1), unit: "%" },
         ]}
       />

@@ -42,6 +42,13 @@ export const ArmIcon = icon(
   </>,
 );
 export const RecordsIcon = icon(<path d="M5 4h10l4 4v12H5zM15 4v4h4M8.5 12h7M8.5 15.5h7" />);
+export const SettingsIcon = icon(
+  <>
+    <path d="M3 7h9M17 7h4M3 17h4M12 17h9" />
+    <circle cx="14.5" cy="7" r="2.5" />
+    <circle cx="9.5" cy="17" r="2.5" />
+  </>,
+);
 export const CheckIcon = icon(<path d="m5 12.5 4.5 4.5L19 7.5" />);
 export const AttentionIcon = icon(<path d="M12 4 2.5 20h19zM12 10v4.5M12 17.4v.1" />);
 export const BadIcon = icon(<path d="M8.200 3h7.600L21 8.200v7.600L15.800 21H8.200L3 15.800V8.200zM9 9l6 6M15 9l-6 6" />);

@@ -11,6 +11,12 @@ export function ScanFigures({ scan }: { scan: ScanState }) {
     <dl className={styles.figures} data-stale={!live || undefined}>
       <Figure label="Rate" value={`${figures(scan.rate_points_s)} points/s`} />
       <Figure label="Time" value={duration(scan.seconds)} />
+      <Figure
+        label="Blur"
+        value={scan.blur_mm === null ? "–" : `${figures(scan.blur_mm, 2)} mm`}
+        lost={tooFast(scan)}
+      />
+      <Figure label="Spacing of lines" value={scan.step_mm === null ? "–" : `${figures(scan.step_mm, 2)} mm`} />
       <Figure label="Pictures" value={figures(scan.frames)} />
       <Figure label="Lost pictures" value={figures(scan.lost_frames)} lost={scan.lost_frames > 0} />
       <Figure
@@ -20,6 +26,10 @@ export function ScanFigures({ scan }: { scan: ScanState }) {
       />
     </dl>
   );
+}
+
+function tooFast({ blur_mm, blur_limit_mm }: ScanState): boolean {
+  return blur_mm !== null && blur_limit_mm !== null && blur_mm > blur_limit_mm;
 }
 
 function Figure({ label, value, lost = false }: { label: string; value: string; lost?: boolean }) {

@@ -1,6 +1,6 @@
 import { useSyncExternalStore } from "react";
 
-export const PAGES = ["home", "calibrate", "scan", "arm", "records"] as const;
+export const PAGES = ["home", "calibrate", "scan", "arm", "records", "settings"] as const;
 export type Page = (typeof PAGES)[number];
 
 export const TITLES: Record<Page, string> = {
@@ -9,6 +9,7 @@ export const TITLES: Record<Page, string> = {
   scan: "Scan",
   arm: "Arm check",
   records: "Records",
+  settings: "Settings",
 };
 
 const listeners = new Set<() => void>();

@@ -1,0 +1,49 @@
+import { clearNotice } from "../state/notices";
+import { getState, setState } from "../state/store";
+import { tell } from "./commands";
+import { get, post } from "./http";
+import type { StationSettings } from "./types";
+
+type Changeable = Omit<StationSettings, "delay" | "finding_delay" | "findings">;
+
+async function send(path: string, body: unknown, whatWas: string): Promise<boolean> {
+  try {
+    const settings = await post<StationSettings>(`/api/settings${path}`, body);
+    clearNotice();
+    if (settings) setState({ settings });
+    return true;
+  } catch (error) {
+    tell(error, whatWas);
+    return false;
+  }
+}
+
+/** Sets some of the settings; the others stay as they are. */
+export async function changeSettings(change: Partial<Changeable>): Promise<boolean> {
+  const held = getState().settings;
+  if (!held) return false;
+  const { delay, finding_delay, findings, ...all } = held;
+  return send("", { ...all, ...change }, "the settings were not changed");
+}
+
+/** What is told depends on the devices of now: asked for anew when somebody looks. */
+export async function readSettings(): Promise<void> {
+  try {
+    setState({ settings: await get<StationSettings>("/api/settings") });
+  } catch {
+    /* the live connection brings them, too */
+  }
+}
+
+export const exposeByThePicture = async () => {
+  await send("/exposure", {}, "the exposure was not changed");
+};
+export const findDelay = async () => {
+  await send("/delay/find", {}, "the delay was not looked for");
+};
+export const passForDelay = async () => {
+  await send("/delay/pass", {}, "the pass was not started");
+};
+export const applyDelay = async (on: boolean) => {
+  await send("/delay", { on }, "the delay was not changed");
+};

@@ -1,0 +1,62 @@
+import { changeSettings, exposeByThePicture } from "../api/settingsCommands";
+import type { StationSettings } from "../api/types";
+import { PressButton } from "../parts/PressButton";
+import { NumberSetting } from "./NumberSetting";
+import styles from "./Settings.module.css";
+
+const CHOICES: { value: StationSettings["choice"]; label: string }[] = [
+  { value: "continuity", label: "The longest line (automatic)" },
+  { value: "strength", label: "The brightest" },
+  { value: "first", label: "The first, from the picture's top" },
+  { value: "last", label: "The last, from the picture's top" },
+];
+
+/** How the laser's line is told from everything else that is bright. */
+export function LineSettings({ settings }: { settings: StationSettings }) {
+  return (
+    <section className={styles.section} aria-labelledby="line">
+      <h2 id="line" className={styles.heading}>
+        Laser line
+      </h2>
+      <NumberSetting
+        name="exposure_us"
+        label="Exposure"
+        unit="µs"
+        placeholder="as it is"
+        help="Of scans. Short on bright metal, long on dark parts; a long one blurs."
+        settings={settings}
+      >
+        <PressButton onPress={exposeByThePicture}>By the picture</PressButton>
+      </NumberSetting>
+      <NumberSetting
+        name="threshold"
+        label="Threshold"
+        unit="grey levels"
+        help="How far the line stands out of its surroundings. Automatic: four times the noise."
+        settings={settings}
+      />
+      <NumberSetting
+        name="min_width_px"
+        label="Least width"
+        unit="px"
+        help="What is narrower is a glint. Automatic: about half of the line's usual width."
+        settings={settings}
+      />
+      <label className={styles.field}>
+        <span className={styles.label}>Where several lines cross a column</span>
+        <select
+          className={styles.select}
+          value={settings.choice}
+          onChange={(event) => void changeSettings({ choice: event.target.value as StationSettings["choice"] })}
+        >
+          {CHOICES.map(({ value, label }) => (
+            <option key={value} value={value}>
+              {label}
+            </option>
+          ))}
+        </select>
+        <span className={styles.help}>Take the first or the last on glass and film, where two surfaces reflect.</span>
+      </label>
+    </section>
+  );
+}

@@ -1,0 +1,35 @@
+import type { StationSettings } from "../api/types";
+import { plural } from "../parts/format";
+import { PressButton } from "../parts/PressButton";
+import type { Zones } from "./useZones";
+import styles from "./Settings.module.css";
+
+/** Zones are drawn on the picture; what else is done with them is done here. */
+export function ZoneButtons({ zones, settings }: { zones: Zones; settings: StationSettings }) {
+  const count = settings.zones.length;
+  return (
+    <section className={styles.section} aria-labelledby="zones">
+      <h2 id="zones" className={styles.heading}>
+        Zones without measurement
+      </h2>
+      <p className={styles.help}>
+        {zones.drawing
+          ? "Draw it: press on the picture, and pull."
+          : count === 0
+            ? "Hide what shines in the picture and is no part: a clamp, the sensor’s own edge."
+            : `${plural(count, "zone")}. Pull a corner to move it, a small dot to make a new corner; Delete takes a corner away.`}
+      </p>
+      <div className={styles.buttons}>
+        <PressButton onPress={() => zones.setDrawing(!zones.drawing)}>
+          {zones.drawing ? "Draw nothing" : "Draw a zone"}
+        </PressButton>
+        <PressButton onPress={zones.undo} disabled={!zones.canUndo}>
+          Undo
+        </PressButton>
+        <PressButton onPress={() => zones.set([])} disabled={count === 0}>
+          Clear
+        </PressButton>
+      </div>
+    </section>
+  );
+}
