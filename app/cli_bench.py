@@ -1,6 +1,7 @@
 """``crenel bench``: what the README's tables say, measured on the machine it runs on."""
 
 from dataclasses import asdict
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -64,13 +65,19 @@ def detection(
 @refusing
 def extraction(
     frames: Annotated[int, typer.Option(min=4, help="Frames of each kind for the errors.")] = 12,
+    real: Annotated[
+        list[Path] | None,
+        typer.Option(help="Folder of real pictures, too: the line's local noise. May be repeated."),
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Stripe extraction: speed and error over the Cramér-Rao bound, beside OpenCV and numpy."""
+    from app.bench import real_lines
     from app.bench.extraction import COLUMNS, run, table
 
+    of_real = [row for folder in real or () for row in real_lines.run(folder)]
     with progress_bar("Measuring", not as_json) as tell:
-        rows = run(frames, tell)
+        rows = [*run(frames, tell), *of_real]
     if as_json:
         print_json({"measures": [asdict(row) for row in rows]})
         return
