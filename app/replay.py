@@ -2,9 +2,12 @@
 
 import math
 import threading
+import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 
@@ -12,7 +15,7 @@ from app.files.calibration import Calibration
 from app.files.cloud_points import Points
 from app.files.rebuild import rebuild_into
 from app.files.recorded_joints import JointReader
-from app.files.recording import ImageRecord, open_recording
+from app.files.recording import ImageRecord, last_stamp_ns, open_recording
 from app.files.recording_stream import blocks
 from app.metrology.arm import Arm
 from app.metrology.frames import apply, rigid
@@ -30,6 +33,29 @@ DEPTH_MM = (-50.0, 50.0)
 """The drawn measuring range, about the middle of the picture."""
 
 
+TOPIC = "replay"
+State = Literal["playing", "ended", "failed"]
+TOLD_S = 0.2
+
+
+@dataclass(frozen=True)
+class ReplayState:
+    """How far a replay is, as the browser shows it."""
+
+    recording: str
+    speed: float
+    """1 as it was taken; 0 as fast as it can be read."""
+    played_s: float
+    """Of the recording's own time."""
+    length_s: float | None
+    """None for a recording that was cut off."""
+    points: int
+    points_shown: int
+    state: State
+    text: str
+    """What became of it, once it has ended."""
+
+
 class Replay:
     """Plays one recording: its arm moves, its pictures come, and its points appear."""
 
@@ -38,6 +64,9 @@ class Replay:
         self._path, self._calibration, self._arm = path, calibration, arm
         self._rate_hz, first_ns = self._looked()
         self._clock = ReplayClock(first_ns, speed)
+        self._last_ns = last_stamp_ns(path)
+        self._points = 0
+        self._told_s = -math.inf
         self._ended = threading.Event()
         self._thread: threading.Thread | None = None
 
@@ -102,20 +131,27 @@ class Replay:
 
         def take(points: Points, stamp_ns: int) -> None:
             nonlocal last_ns
-            self._show_over(scene, points, last_ns, stamp_ns)
+            for part, at_ns in self._in_time(points, last_ns, stamp_ns):
+                scene.add_points(part)
+                self._points += len(part)
+                self._tell(scene, bus, at_ns)
             last_ns = stamp_ns
 
+        self._tell(scene, bus, last_ns)
         try:
             rebuilt = rebuild_into(self._path, self._calibration, self._arm, take)
         except _EndedError:
             return
         except Refusal as refusal:
+            self._tell(scene, bus, last_ns, "failed", refusal.line)
             bus.event("replay", refusal.line, "bad")
             return
+        said = " ".join(f"{text[:1].upper()}{text[1:]}." for text in rebuilt.warnings)
+        self._tell(scene, bus, last_ns, "ended", said)
         bus.event("replay", f"{self._path.name}: {rebuilt.points} points shown", "good")
 
-    def _show_over(self, scene: Scene, points: Points, first_ns: int, last_ns: int) -> None:
-        """Shows points spread over the time in which they were taken."""
+    def _in_time(self, points: Points, first_ns: int, last_ns: int) -> Iterator[tuple[Points, int]]:
+        """Points spread over the time in which they were taken, each part when it is due."""
         over_s = (last_ns - first_ns) / 1e9 / self._clock.speed if self._clock.speed else 0.0
         pieces = max(1, min(math.ceil(over_s / PIECE_S), len(points)))
         for k, piece in enumerate(np.array_split(points, pieces)):
@@ -123,7 +159,31 @@ class Replay:
             wait_s = (self._clock.due_ns(stamp_ns) - now_ns()) / 1e9
             if self._ended.wait(max(wait_s, 0.0)):
                 raise _EndedError
-            scene.add_points(piece)
+            yield piece, stamp_ns
+
+    def _tell(
+        self, scene: Scene, bus: Bus, at_ns: int, state: State = "playing", text: str = ""
+    ) -> None:
+        """Says how far it is, some times a second."""
+        now = time.monotonic()
+        if state == "playing" and now - self._told_s < TOLD_S:
+            return
+        self._told_s = now
+        first_ns, last_ns = self._clock.first_ns, self._last_ns
+        length_s = None if last_ns is None else max(last_ns - first_ns, 0) / 1e9
+        bus.publish(
+            TOPIC,
+            ReplayState(
+                recording=self._path.name,
+                speed=self._clock.speed,
+                played_s=max(at_ns - first_ns, 0) / 1e9,
+                length_s=length_s,
+                points=self._points,
+                points_shown=scene.points_shown,
+                state=state,
+                text=text,
+            ),
+        )
 
 
 class _EndedError(Exception):

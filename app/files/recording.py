@@ -12,6 +12,7 @@ import numpy as np
 import zstandard
 from google.protobuf.message import DecodeError
 from mcap.exceptions import EndOfFile, InvalidMagic, McapError
+from mcap.reader import SeekingReader
 from mcap.records import Channel, Chunk, DataEnd, McapRecord, Message, Metadata, Schema
 from mcap.stream_reader import CRCValidationError, StreamReader, breakup_chunk
 from mcap_protobuf.decoder import DecoderFactory
@@ -174,6 +175,17 @@ def open_recording(path: Path) -> Recording:
         if not path.is_file():
             raise Refusal("recording-not-a-file", str(path), "it is no file", "Name a recording")
     return Recording(path, size)
+
+
+def last_stamp_ns(path: Path) -> int | None:
+    """The log time of a recording's last message, by its summary; None where it has none."""
+    with files_refused(path), open(path, "rb") as file:
+        try:
+            summary = SeekingReader(file).get_summary()
+        except DAMAGE:
+            return None
+    told = summary.statistics if summary is not None else None
+    return told.message_end_time if told is not None and told.message_count else None
 
 
 def check_magic(path: Path, file: BinaryIO) -> None:

@@ -8,6 +8,7 @@ from typing import Literal, Union, get_args, get_origin, get_type_hints
 
 import pytest
 
+from app import replay
 from app.api import schema
 from app.guide import view
 from app.metrology.detection import evidence
@@ -43,6 +44,7 @@ SHAPES: dict[str, type] = {
     "DeviceState": device_state.DeviceState,
     "Devices": rig.Devices,
     "ScanState": schema.ScanState,
+    "ReplayState": replay.ReplayState,
     "Delay": operator_settings.Delay,
     "StationSettings": operator_settings.StationSettings,
     "CalibrationSummary": schema.CalibrationSummary,

@@ -14,7 +14,7 @@ from app.files.arm import write_arm
 from app.files.cloud_points import Points
 from app.files.recording_writer import RecordingWriter
 from app.metrology.refusal import Refusal
-from app.replay import Replay
+from app.replay import Replay, ReplayState
 from app.station.bus import Bus
 from hardware.clock import now_ns
 from hardware.interfaces import JointSample
@@ -33,6 +33,10 @@ class Shown:
     def __init__(self) -> None:
         self.points: list[np.ndarray] = []
         self.came_ns: list[int] = []
+
+    @property
+    def points_shown(self) -> int:
+        return sum(len(piece) for piece in self.points)
 
     def begin(self) -> None: ...
 
@@ -56,10 +60,23 @@ def scan(path: Path, images: bool = False) -> Path:
     return path
 
 
-def shown(path: Path, speed: float) -> tuple[Shown, float]:
+class Telling(Bus):
+    """Keeps all that is published."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.told: list[ReplayState] = []
+
+    def publish(self, topic: str, value: object) -> None:
+        assert topic == "replay"
+        assert isinstance(value, ReplayState)
+        self.told.append(value)
+
+
+def shown(path: Path, speed: float, bus: Bus | None = None) -> tuple[Shown, float]:
     replay, scene = Replay(path, little_calibration(), ARM, speed), Shown()
     began_s = time.monotonic()
-    replay.start(scene, Bus())  # type: ignore[arg-type]
+    replay.start(scene, bus or Bus())  # type: ignore[arg-type]
     assert replay._thread is not None
     replay._thread.join(30.0)
     assert not replay._thread.is_alive()
@@ -80,6 +97,45 @@ def test_as_fast_as_it_can_be_read(tmp_path: Path) -> None:
     scene, _ = shown(path, 0.0)
     assert sum(len(piece) for piece in scene.points) == 60 * 25
     assert len(scene.points) == 1
+
+
+def test_how_far_it_is_is_told_as_it_goes(tmp_path: Path) -> None:
+    bus = Telling()
+    shown(scan(tmp_path / "scan.mcap"), 0.5, bus)
+    first, *_, last = bus.told
+    assert (first.recording, first.speed, first.state) == ("scan.mcap", 0.5, "playing")
+    assert (first.played_s, first.points) == (0.0, 0)
+    assert first.length_s == pytest.approx(0.8)
+    assert 4 <= len(bus.told) <= 12
+    assert [one.points for one in bus.told] == sorted(one.points for one in bus.told)
+    assert (last.state, last.points, last.text) == ("ended", 60 * 25, "")
+    assert last.points_shown == last.points
+    assert last.played_s == pytest.approx(0.69)
+
+
+def test_of_a_cut_recording_no_length_is_told_but_that_it_was_cut(tmp_path: Path) -> None:
+    path, bus = tmp_path / "scan.mcap", Telling()
+    with RecordingWriter(path, NAMES) as writer:
+        joints_every(writer, 0, 400 * MS, 4 * MS)
+        for stamp in STAMPS[:20]:
+            record_stripe(writer, stamp)
+        writer.flush()
+        whole = writer.bytes_written
+        joints_every(writer, 404 * MS, 800 * MS, 4 * MS)
+    path.write_bytes(path.read_bytes()[: whole + 99])
+    shown(path, 0.0, bus)
+    assert bus.told[0].length_s is None
+    assert bus.told[-1].state == "ended"
+    assert "is cut off" in bus.told[-1].text
+
+
+def test_a_replay_that_fails_says_why(tmp_path: Path) -> None:
+    with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
+        joints_every(writer, 0, 800 * MS, 4 * MS)
+    bus = Telling()
+    shown(tmp_path / "scan.mcap", 0.0, bus)
+    assert bus.told[-1].state == "failed"
+    assert "no frames" in bus.told[-1].text
 
 
 def test_arm_and_pictures_come_again_by_the_same_clock(tmp_path: Path) -> None:

@@ -355,6 +355,22 @@ export interface CalibrationSummary {
   object_serial: string;
 }
 
+/** How far a recording is that is shown again. */
+export interface ReplayState {
+  recording: string;
+  /** 1 as it was taken; 0 as fast as it can be read. */
+  speed: number;
+  /** Of the recording's own time. */
+  played_s: number;
+  /** Null for a recording that was cut off. */
+  length_s: number | null;
+  points: number;
+  points_shown: number;
+  state: "playing" | "ended" | "failed";
+  /** What became of it, once it has ended. */
+  text: string;
+}
+
 /** Between the arm's clock and the camera's, as it was found. */
 export interface Delay {
   delay_ms: number;
@@ -416,6 +432,7 @@ export type LiveMessage =
   | { type: "topic"; name: "flow"; value: FlowView }
   | { type: "topic"; name: "scan"; value: ScanState }
   | { type: "topic"; name: "settings"; value: StationSettings }
+  | { type: "topic"; name: "replay"; value: ReplayState }
   | { type: "topic"; name: "home"; value: Home }
   | { type: "topic"; name: "arm"; value: ArmView }
   | { type: "event"; id: number; kind: string; quality: Quality; text: string }

@@ -8,6 +8,7 @@ import { Download } from "../parts/Download";
 import { Findings } from "../parts/Findings";
 import { useLive } from "../state/store";
 import { CloudView } from "../scan/CloudView";
+import { ReplayCard } from "../scan/ReplayCard";
 import { ScanFigures } from "../scan/ScanFigures";
 
 const WORDS: Record<ScanState["state"], { title: string; text: string }> = {
@@ -20,6 +21,8 @@ const WORDS: Record<ScanState["state"], { title: string; text: string }> = {
 export function ScanPage() {
   const scan = useLive((s) => s.scan);
   const hasHand = useLive((s) => s.station?.has_hand ?? false);
+  const replay = useLive((s) => s.replay);
+  if (replay) return <Layout picture={<CloudView />} card={<ReplayCard replay={replay} />} />;
   if (!scan) return <Layout picture={<CloudView />} card={<CardHead title="Scan" text="Waiting for the station." />} />;
   const words = WORDS[scan.state];
   return (

@@ -1,7 +1,7 @@
 import { useSyncExternalStore } from "react";
 
 import type { ArmView } from "../api/armTypes";
-import type { Devices, FlowView, Home, Quality, ScanState, Station, StationSettings } from "../api/types";
+import type { Devices, FlowView, Home, Quality, ReplayState, ScanState, Station, StationSettings } from "../api/types";
 
 export type Connection = "connecting" | "live" | "lost";
 
@@ -33,6 +33,8 @@ export interface LiveState {
   flow: FlowView | null;
   scan: ScanState | null;
   settings: StationSettings | null;
+  /** Of a station that shows a recording again. */
+  replay: ReplayState | null;
   home: Home | null;
   arm: ArmView | null;
   event: StationEvent | null;
@@ -49,6 +51,7 @@ let state: LiveState = {
   flow: null,
   scan: null,
   settings: null,
+  replay: null,
   home: null,
   arm: null,
   event: null,
