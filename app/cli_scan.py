@@ -43,7 +43,7 @@ def reconstruct(
     if output.suffix.lower() not in SUFFIXES:
         raise typer.BadParameter(
             f"'{output}': clouds are written as {', '.join(SUFFIXES)}; name it "
-            f"{output.with_suffix('.ply').name}",
+            f"{output.with_suffix('.ply').name if output.name else 'cloud.ply'}",
             param_hint="'-o'",
         )
     if delay_ms is not None and sync is not None:

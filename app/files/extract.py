@@ -4,14 +4,24 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
+
 from app.files.atomic import write_atomically
-from app.files.images import read_grey
+from app.files.images import GreyImage, read_grey
 from app.files.mask import Mask
 from app.files.progress import Progress, no_progress
 from app.files.tables import table_text
 from app.metrology.refusal import Refusal
-from app.metrology.stripe import AUTOMATIC, Stripe, StripeSettings, extract_stripe
+from app.metrology.stripe import (
+    AUTOMATIC,
+    Stripe,
+    StripeSettings,
+    extract_stripe,
+    saturation_level,
+)
 
+MANY_CLIPPED, DARK = 0.3, 0.1
+"""Shares of the pixels, and of full scale, from which on a picture is told to be so."""
 COLUMNS = ("u", "v", "intensity", "sigma_px")
 
 
@@ -44,15 +54,27 @@ def extract(
             mask.check_size(path, picture.shape[1], picture.shape[0])
         stripe = extract_stripe(picture, axis, where, settings)
         if not len(stripe.u):
-            raise Refusal(
-                "stripe-not-found",
-                f"{path} shows no laser stripe{' outside the mask' if mask else ''}",
-                f"no bright line runs {'across' if axis == 'u' else 'down'} the picture",
-                "Take it with the laser on and the exposure set, or choose the other --axis",
-            )
+            raise _without_stripe(path, picture, axis, mask is not None)
         found.append(PictureStripe(path, stripe))
     progress(1.0, "")
     return found
+
+
+def _without_stripe(path: Path, picture: GreyImage, axis: str, masked: bool) -> Refusal:
+    """Says what the picture is like instead."""
+    what = f"{path} shows no laser stripe{' outside the mask' if masked else ''}"
+    full = saturation_level(picture)
+    clipped = float(np.mean(picture >= full))
+    brightest = int(picture.max())
+    if clipped > MANY_CLIPPED:
+        why = f"it is overexposed: {100 * clipped:.0f} % of its pixels are at full scale"
+        return Refusal("stripe-not-found", what, why, "Shorten the exposure, or darken the room")
+    if brightest < DARK * full:
+        why = f"it is dark: its brightest pixel is at {brightest} of {full:.0f} grey levels"
+        return Refusal("stripe-not-found", what, why, "Switch the laser on, or expose longer")
+    why = f"no bright line runs {'across' if axis == 'u' else 'down'} the picture"
+    remedy = "Take it with the laser on and the exposure set, or choose the other --axis"
+    return Refusal("stripe-not-found", what, why, remedy)
 
 
 def write_stripes(path: Path, stripes: Sequence[PictureStripe]) -> None:

@@ -288,7 +288,8 @@ class _Job:
         start_ns, unplaced = self._recording.first_ns or 0, self._unplaced_ns
         if unplaced:
             first_ns, last_ns = self._track.first_ns or 0, self._track.last_ns or 0
-            beyond = sum(not first_ns <= stamp_ns <= last_ns for stamp_ns in unplaced)
+            at_ns = [stamp_ns + self._delay_ns for stamp_ns in unplaced]
+            beyond = sum(not first_ns <= one <= last_ns for one in at_ns)
             said.append(
                 f"{len(unplaced)} of {self._numbered} frames left out: no joints around their "
                 f"stamps, the first {(unplaced[0] - start_ns) / 1e9:.3f} s from the start; "
@@ -318,14 +319,7 @@ class _Job:
     def _refuse_nothing(self) -> None:
         if self._points:
             return
-        topics = self._recording.topics
-        named = self._recording.cut or str(self._recording.path)
-        if not self._recording.cut and not {JOINTS_TOPIC, IMAGE_TOPIC, STRIPE_TOPIC} & topics:
-            raise Refusal(
-                "recording-foreign",
-                f"{named} holds {', '.join(sorted(topics)) or 'no topics'}",
-                f"a scan has {JOINTS_TOPIC} and {IMAGE_TOPIC} or {STRIPE_TOPIC}",
-            )
+        named = check_foreign(self._recording)
         if not self._numbered:
             raise Refusal("recording-without-frames", f"{named}: no frames")
         if not len(self._track):
@@ -353,6 +347,18 @@ class _Job:
             f"{track.gap_limit_ns / 1e6:.0f} ms apart are used",
             "Scan again, with arm and camera on one clock",
         )
+
+
+def check_foreign(recording: Recording) -> str:
+    """What a recording that was read is called; refuses one that holds nothing of a scan."""
+    topics = recording.topics
+    if not recording.cut and not {JOINTS_TOPIC, IMAGE_TOPIC, STRIPE_TOPIC} & topics:
+        raise Refusal(
+            "recording-foreign",
+            f"{recording.path} holds {', '.join(sorted(topics)) or 'no topics'}",
+            f"a scan has {JOINTS_TOPIC} and {IMAGE_TOPIC} or {STRIPE_TOPIC}",
+        )
+    return recording.cut or str(recording.path)
 
 
 def check_station(recording: Recording, calibration: Calibration, arm: Arm) -> None:

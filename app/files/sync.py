@@ -15,7 +15,7 @@ from app.files.failures import refusals_naming
 from app.files.frame_points import Placing, placed
 from app.files.joint_track import JointTrack
 from app.files.progress import Progress, no_progress
-from app.files.rebuild import check_serials, check_station
+from app.files.rebuild import check_foreign, check_serials, check_station
 from app.files.recorded_joints import JointReader
 from app.files.recording import Recording, open_recording
 from app.files.recording_stream import Block, blocks
@@ -171,7 +171,7 @@ class _Reading:
         self._stamps_ns += [frame.stamp_ns for frame in frames]
 
     def passed(self) -> PlanePass:
-        named = self._recording.cut or str(self._recording.path)
+        named = check_foreign(self._recording)
         if not self._stamps_ns:
             raise Refusal("recording-without-frames", f"{named}: no frames")
         if not len(self._track):

@@ -106,6 +106,7 @@ class ScanPipeline:
         self._distance = (-math.inf, 0.0)
         self._extracting: queue.Queue[Future[list[StripeFrame]] | None] = queue.Queue(2 * CORES)
         self._stripes: queue.Queue[list[StripeFrame] | None] = queue.Queue(POINTS_QUEUE)
+        self._ended = False
         self._lost_before = sensor.reader.link().lost
         self._settings = settings
         self._extraction = extraction_by(settings, calibration.stripe_axis)
@@ -197,6 +198,8 @@ class ScanPipeline:
         Where frames wait for it, the stripe is followed from the first one on.
         """
         extraction = self._extraction
+        for frame in frames:
+            self._check_size(frame)
         band = extraction.band(frames[0].image) if len(frames) == BATCH_FRAMES else None
         return [
             StripeFrame(
@@ -209,6 +212,17 @@ class ScanPipeline:
             for frame in frames
         ]
 
+    def _check_size(self, frame: Frame) -> None:
+        """Pixels of another picture would become points in wrong places."""
+        camera, shape = self._calibration.camera, frame.image.shape
+        if shape != (camera.height_px, camera.width_px):
+            raise Refusal(
+                "image-size",
+                f"the sensor now sends pictures of {' × '.join(map(str, shape[::-1]))} pixels",
+                f"the calibration is for {camera.width_px} × {camera.height_px}",
+                "set the sensor back, and scan again",
+            )
+
     def _record_all(self) -> None:
         """Hands stripes on in the order of their frames, to the recording first."""
         while (work := self._extracting.get()) is not None:
@@ -216,6 +230,10 @@ class ScanPipeline:
                 found = work.result()
             except Refusal as refusal:
                 self.failure = self.failure or refusal
+                continue
+            except Exception as error:  # the scan ends with a reason, the station lives
+                log.exception("the stripes of a scan could not be extracted")
+                self.failure = self.failure or _failed(error)
                 continue
             self.counts.frames += len(found)
             self.counts.frames_without_stripe += sum(not len(one.stripe.u) for one in found)
@@ -234,13 +252,14 @@ class ScanPipeline:
             self.failure = self.failure or refusal_of(error, self._cloud_path)
         except Exception as error:  # the scan ends with a reason, the station lives
             log.exception("the points of a scan could not be made")
-            self.failure = Refusal("failed", "the scan stopped", f"{error}", "start it again")
-        if self.failure is not None:
-            self._drain()
+            self.failure = _failed(error)
+        # the stage before ends only when its queue takes all
+        while self._next_stripes() is not None:
+            continue
 
     def _points_of_all(self, cloud: CloudWriter) -> None:
         number = 0
-        while (frames := self._stripes.get()) is not None:
+        while (frames := self._next_stripes()) is not None:
             stamps_ns = np.array([frame.stamp_ns for frame in frames])
             stamps_ns += self._delay_ns
             q_rad = self._arm.at_all(stamps_ns, LATE_S if self._arm.fresh else 0.0)
@@ -252,6 +271,13 @@ class ScanPipeline:
                 self._add(cloud, stripes, q_rad[placed], number + np.array(placed))
                 self._judge(frames[placed[-1]], q_rad[placed[-1]], len(frames))
             number += len(frames)
+
+    def _next_stripes(self) -> list[StripeFrame] | None:
+        """What comes next; None at the end, however often it is asked for."""
+        if not self._ended and (frames := self._stripes.get()) is not None:
+            return frames
+        self._ended = True
+        return None
 
     def _add(
         self, cloud: CloudWriter, stripes: Sequence[Stripe], q_rad: Floats, numbers: Numbers
@@ -308,7 +334,6 @@ class ScanPipeline:
         if len(distances):
             self._distance = (time.monotonic(), float(np.median(distances)))
 
-    def _drain(self) -> None:
-        """Lets the stage before end: its queue must not fill up."""
-        while self._stripes.get() is not None:
-            continue
+
+def _failed(error: Exception) -> Refusal:
+    return Refusal("failed", "the scan stopped", f"{error}", "start it again")

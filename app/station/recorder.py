@@ -1,5 +1,6 @@
 """The recording of a scan: joints and stripes to disk, before anything else is made of them."""
 
+import logging
 import queue
 import threading
 import time
@@ -15,6 +16,8 @@ from app.metrology.stripe import Stripe
 from app.station.arm_side import LATE_S, ArmSide
 from hardware.clock import now_ns
 from hardware.interfaces import Frame
+
+log = logging.getLogger(__name__)
 
 QUEUE_BATCHES = 64
 QUEUE_PICTURES = 16
@@ -108,6 +111,9 @@ class Recorder:
                 self._write_joints()
         except Refusal as refusal:
             self.failure = refusal
+        except Exception as error:  # the scan ends with a reason, the station lives
+            log.exception("a scan could not be recorded")
+            self.failure = Refusal("failed", "the recording stopped", f"{error}", "start it again")
 
     def _write_frames(self) -> int:
         """Until told to end; the last frame's stamp."""

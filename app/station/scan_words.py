@@ -8,6 +8,7 @@ from app.station.rig import Rig
 # Below these shares nothing is said: a frame now and then does no harm.
 SAY_SHARE = 0.01
 BEHIND = 0.5
+SOME_FRAMES = 10
 
 
 def blocked(calibration: ScanCalibration | None, rig: Rig) -> Refusal | None:
@@ -87,6 +88,9 @@ def _live(pipeline: ScanPipeline, rig: Rig) -> list[Finding]:
         found.append(Finding("bad", rig.sensor.link().text, "The scan goes on when it is back."))
     elif not rig.sensor.laser_on:
         found.append(Finding("attention", "The laser is off", "Switch it on, or stop the scan."))
+    elif pipeline.distance_mm is None and pipeline.counts.frames > SOME_FRAMES:
+        remedy = "Bring the part into the sensor's range; if it is there, look at the exposure."
+        found.append(Finding("neutral", "No line is seen", remedy))
     found += _paced(pipeline)
     if pipeline.backlog > BEHIND:
         share = 100 * pipeline.backlog

@@ -127,10 +127,27 @@ def test_extract_refuses_bad_pictures(tmp_path: Path, stripe_picture: Path) -> N
     black, colour = tmp_path / "black.png", tmp_path / "colour.png"
     cv2.imwrite(str(black), np.zeros((100, 200), np.uint8))
     cv2.imwrite(str(colour), np.zeros((100, 200, 3), np.uint8))
-    assert "no laser stripe" in refused("extract", black, "-o", out)
+    assert "no laser stripe: it is dark" in refused("extract", black, "-o", out)
     assert "3 channels" in refused("extract", colour, "-o", out)
     assert "none.png" in refused("extract", tmp_path / "none.png", "-o", out)
     assert "black.png" in refused("extract", stripe_picture, black, "-o", out)
+    assert not out.exists()
+
+
+@pytest.mark.parametrize("kind", [np.uint8, np.uint16])
+def test_a_dark_or_bright_picture_is_called_so(tmp_path: Path, kind: type) -> None:
+    out, full = tmp_path / "out.csv", np.iinfo(kind).max
+    rng = np.random.default_rng(0)
+    for name, picture, words in (
+        ("dark", rng.normal(8, 2, (100, 200)).clip(0, 20), "it is dark"),
+        ("bright", np.full((100, 200), full), "100 % of its pixels are at full scale"),
+        ("half", np.repeat([0, full], 50)[:, None] * np.ones((1, 200)), "50 % of its pixels"),
+        ("grey", np.full((100, 200), 2 * full // 5), "no bright line"),
+        ("tiny", np.full((2, 2), 2 * full // 5), "no bright line"),
+    ):
+        path = tmp_path / f"{name}.png"
+        cv2.imwrite(str(path), picture.astype(kind))
+        assert words in refused("extract", path, "-o", out), name
     assert not out.exists()
 
 
@@ -188,6 +205,7 @@ def test_reconstruct_refuses_what_does_not_fit(tmp_path: Path, scan: dict[str, P
 
 
 def test_clouds_of_another_kind_are_wrong_usage(tmp_path: Path, scan: dict[str, Path]) -> None:
+    assert crenel(*reconstruct_arguments(scan), "-o", ".").exit_code == 2
     result = crenel(*reconstruct_arguments(scan), "-o", tmp_path / "cloud.stl")
     assert result.exit_code == 2
     assert ".ply" in result.stderr
