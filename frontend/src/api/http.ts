@@ -54,6 +54,15 @@ export async function post<T>(path: string, body: unknown = {}): Promise<T | nul
     headers: { "Content-Type": "application/json" },
     body: JSON.stringify(body),
   });
+  return bodyOf<T>(answer);
+}
+
+/** Asks for something to be taken away. */
+export async function drop<T>(path: string): Promise<T | null> {
+  return bodyOf<T>(await request(path, { method: "DELETE" }));
+}
+
+async function bodyOf<T>(answer: Response): Promise<T | null> {
   const text = await answer.text();
   return text ? (JSON.parse(text) as T) : null;
 }

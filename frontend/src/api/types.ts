@@ -1,6 +1,7 @@
 /** What the server sends and takes. The Python side of each shape is in app/api/schema.py. */
 
 import type { ArmView } from "./armTypes";
+import type { ViewState } from "./viewTypes";
 
 export type Quality = "good" | "attention" | "bad" | "neutral";
 
@@ -435,6 +436,7 @@ export type LiveMessage =
   | { type: "topic"; name: "replay"; value: ReplayState }
   | { type: "topic"; name: "home"; value: Home }
   | { type: "topic"; name: "arm"; value: ArmView }
+  | { type: "topic"; name: "view"; value: ViewState }
   | { type: "event"; id: number; kind: string; quality: Quality; text: string }
   | { type: "beat" };
 

@@ -3,12 +3,14 @@ import type { ReactNode } from "react";
 import type { CalibrationSummary, ScanSummary } from "../api/types";
 import { Banners } from "../frame/Banners";
 import { CalibrationRow, ScanRow } from "../records/Rows";
+import { useLive } from "../state/store";
 import { useList } from "../state/useList";
 import styles from "./RecordsPage.module.css";
 
 export function RecordsPage() {
   const calibrations = useList<CalibrationSummary>("/api/calibrations");
-  const scans = useList<ScanSummary>("/api/scans");
+  const records = useLive((s) => s.view?.records ?? 0);
+  const scans = useList<ScanSummary>("/api/scans", `${records}`);
   return (
     <main className={styles.page}>
       <div className={styles.records}>

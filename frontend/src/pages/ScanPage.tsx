@@ -7,9 +7,9 @@ import { CardHead } from "../parts/CardHead";
 import { Download } from "../parts/Download";
 import { Findings } from "../parts/Findings";
 import { useLive } from "../state/store";
-import { CloudView } from "../scan/CloudView";
 import { ReplayCard } from "../scan/ReplayCard";
 import { ScanFigures } from "../scan/ScanFigures";
+import { ScanPicture } from "../scan/ScanPicture";
 
 const WORDS: Record<ScanState["state"], { title: string; text: string }> = {
   idle: { title: "Ready to scan", text: "Start, then pass the stripe slowly over the part." },
@@ -22,12 +22,12 @@ export function ScanPage() {
   const scan = useLive((s) => s.scan);
   const hasHand = useLive((s) => s.station?.has_hand ?? false);
   const replay = useLive((s) => s.replay);
-  if (replay) return <Layout picture={<CloudView />} card={<ReplayCard replay={replay} />} />;
-  if (!scan) return <Layout picture={<CloudView />} card={<CardHead title="Scan" text="Waiting for the station." />} />;
+  if (replay) return <Layout picture={<ScanPicture />} card={<ReplayCard replay={replay} />} />;
+  if (!scan) return <Layout picture={<ScanPicture />} card={<CardHead title="Scan" text="Waiting for the station." />} />;
   const words = WORDS[scan.state];
   return (
     <Layout
-      picture={<CloudView />}
+      picture={<ScanPicture />}
       card={
         <>
           <CardHead title={words.title} text={words.text} />

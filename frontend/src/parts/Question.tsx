@@ -9,10 +9,12 @@ interface QuestionProps {
   opened: boolean;
   onClose: () => void;
   onAct: (action: Action) => Promise<void>;
+  /** What the harmless answer says. */
+  no?: string;
 }
 
 /** Asked before the act, never after; the harmless answer has the focus. */
-export function Question({ action, opened, onClose, onAct }: QuestionProps) {
+export function Question({ action, opened, onClose, onAct, no = "No, go on" }: QuestionProps) {
   const agree = async () => {
     onClose();
     await onAct(action);
@@ -22,7 +24,7 @@ export function Question({ action, opened, onClose, onAct }: QuestionProps) {
       <p className={styles.question}>{action.confirm}</p>
       <div className={styles.answers}>
         <button type="button" className={styles.no} data-autofocus onClick={onClose}>
-          No, go on
+          {no}
         </button>
         <PressButton onPress={agree}>{action.label}</PressButton>
       </div>

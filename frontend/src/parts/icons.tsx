@@ -81,6 +81,33 @@ export const CloseIcon = icon(<path d="m6 6 12 12M18 6 6 18" />);
 export const CopyIcon = icon(<path d="M9 9h11v11H9zM15 9V4H4v11h5" />);
 export const ArrowIcon = icon(<path d="M5 12h14M13 6l6 6-6 6" />);
 export const StaleIcon = icon(<path d="M19 8A8 8 0 1 0 20 13M19.5 3.5V8.5h-5" />);
+export const ColoursIcon = icon(<path d="M4 19V9h4v10zM10 19V5h4v14zM16 19v-7h4v7z" />);
+export const MeasureIcon = icon(
+  <>
+    <path d="M4 8V4h4M16 4h4v4M20 16v4h-4M8 20H4v-4" />
+    <circle cx="12" cy="12" r="4" />
+  </>,
+);
+export const CloudsIcon = icon(<path d="m12 4 9 5-9 5-9-5zM3.5 13.5 12 18.500l8.500-5" />);
+export const CameraIcon = icon(
+  <>
+    <path d="M4 8h3.500L9 5.500h6L16.500 8H20v11H4z" />
+    <circle cx="12" cy="13" r="3.500" />
+  </>,
+);
+export const PlaneIcon = icon(<path d="M8 7h13l-5 10H3z" />);
+export const SphereIcon = icon(
+  <>
+    <circle cx="12" cy="12" r="8.500" />
+    <path d="M3.500 12c0 4 17 4 17 0" />
+  </>,
+);
+export const CylinderIcon = icon(
+  <>
+    <ellipse cx="12" cy="6" rx="6.500" ry="2.500" />
+    <path d="M5.500 6v12c0 3.300 13 3.300 13 0V6" />
+  </>,
+);
 
 /** The house's mark: a crenellated block crossed by the stripe. */
 export function Mark({ size = "2.25rem" }: IconProps) {

@@ -2,6 +2,7 @@ import type { CalibrationSummary, ScanSummary } from "../api/types";
 import { Download } from "../parts/Download";
 import { days, duration, figures, moment, plural } from "../parts/format";
 import { QualityMark } from "../parts/QualityMark";
+import { ScanActs } from "./ScanActs";
 import styles from "./Rows.module.css";
 
 export function CalibrationRow({ summary }: { summary: CalibrationSummary }) {
@@ -36,6 +37,7 @@ export function ScanRow({ summary }: { summary: ScanSummary }) {
         </p>
       </div>
       <p className={styles.value}>{figures(summary.points)} points</p>
+      <ScanActs scan={summary} />
       <Download href={`/api/scans/${summary.id}/cloud.ply`}>PLY</Download>
     </li>
   );

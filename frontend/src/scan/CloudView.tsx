@@ -1,4 +1,4 @@
-import { type SyntheticEvent, useState } from "react";
+import { type ReactNode, type RefObject, type SyntheticEvent, useState } from "react";
 
 import styles from "./CloudView.module.css";
 
@@ -9,8 +9,16 @@ const PICTURE_ONLY = `
   .mantine-Paper-root, .mantine-Notifications-root { display: none !important; }
 `;
 
-/** The live cloud in the arm frame, drawn by the station's own 3D view. */
-export function CloudView() {
+interface CloudViewProps {
+  /** By it the station knows where this page looks from. */
+  viewKey: string;
+  frame: RefObject<HTMLIFrameElement | null>;
+  /** What lies over the picture. */
+  children?: ReactNode;
+}
+
+/** The clouds in the arm frame, drawn by the station's own 3D view. */
+export function CloudView({ viewKey, frame, children }: CloudViewProps) {
   const [ready, setReady] = useState(false);
   const prepare = ({ currentTarget }: SyntheticEvent<HTMLIFrameElement>) => {
     const page = currentTarget.contentDocument;
@@ -24,12 +32,14 @@ export function CloudView() {
     <div className={styles.view}>
       {!ready && <p className={styles.waiting}>The 3D view opens here.</p>}
       <iframe
+        ref={frame}
         className={styles.frame}
         data-ready={ready || undefined}
-        src="/viewer/"
+        src={`/viewer/${viewKey}/`}
         title="Live cloud of points"
         onLoad={prepare}
       />
+      {children}
     </div>
   );
 }

@@ -2,6 +2,7 @@ import { useSyncExternalStore } from "react";
 
 import type { ArmView } from "../api/armTypes";
 import type { Devices, FlowView, Home, Quality, ReplayState, ScanState, Station, StationSettings } from "../api/types";
+import type { ViewState } from "../api/viewTypes";
 
 export type Connection = "connecting" | "live" | "lost";
 
@@ -37,6 +38,7 @@ export interface LiveState {
   replay: ReplayState | null;
   home: Home | null;
   arm: ArmView | null;
+  view: ViewState | null;
   event: StationEvent | null;
   /** The pose that was last asked for, by a finding or a figure that names it. */
   look: { pose: number } | null;
@@ -54,6 +56,7 @@ let state: LiveState = {
   replay: null,
   home: null,
   arm: null,
+  view: null,
   event: null,
   look: null,
   notice: null,

@@ -1,0 +1,75 @@
+import { useState } from "react";
+
+import type { Action, ScanSummary } from "../api/types";
+import { deleteScan, renameScan } from "../api/viewCommands";
+import { figures } from "../parts/format";
+import { PressButton } from "../parts/PressButton";
+import { Question } from "../parts/Question";
+import styles from "./ScanActs.module.css";
+
+/** Another name for a scan, or its end; the end is asked for twice. */
+export function ScanActs({ scan }: { scan: ScanSummary }) {
+  const [renaming, setRenaming] = useState(false);
+  const [asking, setAsking] = useState(false);
+  const end: Action = {
+    name: "delete",
+    label: "Delete it",
+    args: {},
+    primary: false,
+    enabled: true,
+    why_not: "",
+    confirm: `Delete ${scan.name}? Its recording and its ${figures(scan.points)} points are taken from the disk and cannot be brought back.`,
+  };
+  if (renaming) return <NewName scan={scan} onDone={() => setRenaming(false)} />;
+  return (
+    <div className={styles.acts}>
+      <PressButton kind="quiet" onPress={() => setRenaming(true)}>
+        Rename
+      </PressButton>
+      <PressButton kind="quiet" onPress={() => setAsking(true)}>
+        Delete
+      </PressButton>
+      <Question
+        action={end}
+        no="No, keep it"
+        opened={asking}
+        onClose={() => setAsking(false)}
+        onAct={async () => void (await deleteScan(scan.id))}
+      />
+    </div>
+  );
+}
+
+function NewName({ scan, onDone }: { scan: ScanSummary; onDone: () => void }) {
+  const [name, setName] = useState(scan.name);
+  const empty = name.trim() === "";
+  const save = async () => {
+    if (!empty && (name === scan.name || (await renameScan(scan.id, name)))) onDone();
+  };
+  return (
+    <form
+      className={styles.naming}
+      onSubmit={(event) => {
+        event.preventDefault();
+        void save();
+      }}
+    >
+      <input
+        className={styles.input}
+        value={name}
+        maxLength={120}
+        autoFocus
+        aria-label={`New name of ${scan.name}`}
+        onFocus={(event) => event.currentTarget.select()}
+        onChange={(event) => setName(event.target.value)}
+        onKeyDown={(event) => event.key === "Escape" && onDone()}
+      />
+      <PressButton onPress={save} disabled={empty}>
+        Save
+      </PressButton>
+      <PressButton kind="quiet" onPress={onDone}>
+        Cancel
+      </PressButton>
+    </form>
+  );
+}

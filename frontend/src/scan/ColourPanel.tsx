@@ -1,0 +1,87 @@
+import { useEffect, useState } from "react";
+
+import { colourBy } from "../api/viewCommands";
+import type { Legend, Measure } from "../api/viewTypes";
+import { UnitInput } from "../arm/UnitInput";
+import { PressButton } from "../parts/PressButton";
+import { useLive } from "../state/store";
+import styles from "./ColourPanel.module.css";
+import { decimalsOf, MEASURES } from "./LegendBar";
+
+const ORDER: Measure[] = ["height", "intensity", "uncertainty", "age", "deviation"];
+
+/** What the clouds are coloured by, and within which limits: for all who watch. */
+export function ColourPanel() {
+  const measure = useLive((s) => s.view?.measure ?? "height");
+  const legend = useLive((s) => s.view?.legend ?? null);
+  const fitted = useLive((s) => (s.view?.fits.length ?? 0) > 0);
+  return (
+    <>
+      <h2 className={styles.title}>Colour by</h2>
+      <div role="radiogroup" aria-label="Colour by" className={styles.measures}>
+        {ORDER.map((one) => {
+          const off = one === "deviation" && !fitted;
+          return (
+            <button
+              key={one}
+              type="button"
+              role="radio"
+              aria-checked={measure === one}
+              aria-disabled={off || undefined}
+              className={styles.measure}
+              onClick={() => !off && void colourBy(one)}
+            >
+              {MEASURES[one].name}
+              {off && <span className={styles.why}>Fit a shape first</span>}
+            </button>
+          );
+        })}
+      </div>
+      {legend && <Limits key={legend.measure} legend={legend} />}
+    </>
+  );
+}
+
+/** Automatic limits follow what is shown; those typed in stay. */
+function Limits({ legend }: { legend: Legend }) {
+  const [low, setLow] = useState("");
+  const [high, setHigh] = useState("");
+  const [typed, setTyped] = useState(false);
+  useEffect(() => {
+    if (typed) return;
+    const decimals = decimalsOf(legend);
+    setLow(legend.low.toFixed(decimals));
+    setHigh(legend.high.toFixed(decimals));
+  }, [legend, typed]);
+  const type = (set: (text: string) => void) => (text: string) => {
+    setTyped(true);
+    set(text);
+  };
+  const limits: [number, number] = [Number.parseFloat(low), Number.parseFloat(high)];
+  const wrong = limits.some((limit) => !Number.isFinite(limit)) || limits[0] >= limits[1];
+  const apply = async () => {
+    if (await colourBy(legend.measure, limits)) setTyped(false);
+  };
+  const automatic = async () => {
+    setTyped(false);
+    await colourBy(legend.measure);
+  };
+  return (
+    <>
+      <h2 className={styles.title}>
+        Limits <span className={styles.how}>{legend.automatic ? "automatic" : "set by hand"}</span>
+      </h2>
+      <div className={styles.limits}>
+        <UnitInput unit={legend.unit} long={legend.unit.length > 3} value={low} onText={type(setLow)} aria-label={`Lower limit, ${legend.unit}`} />
+        <UnitInput unit={legend.unit} long={legend.unit.length > 3} value={high} onText={type(setHigh)} aria-label={`Upper limit, ${legend.unit}`} />
+      </div>
+      {typed && wrong && <p className={styles.wrong}>The lower limit must be below the upper.</p>}
+      <div className={styles.acts}>
+        <PressButton onPress={apply} disabled={!typed || wrong}>
+          Use these limits
+        </PressButton>
+        {!legend.automatic && <PressButton onPress={automatic}>Automatic</PressButton>}
+      </div>
+    </>
+  );
+}

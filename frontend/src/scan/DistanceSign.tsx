@@ -1,0 +1,29 @@
+import type { Distance } from "../api/viewTypes";
+import { QualityMark } from "../parts/QualityMark";
+import { figures } from "../parts/format";
+import { useLive } from "../state/store";
+import styles from "./DistanceSign.module.css";
+
+const WORDS: Record<Distance["state"], string> = { in: "In range", near: "Too near", far: "Too far" };
+
+/** How far the sensor is from the part, readable from two metres. */
+export function DistanceSign() {
+  const distance = useLive((s) => s.view?.distance ?? null);
+  if (!distance) return null;
+  const good = distance.state === "in";
+  return (
+    <div className={styles.sign} data-quality={good ? "good" : "bad"}>
+      <p className={styles.words}>
+        <QualityMark quality={good ? "good" : "bad"} size="1.5rem" />
+        {WORDS[distance.state]}
+      </p>
+      <p className={styles.value}>
+        {figures(distance.mm)}
+        <span className={styles.unit}>mm</span>
+      </p>
+      <p className={styles.range}>
+        {figures(distance.near_mm)} to {figures(distance.far_mm)} mm
+      </p>
+    </div>
+  );
+}

@@ -1,0 +1,118 @@
+import type { ReactNode } from "react";
+
+import { colourBy, removeFit } from "../api/viewCommands";
+import type { Figure, Fitted, ShapeName } from "../api/viewTypes";
+import { CloseIcon, CylinderIcon, PlaneIcon, SphereIcon } from "../parts/icons";
+import { figures, plural } from "../parts/format";
+import { useLive } from "../state/store";
+import styles from "./MeasurePanel.module.css";
+
+const SHAPES: { name: ShapeName; label: string; icon: ReactNode }[] = [
+  { name: "plane", label: "Plane", icon: <PlaneIcon /> },
+  { name: "sphere", label: "Sphere", icon: <SphereIcon /> },
+  { name: "cylinder", label: "Cylinder", icon: <CylinderIcon /> },
+];
+
+/** Shapes fitted to what is drawn around, the newest first. */
+export function MeasurePanel({ onPick }: { onPick: (shape: ShapeName) => void }) {
+  const fits = useLive((s) => s.view?.fits);
+  const busy = useLive((s) => s.view?.busy ?? "");
+  const some = useLive((s) => s.view?.scans.some((scan) => scan.points_shown > 0) ?? false);
+  const why = busy ? `${busy}.` : some ? "" : "There is no cloud in the picture yet. Scan, or show a scan.";
+  return (
+    <>
+      <h2 className={styles.title}>Fit a shape</h2>
+      <div className={styles.shapes}>
+        {SHAPES.map((shape) => (
+          <button
+            key={shape.name}
+            type="button"
+            className={styles.shape}
+            aria-disabled={why !== "" || undefined}
+            onClick={() => !why && onPick(shape.name)}
+          >
+            {shape.icon}
+            {shape.label}
+          </button>
+        ))}
+      </div>
+      {why && (
+        <p className={styles.why} role="status">
+          {why}
+        </p>
+      )}
+      {[...(fits ?? [])].reverse().map((fitted, i) => (
+        <FitCard key={fitted.id} fitted={fitted} last={i === 0} />
+      ))}
+    </>
+  );
+}
+
+function FitCard({ fitted, last }: { fitted: Fitted; last: boolean }) {
+  const byDeviation = useLive((s) => s.view?.measure === "deviation");
+  const label = SHAPES.find(({ name }) => name === fitted.shape)?.label ?? fitted.shape;
+  const [main, ...others] = fitted.figures;
+  return (
+    <article className={styles.fit}>
+      <header className={styles.head}>
+        <h3 className={styles.name}>
+          {label} {fitted.id}
+        </h3>
+        <button type="button" className={styles.remove} onClick={() => void removeFit(fitted.id)} aria-label={`Remove ${label} ${fitted.id}`}>
+          <CloseIcon size="1.25rem" />
+        </button>
+      </header>
+      {main && (
+        <p className={styles.main}>
+          <span className={styles.mainLabel}>{main.label}</span>
+          {figures(main.value, main.decimals)} <span className={styles.mainUnit}>{main.unit}</span>
+          <Known figure={main} />
+        </p>
+      )}
+      <dl className={styles.rows}>
+        {others.map((figure) => (
+          <Row key={figure.label} label={figure.label}>
+            {figures(figure.value, figure.decimals)} {figure.unit} <Known figure={figure} />
+          </Row>
+        ))}
+        <Row label="Form, highest to lowest">{micrometres(fitted.form_um)}</Row>
+        <Row label="Distances, rms">{micrometres(fitted.rms_um)}</Row>
+        <Row label="Largest distance">{micrometres(fitted.largest_um)}</Row>
+      </dl>
+      <p className={styles.note}>
+        {plural(fitted.points, "point")}
+        {fitted.points < fitted.picked && <> of {figures(fitted.picked)}</>}
+        {fitted.every ? "" : ", those shown: the file is complete once the scan is stopped"}.{" "}
+        {fitted.figures.some((figure) => figure.uncertainty !== null)
+          ? "± is the standard uncertainty, k = 1, by the scatter of the scan; what calibration and arm add is not in it."
+          : "Too few pictures took part to tell an uncertainty."}
+      </p>
+      {last && !byDeviation && (
+        <button type="button" className={styles.deviations} onClick={() => void colourBy("deviation")}>
+          Colour by deviation from it
+        </button>
+      )}
+    </article>
+  );
+}
+
+function Row({ label, children }: { label: string; children: ReactNode }) {
+  return (
+    <div className={styles.row}>
+      <dt>{label}</dt>
+      <dd>{children}</dd>
+    </div>
+  );
+}
+
+function Known({ figure }: { figure: Figure }) {
+  if (figure.uncertainty === null) return null;
+  return (
+    <span className={styles.known}>
+      ± {small(figure.uncertainty)} {figure.uncertainty_unit}
+    </span>
+  );
+}
+
+const small = (value: number) => figures(value, value < 10 ? 1 : 0);
+const micrometres = (value: number) => `${small(value)} µm`;

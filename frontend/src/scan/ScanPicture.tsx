@@ -1,0 +1,80 @@
+import { type ReactNode, useRef, useState } from "react";
+
+import { newKey } from "../api/commands";
+import { fitShape } from "../api/viewCommands";
+import type { Region, ShapeName } from "../api/viewTypes";
+import { CameraIcon, CloudsIcon, ColoursIcon, MeasureIcon } from "../parts/icons";
+import { notify } from "../state/notices";
+import { getState, useLive } from "../state/store";
+import { CloudView } from "./CloudView";
+import { ColourPanel } from "./ColourPanel";
+import { DistanceSign } from "./DistanceSign";
+import { LegendBar } from "./LegendBar";
+import { MeasurePanel } from "./MeasurePanel";
+import { PickOverlay } from "./PickOverlay";
+import styles from "./ScanPicture.module.css";
+import { ScansPanel } from "./ScansPanel";
+import { savePicture } from "./savePicture";
+
+type Panel = "scans" | "colours" | "measure";
+
+const TOOLS: { panel: Panel; label: string; icon: ReactNode }[] = [
+  { panel: "scans", label: "Scans", icon: <CloudsIcon /> },
+  { panel: "colours", label: "Colours", icon: <ColoursIcon /> },
+  { panel: "measure", label: "Measure", icon: <MeasureIcon /> },
+];
+
+/** The 3D view with what can be done in it; one panel is open at a time. */
+export function ScanPicture() {
+  const frame = useRef<HTMLIFrameElement>(null);
+  const [viewKey] = useState(newKey);
+  const [panel, setPanel] = useState<Panel | null>(null);
+  const [picking, setPicking] = useState<ShapeName | null>(null);
+  const legend = useLive((s) => s.view?.legend ?? null);
+  const toggle = (one: Panel) => {
+    setPicking(null);
+    setPanel(panel === one ? null : one);
+  };
+  const pick = (region: Region) => {
+    if (picking) void fitShape(viewKey, picking, region);
+    setPicking(null);
+  };
+  return (
+    <CloudView viewKey={viewKey} frame={frame}>
+      {picking && <PickOverlay shape={picking} onPick={pick} onCancel={() => setPicking(null)} />}
+      <div className={styles.tools} role="toolbar" aria-label="3D view">
+        {TOOLS.map((tool) => (
+          <button
+            key={tool.panel}
+            type="button"
+            className={styles.tool}
+            aria-expanded={panel === tool.panel}
+            onClick={() => toggle(tool.panel)}
+          >
+            {tool.icon}
+            {tool.label}
+          </button>
+        ))}
+        <button type="button" className={styles.tool} onClick={() => void save(frame.current)}>
+          <CameraIcon />
+          Save picture
+        </button>
+      </div>
+      {panel && !picking && (
+        <section className={styles.panel} aria-label={TOOLS.find((tool) => tool.panel === panel)?.label}>
+          {panel === "scans" && <ScansPanel />}
+          {panel === "colours" && <ColourPanel />}
+          {panel === "measure" && <MeasurePanel onPick={setPicking} />}
+        </section>
+      )}
+      <DistanceSign />
+      {legend && <LegendBar legend={legend} />}
+    </CloudView>
+  );
+}
+
+async function save(frame: HTMLIFrameElement | null): Promise<void> {
+  const { view, station } = getState();
+  const saved = frame !== null && (await savePicture(frame, view?.legend ?? null, station?.name ?? ""));
+  if (!saved) notify({ quality: "attention", title: "The picture was not saved: the 3D view is not open yet." }, 6000);
+}

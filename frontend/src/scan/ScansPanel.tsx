@@ -1,0 +1,55 @@
+import type { ScanSummary } from "../api/types";
+import type { ShownScan } from "../api/viewTypes";
+import { showScan } from "../api/viewCommands";
+import { figures, moment } from "../parts/format";
+import { ScanActs } from "../records/ScanActs";
+import { useLive } from "../state/store";
+import { useList } from "../state/useList";
+import styles from "./ScansPanel.module.css";
+
+/** Which scans are in the picture; several may be. */
+export function ScansPanel() {
+  const records = useLive((s) => s.view?.records ?? 0);
+  const shown = useLive((s) => s.view?.scans);
+  const running = useLive((s) => (s.scan?.state === "running" || s.scan?.state === "stopping" ? s.scan.scan_id : null));
+  const { list, failed } = useList<ScanSummary>("/api/scans", `${records}`);
+  if (!list) return <p>{failed ? "The list could not be read." : "Reading the list."}</p>;
+  return (
+    <>
+      <h2 className={styles.title}>Scans in the picture</h2>
+      {running && <p className={styles.running}>The scan that is being recorded is always shown.</p>}
+      {list.length === 0 && !running && <p className={styles.empty}>Finished scans will be here. Start one on the right.</p>}
+      <ul className={styles.list}>
+        {list.map((scan) => (
+          <ScanLine key={scan.id} scan={scan} shown={shown?.find(({ id }) => id === scan.id)} />
+        ))}
+      </ul>
+    </>
+  );
+}
+
+function ScanLine({ scan, shown }: { scan: ScanSummary; shown: ShownScan | undefined }) {
+  return (
+    <li className={styles.line}>
+      <button
+        type="button"
+        role="switch"
+        aria-checked={shown !== undefined}
+        className={styles.switch}
+        onClick={() => void showScan(scan.id, !shown)}
+      >
+        <span className={styles.box} aria-hidden="true" />
+        <span className={styles.words}>
+          <span className={styles.name}>{scan.name}</span>
+          <span className={styles.detail}>{detailOf(scan, shown)}</span>
+        </span>
+      </button>
+      <ScanActs scan={scan} />
+    </li>
+  );
+}
+
+function detailOf(scan: ScanSummary, shown: ShownScan | undefined): string {
+  if (shown && shown.loaded < 1) return `Reading, ${figures(100 * shown.loaded)} %`;
+  return `${moment(scan.started_at)} · ${figures(scan.points)} points`;
+}

@@ -1,0 +1,69 @@
+import type { Legend } from "../api/viewTypes";
+import { figures } from "../parts/format";
+import { decimalsOf, MEASURES } from "./LegendBar";
+
+/** The 3D view as it stands, with its legend, saved as PNG; false where there is none yet. */
+export async function savePicture(frame: HTMLIFrameElement, legend: Legend | null, station: string): Promise<boolean> {
+  const canvases = Array.from(frame.contentDocument?.querySelectorAll("canvas") ?? []);
+  const scene = canvases.sort((a, b) => b.width * b.height - a.width * a.height)[0];
+  const page = document.createElement("canvas");
+  const pen = page.getContext("2d");
+  if (!scene || !scene.width || !pen) return false;
+  page.width = scene.width;
+  page.height = scene.height;
+  const colour = (name: string) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+  pen.fillStyle = colour("--picture");
+  pen.fillRect(0, 0, page.width, page.height);
+  pen.drawImage(scene, 0, 0);
+  const scale = scene.width / Math.max(frame.clientWidth, 1);
+  pen.scale(scale, scale);
+  pen.fillStyle = colour("--ink");
+  const at = new Date();
+  const size = { width: page.width / scale, height: page.height / scale };
+  write(pen, `${station} · ${stampOf(at, " ", ":")}`, 16, size.height - 16);
+  if (legend) drawLegend(pen, legend, size);
+  const blob = await new Promise<Blob | null>((done) => page.toBlob(done, "image/png"));
+  if (!blob) return false;
+  download(blob, `crenel-${stampOf(at, "-", "")}.png`);
+  return true;
+}
+
+const BAR = { width: 280, height: 14, margin: 16 };
+
+function drawLegend(pen: CanvasRenderingContext2D, legend: Legend, size: { width: number; height: number }): void {
+  const left = size.width - BAR.width - BAR.margin;
+  const top = size.height - BAR.margin - BAR.height - 20;
+  const shades = pen.createLinearGradient(left, 0, left + BAR.width, 0);
+  legend.colours.forEach((colour, i) => shades.addColorStop(i / (legend.colours.length - 1), colour));
+  write(pen, `${MEASURES[legend.measure].legend}, ${legend.unit}`, left, top - 7);
+  const ink = pen.fillStyle;
+  pen.fillStyle = shades;
+  pen.fillRect(left, top, BAR.width, BAR.height);
+  pen.fillStyle = ink;
+  const values = [legend.low, (legend.low + legend.high) / 2, legend.high];
+  const sides: CanvasTextAlign[] = ["left", "center", "right"];
+  values.forEach((value, i) => {
+    pen.textAlign = sides[i] ?? "left";
+    write(pen, figures(value, decimalsOf(legend)), left + (i * BAR.width) / 2, top + BAR.height + 17);
+  });
+  pen.textAlign = "left";
+}
+
+function write(pen: CanvasRenderingContext2D, text: string, x: number, y: number): void {
+  pen.font = '500 15px "Inter Variable", system-ui, sans-serif';
+  pen.fillText(text, x, y);
+}
+
+function stampOf(at: Date, between: string, colon: string): string {
+  const two = (part: number) => String(part).padStart(2, "0");
+  const day = `${at.getFullYear()}-${two(at.getMonth() + 1)}-${two(at.getDate())}`;
+  return day + between + [at.getHours(), at.getMinutes(), at.getSeconds()].map(two).join(colon);
+}
+
+function download(blob: Blob, name: string): void {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+}
