@@ -27,8 +27,11 @@ ACCENT: Colour = (38, 132, 190)
 RUBY: Colour = (190, 28, 52)
 LASER: Colour = (232, 38, 46)
 IDLE: Colour = (140, 146, 154)
+IN_RANGE: Colour = (28, 160, 92)
+OUT_OF_RANGE: Colour = LASER
 # Radii as shares of the arm's reach, at its shoulder and at its wrist.
 THICK, THIN = 0.026, 0.013
+IDLE_OPACITY, LIT_OPACITY = 0.10, 0.24
 SENSOR_HALF_MM = np.array([32.0, 24.0, 40.0])
 
 
@@ -45,7 +48,7 @@ class ArmView:
         self._sensor: list[Removable] = []
         self._field: viser.MeshHandle | None = None
         self._rim: viser.LineSegmentsHandle | None = None
-        self._laser_on = False
+        self._looks: tuple[bool, bool | None] = (False, None)
         self._root = server.scene.add_frame("/arm", show_axes=False)
         with server.atomic():
             self._build(arm)
@@ -123,19 +126,26 @@ class ArmView:
             handle.remove()
         self._sensor, self._field, self._rim = [], None, None
 
-    def set_laser(self, on: bool) -> None:
-        """Colours the field: red while the laser is on."""
-        if self._field is None or self._rim is None or on == self._laser_on:
+    def set_laser(self, on: bool, in_range: bool | None) -> None:
+        """Colours the field: its rim red while the laser is on; inside green where the stripe
+        is within it, red where it is not, and grey where no stripe is measured."""
+        if self._field is None or self._rim is None or (on, in_range) == self._looks:
             return
-        self._laser_on = on
-        self._field.color = LASER if on else IDLE
-        self._field.opacity = 0.18 if on else 0.10
+        self._looks = (on, in_range)
+        inside = IDLE if in_range is None else IN_RANGE if in_range else OUT_OF_RANGE
+        self._field.color = inside
+        self._field.opacity = IDLE_OPACITY if in_range is None else LIT_OPACITY
         self._rim.colors = np.array(LASER if on else IDLE, dtype=np.uint8)
 
     def _add_field(self, name: str, outline_mm: Floats) -> None:
-        self._laser_on = False
+        self._looks = (False, None)
         self._field = add_mesh(
-            self._server, f"{name}/field", sheet(outline_mm), IDLE, opacity=0.10, both_sides=True
+            self._server,
+            f"{name}/field",
+            sheet(outline_mm),
+            IDLE,
+            opacity=IDLE_OPACITY,
+            both_sides=True,
         )
         around = np.stack([outline_mm, np.roll(outline_mm, -1, axis=0)], axis=1) * M_PER_MM
         self._rim = self._server.scene.add_line_segments(

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 from app.files.cloud_points import Points
 from app.metrology.frames import Floats
 from app.station.cloud_view import CloudView
-from app.station.painter import TRAITS, Painter, Traits
+from app.station.painter import TRAITS, Measure, Painter, Traits
 
 # So many points a turn are given other colours: the record and new points come first.
 REPAINTED_AT_ONCE = 400_000
@@ -93,6 +93,11 @@ class Clouds:
         view.add(places, traits)
         return True
 
+    def colour_by(self, measure: Measure, limits: tuple[float, float] | None) -> None:
+        """Colours all by this, within limits of its unit, or automatic ones."""
+        self.painter.show(measure, limits)
+        self._settle_range()
+
     def settle(self) -> None:
         """A turn's share of what is left to do: ranges, colours, thinning. Soon done."""
         for view in self._views.values():
@@ -100,11 +105,14 @@ class Clouds:
         version, shown = self._looked_at
         more = max(self.shown, shown) > LOOK_AGAIN * max(min(self.shown, shown), 1)
         if version != self.painter.version or more:
-            self.painter.settle_range(self._sample())
-            self._looked_at = (self.painter.version, self.shown)
+            self._settle_range()
         left = REPAINTED_AT_ONCE
         for view in self._views.values():
             left -= view.repaint(left)
+
+    def _settle_range(self) -> None:
+        self.painter.settle_range(self._sample())
+        self._looked_at = (self.painter.version, self.shown)
 
     def _sample(self) -> NDArray[np.floating]:
         parts = [view.sample(SAMPLE) for view in self._views.values()]

@@ -7,7 +7,7 @@ from app.station.shapes import Mesh
 from app.station.views import M_PER_MM, Colour, add_mesh
 
 TINT: Colour = (64, 120, 235)
-OPACITY = 0.28
+OPACITY = 0.16
 
 
 class FitViews:

@@ -50,12 +50,11 @@ def figures_of(measured: MeasuredShape) -> tuple[Figure, ...]:
     """The shape's parameters, the ones that are asked for first."""
     fit, known = measured.fit, _Known(measured.covariance)
     if isinstance(fit, PlaneFit):
-        level = float(np.degrees(np.arccos(np.clip(abs(fit.normal[2]), 0.0, 1.0))))
-        tilt = known.angle_arcsec(1)
+        upright = float(np.arccos(np.clip(abs(fit.normal[2]), 0.0, 1.0)))
         return (
             Figure("Distance from the arm's zero", fit.offset_mm, "mm", 3, known.um(0), "µm"),
-            Figure("Tilt from level", level, "°", 3, tilt, "″"),
-            *_vector("Normal", fit.normal, tilt),
+            _angle("Tilt from level", upright, known.angle_arcsec(1)),
+            *_vector("Normal", fit.normal),
         )
     if isinstance(fit, SphereFit):
         return (
@@ -65,9 +64,11 @@ def figures_of(measured: MeasuredShape) -> tuple[Figure, ...]:
                 for i, axis in enumerate("XYZ")
             ),
         )
+    level = float(np.arcsin(np.clip(abs(fit.direction[2]), 0.0, 1.0)))
     return (
         Figure("Diameter", 2 * fit.radius_mm, "mm", 3, known.um(4, 2.0), "µm"),
-        *_vector("Axis", fit.direction, known.angle_arcsec(2)),
+        _angle("Axis from level", level, known.angle_arcsec(2)),
+        *_vector("Axis", fit.direction),
     )
 
 
@@ -91,17 +92,13 @@ class _Known:
         return ARCSEC_PER_RAD * float(np.sqrt(np.linalg.eigvalsh(tilts)[-1]))
 
 
-def _vector(label: str, direction: Floats, tilt_arcsec: float | None) -> tuple[Figure, ...]:
+def _angle(label: str, angle_rad: float, known_arcsec: float | None) -> Figure:
+    return Figure(label, float(np.degrees(angle_rad)), "°", 3, known_arcsec, "″")
+
+
+def _vector(label: str, direction: Floats) -> tuple[Figure, ...]:
     return tuple(
-        Figure(
-            f"{label} {axis}",
-            float(direction[i]),
-            "",
-            5,
-            tilt_arcsec if i == 0 else None,
-            "″" if i == 0 else "",
-        )
-        for i, axis in enumerate("XYZ")
+        Figure(f"{label} {axis}", float(direction[i]), "", 5) for i, axis in enumerate("XYZ")
     )
 
 

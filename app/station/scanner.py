@@ -312,7 +312,9 @@ class Scanner:
             sample = self._rig.arm.latest()
             if sample is not None:
                 self._scene.set_arm(sample.joints_rad)
-            self._scene.set_laser(self._rig.sensor.laser_on)
+            distance = self.distance()
+            in_range = None if distance is None else distance.state == "in"
+            self._scene.set_laser(self._rig.sensor.laser_on, in_range)
             tick += 1
             if tick % PUBLISH_TICKS == 0:
                 self._stop_when_full()

@@ -24,6 +24,7 @@ from app.station.clouds import Clouds
 from app.station.eye import Eye
 from app.station.fit_view import FitViews
 from app.station.painter import Legend, Measure, Target, Traits
+from app.station.ruler import Ruler
 from app.station.shapes import Mesh, block_mesh, reach_mm
 from app.station.views import M_PER_MM, add_mesh, pose_of
 
@@ -39,6 +40,7 @@ WAITING_POINTS = 250_000
 # The view is aimed again when the cloud has grown by this, and never nearer than that.
 CLOUD_GROWTH = 1.4
 SMALLEST_LOOK_MM = 70.0
+AXIS_M = 0.2
 BLOCK_COLOUR = (176, 182, 190)
 
 
@@ -58,9 +60,10 @@ class Scene:
         self._waiting: list[tuple[Points, float]] = []
         self._waiting_points = 0
         self._q_rad: Sequence[float] | None = None
-        self._laser_on = False
+        self._laser: tuple[bool, bool | None] = (False, None)
         self._clouds = Clouds(self._server, point_budget)
         self._fits = FitViews(self._server)
+        self._ruler = Ruler(self._server)
         self._live = ""
         self._begun = 0
         self._began_s = time.monotonic()
@@ -124,6 +127,7 @@ class Scene:
             self._began_s = time.monotonic()
             self._clouds.open(name, live=True)
             self._seen_size_mm = 0.0
+            self._ruler.remove()
 
     def add_points(self, points: Points) -> None:
         """Adds points (N,) of the arm frame to the scan under way.
@@ -152,11 +156,13 @@ class Scene:
         """Takes a scan out of the picture."""
         with self._lock:
             self._clouds.close(name)
+            if not self._clouds.shown:
+                self._ruler.remove()
 
     def colour_by(self, measure: Measure, limits: tuple[float, float] | None) -> None:
         """Colours all clouds by this, within limits of its unit, or automatic ones."""
         with self._lock:
-            self._clouds.painter.show(measure, limits)
+            self._clouds.colour_by(measure, limits)
 
     def aim_at(self, target: Target | None) -> None:
         """The shape that deviations are from."""
@@ -211,9 +217,10 @@ class Scene:
             if self._arm is not None:
                 self._arm.clear_sensor()
 
-    def set_laser(self, on: bool) -> None:
-        """Shows the measuring field in the laser's colour while it is on."""
-        self._laser_on = on
+    def set_laser(self, on: bool, in_range: bool | None = None) -> None:
+        """Shows the measuring field by the laser, and by whether the stripe is within it
+        (None where no stripe is measured)."""
+        self._laser = on, in_range
 
     def set_block(self, T_arm_obj: Floats, block: Crenellated) -> None:
         """Draws the probed block where it lies."""
@@ -252,7 +259,13 @@ class Scene:
             fade_from="origin",
             shadow_opacity=0.0,
         )
-        server.scene.add_frame("/axes", axes_length=0.12, axes_radius=0.003, origin_radius=0.006)
+        server.scene.add_frame("/axes", axes_length=AXIS_M, axes_radius=0.003, origin_radius=0.006)
+        for i, axis in enumerate("XYZ"):
+            end = 1.12 * AXIS_M * np.eye(3)[i]
+            server.scene.add_label(f"/axes/{axis}", axis, position=end, anchor="center-center")
+        server.scene.add_label(
+            "/table/cell", "squares of 100 mm", position=(0.0, -0.2, 0.0), anchor="center-center"
+        )
 
     def _look_at_arm(self, arm: Arm, links: Floats) -> None:
         """Before there is a cloud: the arm from its foot to its tip."""
@@ -272,6 +285,7 @@ class Scene:
         if not np.isfinite(low).all():
             return
         size_mm = float(np.linalg.norm(high - low))
+        self._ruler.lay(low, high)
         if size_mm > CLOUD_GROWTH * self._seen_size_mm:
             self._seen_size_mm = size_mm
             centre_mm = (low + high) / 2 + np.array([0.0, 0.0, 0.18 * size_mm])
@@ -301,7 +315,7 @@ class Scene:
         arm, q_rad = self._arm, self._q_rad
         if arm is None or self._arm_model is None:
             return
-        arm.set_laser(self._laser_on)
+        arm.set_laser(*self._laser)
         if q_rad is not None and len(q_rad) == self._arm_model.joint_count:
             self._q_rad = None
             links = link_transforms(self._arm_model, np.array([q_rad]))[:, 0]

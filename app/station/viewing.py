@@ -131,6 +131,7 @@ class Viewing:
         """Scans were renamed or deleted: browsers read their lists again."""
         with self._lock:
             self._records += 1
+            self._publish()
 
     def show(self, scan: StoredScan) -> None:
         """Puts a scan into the picture, beside those that are there.
@@ -150,6 +151,7 @@ class Viewing:
                 return
             self._scene.open_scan(scan.id)
             self._loading[scan.id] = 0.0
+            self._publish()
         self._loader.submit(self._load, scan)
 
     def hide(self, scan_id: str) -> None:
@@ -157,6 +159,7 @@ class Viewing:
         with self._lock:
             self._loading.pop(scan_id, None)
             self._scene.close_scan(scan_id)
+            self._publish()
 
     def colour_by(self, measure: Measure, limits: tuple[float, float] | None) -> None:
         """Colours everything by this, within limits in the legend's unit, or automatic ones.
@@ -180,6 +183,7 @@ class Viewing:
                     "fit a plane, a sphere or a cylinder first",
                 )
             self._scene.colour_by(measure, limits)
+            self._publish()
 
     def fit(self, key: str, rectangle: Rectangle, shape: ShapeName) -> None:
         """Fits a shape to what the browser with this key shows in a rectangle.
@@ -200,6 +204,7 @@ class Viewing:
             if self._busy:
                 raise Refusal("busy", self._busy, remedy="wait until it is done")
             self._busy = f"Fitting a {shape}"
+            self._publish()
         self._fitter.submit(self._fit, camera, rectangle, shape)
 
     def remove_fit(self, fit_id: int) -> None:
@@ -208,6 +213,7 @@ class Viewing:
             self._fits = [(fitted, found) for fitted, found in self._fits if fitted.id != fit_id]
             self._scene.hide_shape(fit_id)
             self._aim()
+            self._publish()
 
     def _load(self, scan: StoredScan) -> None:
         """On the loader's thread."""
@@ -298,6 +304,11 @@ class Viewing:
 
     def _publish_all(self) -> None:
         while not self._closing.wait(PUBLISH_S):
+            self._publish()
+
+    def _publish(self) -> None:
+        """Says what is shown, if that has changed."""
+        with self._lock:
             state = self.state()
             if state != self._published:
                 self._published = state

@@ -11,6 +11,7 @@ from app.metrology.camera import Camera, project
 from app.metrology.crenellated import Crenellated, corners
 from app.metrology.frames import rigid, rotation_from_vector
 from app.metrology.laser_plane import LaserPlane
+from app.station.ruler import round_length_mm
 from app.station.scene import WINDOW_MESSAGES, Scene
 from app.station.shapes import block_mesh, box, link_path, measuring_field, tube
 from app.station.voxels import VoxelFilter
@@ -153,12 +154,39 @@ def test_the_sensor_shows_its_field_and_the_laser_colours_it(scene: Scene, viewe
     scene.set_sensor(np.eye(4), CAMERA, PLANE, (120.0, 180.0))
     field = "/arm/1/2/3/4/5/6/sensor/field"
     idle = viewer.listen().nodes[field]["props"]["opacity"]
-    scene.set_laser(True)
+    scene.set_laser(True, in_range=True)
     until(lambda: viewer.listen(0.1).nodes[field]["props"]["opacity"] > idle)
+    red, green, blue = viewer.nodes[field]["props"]["color"]
+    assert green > max(red, blue)
+    scene.set_laser(True, in_range=False)
+    until(lambda: viewer.listen(0.1).nodes[field]["props"]["color"][0] > 200)
+    scene.set_laser(False)
+    until(lambda: viewer.listen(0.1).nodes[field]["props"]["opacity"] == idle)
     scene.clear_sensor()
     assert field not in viewer.listen().nodes
     scene.set_arm_model(None)
     assert "/arm" not in viewer.listen().nodes
+
+
+def test_a_scale_as_long_as_it_says_lies_beside_the_cloud(scene: Scene, viewer: Viewer) -> None:
+    add(scene, surface(2000))
+    until(lambda: "/scale/length" in viewer.listen(0.1).nodes)
+    length_mm = float(viewer.nodes["/scale/length"]["props"]["text"].split()[0])
+    ends = np.concatenate(
+        [
+            1e3 * viewer.nodes[f"/scale/{part}"]["props"]["vertices"].reshape(-1, 3)
+            for part in ("dark", "light")
+        ]
+    )
+    assert np.ptp(ends[:, 0]) == pytest.approx(length_mm, rel=1e-5)
+    assert length_mm == 20.0
+    scene.begin()
+    assert "/scale" not in viewer.listen().nodes
+
+
+@pytest.mark.parametrize(("most_mm", "length_mm"), [(9.9, 5), (10, 10), (199, 100), (0.3, 0.2)])
+def test_scales_have_round_lengths(most_mm: float, length_mm: float) -> None:
+    assert round_length_mm(most_mm) == pytest.approx(length_mm)
 
 
 def test_the_view_follows_the_cloud_until_somebody_turns_it(scene: Scene) -> None:

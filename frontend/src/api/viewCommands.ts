@@ -1,14 +1,13 @@
 import { clearNotice } from "../state/notices";
-import { setState } from "../state/store";
 import { tell } from "./commands";
 import { drop, post } from "./http";
-import type { Measure, Region, ShapeName, ViewState } from "./viewTypes";
+import type { Measure, Region, ShapeName } from "./viewTypes";
 
-async function change(act: () => Promise<ViewState | null>, whatWas: string): Promise<boolean> {
+/** What it changed comes over the live connection: an answer that comes late is older than that. */
+async function change(act: () => Promise<unknown>, whatWas: string): Promise<boolean> {
   try {
-    const view = await act();
+    await act();
     clearNotice();
-    if (view) setState({ view });
     return true;
   } catch (error) {
     tell(error, whatWas);

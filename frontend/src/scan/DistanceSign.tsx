@@ -22,7 +22,7 @@ export function DistanceSign() {
         <span className={styles.unit}>mm</span>
       </p>
       <p className={styles.range}>
-        {figures(distance.near_mm)} to {figures(distance.far_mm)} mm
+        calibrated {figures(distance.near_mm)} to {figures(distance.far_mm)} mm
       </p>
     </div>
   );

@@ -51,7 +51,11 @@ export function MeasurePanel({ onPick }: { onPick: (shape: ShapeName) => void })
 function FitCard({ fitted, last }: { fitted: Fitted; last: boolean }) {
   const byDeviation = useLive((s) => s.view?.measure === "deviation");
   const label = SHAPES.find(({ name }) => name === fitted.shape)?.label ?? fitted.shape;
-  const [main, ...others] = fitted.figures;
+  // of a plane its form is asked for first, of round shapes their diameter
+  const flat = fitted.shape === "plane";
+  const [first, ...rest] = fitted.figures;
+  const main: Figure | undefined = flat ? formOf(fitted) : first;
+  const others = flat ? fitted.figures : rest;
   return (
     <article className={styles.fit}>
       <header className={styles.head}>
@@ -72,10 +76,11 @@ function FitCard({ fitted, last }: { fitted: Fitted; last: boolean }) {
       <dl className={styles.rows}>
         {others.map((figure) => (
           <Row key={figure.label} label={figure.label}>
-            {figures(figure.value, figure.decimals)} {figure.unit} <Known figure={figure} />
+            {figures(figure.value, figure.decimals)}
+            {behind(figure.unit)} <Known figure={figure} />
           </Row>
         ))}
-        <Row label="Form, highest to lowest">{micrometres(fitted.form_um)}</Row>
+        {!flat && <Row label={FORM}>{micrometres(fitted.form_um)}</Row>}
         <Row label="Distances, rms">{micrometres(fitted.rms_um)}</Row>
         <Row label="Largest distance">{micrometres(fitted.largest_um)}</Row>
       </dl>
@@ -109,10 +114,20 @@ function Known({ figure }: { figure: Figure }) {
   if (figure.uncertainty === null) return null;
   return (
     <span className={styles.known}>
-      ± {small(figure.uncertainty)} {figure.uncertainty_unit}
+      ± {small(figure.uncertainty)}
+      {behind(figure.uncertainty_unit)}
     </span>
   );
 }
 
+const FORM = "Form, highest to lowest";
+
+function formOf({ form_um }: Fitted): Figure {
+  const decimals = form_um < 10 ? 1 : 0;
+  return { label: FORM, value: form_um, unit: "µm", decimals, uncertainty: null, uncertainty_unit: "" };
+}
+
+/** Units of angle stand at the number itself. */
+const behind = (unit: string) => (unit === "°" || unit === "″" ? unit : `\u00a0${unit}`);
 const small = (value: number) => figures(value, value < 10 ? 1 : 0);
 const micrometres = (value: number) => `${small(value)} µm`;

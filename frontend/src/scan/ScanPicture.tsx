@@ -42,7 +42,7 @@ export function ScanPicture() {
   return (
     <CloudView viewKey={viewKey} frame={frame}>
       {picking && <PickOverlay shape={picking} onPick={pick} onCancel={() => setPicking(null)} />}
-      <div className={styles.tools} role="toolbar" aria-label="3D view">
+      <div className={styles.tools} role="toolbar" aria-label="3D view" hidden={picking !== null}>
         {TOOLS.map((tool) => (
           <button
             key={tool.panel}
