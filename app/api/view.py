@@ -77,6 +77,7 @@ def delete(scan_id: ScanId, context: TheContext) -> None:
     _refuse_running(scan_id, context, "It cannot be deleted now")
     scan = _scan(scan_id, context)
     context.viewing.hide(scan.id)
+    context.scanner.forget(scan.id)
     # under another name first: killed in between, no half of it is taken for a scan
     doomed = scan.folder.with_name(f"{DELETED}{scan.folder.name}")
     with files_refused(scan.folder):

@@ -230,6 +230,13 @@ class Scanner:
             self._bus.call(self.on_finished, result)
         return result
 
+    def forget(self, scan_id: str) -> None:
+        """The last scan was deleted: its numbers are shown no more."""
+        with self._lock:
+            if self._scan is not None and self._scan.id == scan_id and not self._is_running():
+                self._scan = None
+        self._publish()
+
     def state(self) -> ScanState:
         """The scan as of now."""
         refusal = self.why_not()

@@ -17,7 +17,7 @@ const SHAPES: { name: ShapeName; label: string; icon: ReactNode }[] = [
 export function MeasurePanel({ onPick }: { onPick: (shape: ShapeName) => void }) {
   const fits = useLive((s) => s.view?.fits);
   const busy = useLive((s) => s.view?.busy ?? "");
-  const some = useLive((s) => s.view?.scans.some((scan) => scan.points_shown > 0) ?? false);
+  const some = useLive((s) => Boolean(s.view?.legend));
   const why = busy ? `${busy}.` : some ? "" : "There is no cloud in the picture yet. Scan, or show a scan.";
   return (
     <>
