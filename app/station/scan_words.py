@@ -77,6 +77,8 @@ def findings_of(pipeline: ScanPipeline, rig: Rig, running: bool) -> tuple[Findin
         found.append(Finding("bad", f"The scan stopped: {text}", "What was recorded is kept."))
     if running:
         found += _live(pipeline, rig)
+    else:
+        found += _summed(pipeline)
     return (*found, *_counted(pipeline))
 
 
@@ -118,18 +120,9 @@ def _paced(pipeline: ScanPipeline) -> list[Finding]:
     return []
 
 
-def _counted(pipeline: ScanPipeline) -> list[Finding]:
-    counts = pipeline.counts
-    arrived = counts.frames + pipeline.lost_frames
-    found = []
-    if pipeline.lost_frames > SAY_SHARE * arrived:
-        found.append(
-            Finding(
-                "attention",
-                f"{pipeline.lost_frames} of {arrived} pictures were lost",
-                "Check the sensor's cable, or close other programs.",
-            )
-        )
+def _summed(pipeline: ScanPipeline) -> list[Finding]:
+    """What is told of a scan once it has ended."""
+    counts, found = pipeline.counts, []
     pace = pipeline.pace
     if pace.frames_too_fast > SAY_SHARE * counts.frames:
         found.append(
@@ -147,6 +140,21 @@ def _counted(pipeline: ScanPipeline) -> list[Finding]:
                 "neutral",
                 f"{kept} pictures are in the recording, {left_out} were left out",
                 "Every stripe is in it; pictures wait for them.",
+            )
+        )
+    return found
+
+
+def _counted(pipeline: ScanPipeline) -> list[Finding]:
+    counts = pipeline.counts
+    arrived = counts.frames + pipeline.lost_frames
+    found = []
+    if pipeline.lost_frames > SAY_SHARE * arrived:
+        found.append(
+            Finding(
+                "attention",
+                f"{pipeline.lost_frames} of {arrived} pictures were lost",
+                "Check the sensor's cable, or close other programs.",
             )
         )
     if counts.frames_without_joints > SAY_SHARE * counts.frames:
