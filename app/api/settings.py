@@ -29,8 +29,8 @@ def change(asked: SettingsChange, context: TheContext) -> StationSettings:
 
 @router.post("/exposure")
 def expose(context: TheContext) -> StationSettings:
-    """Sets the exposure by the picture of now."""
-    context.settings.expose_by_the_picture()
+    """Sets the exposure by the laser's line as it is seen now."""
+    context.settings.expose_by_the_line()
     return context.settings.view()
 
 

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from app.metrology.stripe import Stripe
 from hardware.interfaces import Frame
 
 TARGET = 0.7
@@ -12,6 +13,7 @@ MOST_STEPS = 8
 BRIGHT_QUANTILE = 0.998
 # From this share of full scale on a pixel is overexposed; where so many of all are, the
 # exposure is cut to an eighth, else to a third.
+LINE_QUANTILE = 0.9
 OVEREXPOSED, MANY = 0.98, 0.05
 LITTLE, MUCH = 1 / 3, 1 / 8
 # An underexposed picture is mostly black level, so that it does not say all of the way.
@@ -47,7 +49,24 @@ def better_exposure_us(frame: Frame, exposure_range_us: tuple[float, float]) -> 
     A saturated picture does not say by how much, so it is cut the more the more of it
     is saturated.
     """
-    level = brightness(frame)
+    return _towards(brightness(frame), frame, exposure_range_us)
+
+
+def better_line_exposure_us(
+    frame: Frame, stripe: Stripe, exposure_range_us: tuple[float, float]
+) -> float | None:
+    """The same for the laser's line, however little of the picture it takes.
+
+    Its bright tenth counts. Where no line is seen, the picture does.
+    """
+    if not len(stripe.u):
+        return better_exposure_us(frame, exposure_range_us)
+    level = float(np.quantile(stripe.intensity, LINE_QUANTILE)) / full_scale(frame)
+    return _towards(level, frame, exposure_range_us)
+
+
+def _towards(level: float, frame: Frame, exposure_range_us: tuple[float, float]) -> float | None:
+    """The exposure that brings a level of the frame to the target; None when it is there."""
     if abs(level - TARGET) <= TOLERANCE * TARGET:
         return None
     if level > OVEREXPOSED:

@@ -16,11 +16,13 @@ from app.files.sync import Sync, sync
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import Choice
 from app.station.bus import Bus
+from app.station.exposure import better_line_exposure_us
 from app.station.findings import Finding
 from app.station.jobs import Job, Jobs, Progress
 from app.station.preview import Preview
 from app.station.rig import Rig
 from app.station.scanner import Scanner
+from hardware.interfaces import Frame
 
 TOPIC = "settings"
 Corner = tuple[float, float]
@@ -132,9 +134,40 @@ class OperatorSettings:
             if new.exposure_us is not None and self._rig.sensor.fresh:
                 self._rig.sensor.set_exposure_us(new.exposure_us)
 
-    def expose_by_the_picture(self) -> None:
-        """Sets the exposure so that the picture's bright parts are at 70 %; takes a second."""
-        exposure_us = self._rig.sensor.auto_exposure()
+    def expose_by_the_line(self) -> None:
+        """Sets the exposure so that the laser's line is at 70 % of full scale; takes a second.
+
+        Raises:
+            Refusal: the laser is off, no line is seen, or the sensor is lost; the exposure is
+                then as before.
+        """
+        sensor, extraction = self._rig.sensor, self._preview.extraction
+        if not sensor.laser_on:
+            raise Refusal(
+                "laser-off",
+                "The exposure is set by the laser's line",
+                "the laser is off",
+                "switch it on, over a part",
+            )
+        seen = True
+
+        def better(frame: Frame, exposure_range_us: tuple[float, float]) -> float | None:
+            nonlocal seen
+            stripe = extraction.stripe(frame.image)
+            seen = len(stripe.u) > 0
+            return better_line_exposure_us(frame, stripe, exposure_range_us)
+
+        before_us = sensor.exposure_us
+        exposure_us = sensor.auto_exposure(better)
+        if not seen:
+            if before_us is not None:
+                sensor.set_exposure_us(before_us)
+            raise Refusal(
+                "no-line",
+                "The exposure is set by the laser's line",
+                "no line is seen",
+                "bring a part into the sensor's range",
+            )
         with self._lock:
             self._set(self._settings.model_copy(update={"exposure_us": round(exposure_us, 1)}))
 

@@ -142,6 +142,11 @@ class Preview:
         self._axis = axis
         self._extraction = extraction_by(self._settings, axis)
 
+    @property
+    def extraction(self) -> Extraction:
+        """How the stripe is extracted that is drawn on the picture."""
+        return self._extraction
+
     def set_settings(self, settings: ScanSettings) -> None:
         """How the stripe is extracted that is drawn on the picture."""
         self._settings = settings

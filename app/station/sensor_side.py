@@ -13,6 +13,8 @@ from hardware.clock import now_ns
 from hardware.errors import DeviceError
 from hardware.interfaces import Frame, SensorDriver, SensorInfo
 
+Better = Callable[[Frame, tuple[float, float]], float | None]
+
 # A laser that was on is switched on again after a loss no longer than this.
 LASER_RESTORE_S = 5.0
 FRAME_TIMEOUT_S = 3.0
@@ -97,15 +99,17 @@ class SensorSide:
             raise Refusal("sensor-lost", error.what, remedy=error.remedy) from error
         self._exposure_wanted_us = wanted
 
-    def auto_exposure(self) -> float:
+    def auto_exposure(self, better: Better = better_exposure_us) -> float:
         """Brings the picture's bright parts to 70 % of full scale; the exposure in µs.
+
+        Another rule than ``better_exposure_us`` may say what is bright.
 
         Blocks for about a second; what the range does not allow is left at its end.
         """
         _, info = self.open_driver()
         frame = self._next_frame(now_ns(), None)
         for _ in range(MOST_STEPS):
-            wanted = better_exposure_us(frame, info.exposure_range_us)
+            wanted = better(frame, info.exposure_range_us)
             if wanted is None:
                 break
             self.set_exposure_us(wanted)

@@ -58,6 +58,8 @@ class Bench:
         self.scene_level = 0.02
         self.presses: list[Button] = []
         self.stripe_row = 120.0
+        self.line_level: float | None = None
+        """Grey levels a microsecond; None: 140 whatever the exposure."""
         self.picture: np.ndarray | None = None
         self.start_s = time.monotonic()
 
@@ -139,7 +141,9 @@ class ScriptedSensor:
         image = np.full((HEIGHT, WIDTH), level) + self.random.normal(0, 1.5, (HEIGHT, WIDTH))
         if laser_on:
             rows = np.arange(HEIGHT)[:, None]
-            image += 140 * np.exp(-(((rows - self.bench.stripe_row) / 2) ** 2) / 2)
+            per_us = self.bench.line_level
+            height = 140 if per_us is None else per_us * self.bench.exposure_us
+            image += height * np.exp(-(((rows - self.bench.stripe_row) / 2) ** 2) / 2)
         return np.clip(np.round(image), 0, 255).astype(np.uint8)
 
     def set_exposure_us(self, exposure_us: float) -> None:

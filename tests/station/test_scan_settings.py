@@ -54,7 +54,7 @@ def kept() -> Kept:
 @pytest.fixture
 def operator(bus: Bus, rig: Rig, scanner: Scanner, kept: Kept) -> OperatorSettings:
     preview = Preview(bus, rig.arm, rig.sensor)
-    return OperatorSettings(bus, rig, scanner, preview, AUTOMATIC, kept.keep)
+    return OperatorSettings(bus, rig, scanner, preview, AUTOMATIC, lambda new: kept.keep(new))
 
 
 def stripes(path: Path) -> list[StripeRecord]:
@@ -115,15 +115,25 @@ def test_zones_that_cannot_be_meant_change_nothing(operator: OperatorSettings) -
     assert operator.view().zones == ()
 
 
-def test_the_exposure_is_set_and_found_from_the_picture(
-    operator: OperatorSettings, bench: Bench, kept: Kept
+def test_the_exposure_is_set_and_found_from_the_line(
+    operator: OperatorSettings, bench: Bench, rig: Rig, kept: Kept
 ) -> None:
     operator.change({**UNSET, "exposure_us": 2500.0}, [])
     assert bench.exposure_us == 2500.0
-    bench.scene_level = 0.1
-    operator.expose_by_the_picture()
-    assert kept.settings.exposure_us == pytest.approx(0.7 * 255 / 0.1, rel=0.15)
+    with pytest.raises(Refusal, match="the laser is off"):
+        operator.expose_by_the_line()
+    rig.sensor.set_laser(True)
+    # the line is a hundredth of the picture, and grows with the exposure
+    bench.line_level = 100 / 2500
+    operator.expose_by_the_line()
+    assert kept.settings.exposure_us == pytest.approx(0.7 * 255 / 0.04, rel=0.15)
     assert operator.view().exposure_us == kept.settings.exposure_us
+    bench.picture = np.full((HEIGHT, WIDTH), 3, np.uint8)
+    held = bench.exposure_us
+    with pytest.raises(Refusal, match="no line is seen"):
+        operator.expose_by_the_line()
+    assert bench.exposure_us == held
+    rig.sensor.set_laser(False)
 
 
 def test_too_fast_is_said_while_it_lasts_and_counted(scanner: Scanner, bench: Bench) -> None:
@@ -218,3 +228,18 @@ def test_a_delay_that_cannot_be_found_is_said(
     assert "nothing: there is no such file" in asyncio.run(scenario())
     assert not operator.view().finding_delay
     assert operator.view().delay is None
+
+
+def test_what_the_disk_does_not_keep_is_not_used(
+    operator: OperatorSettings, kept: Kept, scanner: Scanner
+) -> None:
+    def full(_: ScanSettings) -> None:
+        raise Refusal("disk-full", "scan_settings.json", "the disk is full")
+
+    kept.keep = full  # type: ignore[method-assign]
+    with pytest.raises(Refusal, match="the disk is full"):
+        operator.change({**UNSET, "threshold": 200.0}, [])
+    assert operator.view().threshold is None
+    scanner.start("as before")
+    until(lambda: scanner.state().points > 1000)
+    scanner.stop()

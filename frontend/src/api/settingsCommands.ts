@@ -35,7 +35,7 @@ export async function readSettings(): Promise<void> {
   }
 }
 
-export const exposeByThePicture = async () => {
+export const exposeByTheLine = async () => {
   await send("/exposure", {}, "the exposure was not changed");
 };
 export const findDelay = async () => {

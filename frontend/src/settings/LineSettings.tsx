@@ -1,4 +1,4 @@
-import { changeSettings, exposeByThePicture } from "../api/settingsCommands";
+import { changeSettings, exposeByTheLine } from "../api/settingsCommands";
 import type { StationSettings } from "../api/types";
 import { PressButton } from "../parts/PressButton";
 import { NumberSetting } from "./NumberSetting";
@@ -26,7 +26,7 @@ export function LineSettings({ settings }: { settings: StationSettings }) {
         help="Of scans. Short on bright metal, long on dark parts; a long one blurs."
         settings={settings}
       >
-        <PressButton onPress={exposeByThePicture}>By the picture</PressButton>
+        <PressButton onPress={exposeByTheLine}>By the line</PressButton>
       </NumberSetting>
       <NumberSetting
         name="threshold"
