@@ -102,3 +102,20 @@ def live(
         print_json(asdict(found))
         return
     print_table(f"{profiles_hz:.0f} frames a second of {points} points", COLUMNS, table(found))
+
+
+@bench.command()
+@refusing
+def view(
+    million_points: Annotated[float, typer.Option(min=0.1, help="Points that are scanned.")] = 50.0,
+    as_json: AsJson = False,
+) -> None:
+    """The 3D view after a long scan: a second viewer joins, and the colours are changed."""
+    from app.bench.view import COLUMNS, run, table
+
+    with progress_bar("Showing", not as_json) as tell:
+        found = run(round(1e6 * million_points), tell)
+    if as_json:
+        print_json(asdict(found))
+        return
+    print_table("The 3D view after a long scan", COLUMNS, table(found))

@@ -121,12 +121,7 @@ class _Station:
 
     @property
     def memory_mb(self) -> float:
-        """Resident memory; NaN where the system does not say."""
-        with contextlib.suppress(OSError):
-            for line in Path(f"/proc/{self.pid}/status").read_text().splitlines():
-                if line.startswith("VmRSS:"):
-                    return int(line.split()[1]) / 1024
-        return float("nan")
+        return memory_mb(self.pid)
 
     @property
     def processor_s(self) -> float:
@@ -134,6 +129,15 @@ class _Station:
             words = Path(f"/proc/{self.pid}/stat").read_text().rsplit(")", 1)[1].split()
             return (int(words[11]) + int(words[12])) / 100
         return float("nan")
+
+
+def memory_mb(pid: int) -> float:
+    """A process's resident memory; NaN where the system does not say."""
+    with contextlib.suppress(OSError):
+        for line in Path(f"/proc/{pid}/status").read_text().splitlines():
+            if line.startswith("VmRSS:"):
+                return int(line.split()[1]) / 1024
+    return float("nan")
 
 
 def _scan(

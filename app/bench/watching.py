@@ -29,21 +29,29 @@ class Watched:
 
     ages_s: Floats
     whole_s: float
+    bytes: int
+    coloured_at_s: float
+    """By the monotonic clock; NaN where so many points were not given other colours."""
 
 
 @contextlib.contextmanager
 def watching(
-    address: str, start_ns: int, turn_rad_s: float, until_whole: bool = False
+    address: str,
+    start_ns: int,
+    turn_rad_s: float,
+    until_whole: bool = False,
+    coloured: int = 0,
 ) -> Iterator[Callable[[], Watched]]:
     """A viewer from now on. What it yields ends it, and tells what it saw.
 
     Args:
         start_ns, turn_rad_s: of the sweep: a point's azimuth tells when it was taken.
         until_whole: it ends by itself once it has all that was shown before it came.
+        coloured: it ends by itself once so many points were given other colours.
     """
     context = multiprocessing.get_context("spawn")
     ours, theirs = context.Pipe()
-    arguments = (theirs, address, start_ns, turn_rad_s, until_whole)
+    arguments = (theirs, address, start_ns, turn_rad_s, until_whole, coloured)
     process = context.Process(target=_watch, args=arguments, daemon=True)
     process.start()
     if not ours.poll(PATIENCE_S):
@@ -51,7 +59,7 @@ def watching(
     ours.recv()
 
     def watched() -> Watched:
-        if not until_whole:
+        if not (until_whole or coloured):
             ours.send("enough")
         if not ours.poll(PATIENCE_S):
             raise TimeoutError("the viewer did not get the whole picture")
@@ -66,31 +74,43 @@ def watching(
 
 
 def _watch(
-    pipe: Connection, address: str, start_ns: int, turn_rad_s: float, until_whole: bool
+    pipe: Connection,
+    address: str,
+    start_ns: int,
+    turn_rad_s: float,
+    until_whole: bool,
+    coloured: int,
 ) -> None:
     pipe.send("ready")
     began_s = time.monotonic()
-    seen = _Seen(start_ns, turn_rad_s)
+    seen = _Seen(start_ns, turn_rad_s, coloured)
     with connect(address, subprotocols=[PROTOCOL], max_size=None, compression=None) as socket:
-        while not pipe.poll() and not (until_whole and seen.whole):
+        while not (pipe.poll() or (until_whole and seen.whole) or seen.coloured_at_s):
             with contextlib.suppress(TimeoutError):
                 data = socket.recv(POLL_S)
                 seen.take(time.monotonic_ns(), bytes(data) if isinstance(data, bytes) else b"")
-    pipe.send(Watched(np.array(seen.ages_s), time.monotonic() - began_s))
+    whole_s = time.monotonic() - began_s
+    pipe.send(
+        Watched(np.array(seen.ages_s), whole_s, seen.bytes, seen.coloured_at_s or float("nan"))
+    )
 
 
 class _Seen:
     """How old new points were when they came, and whether all the old ones have come."""
 
-    def __init__(self, start_ns: int, turn_rad_s: float) -> None:
+    def __init__(self, start_ns: int, turn_rad_s: float, coloured: int) -> None:
         self.ages_s: list[float] = []
         self.whole = False
         """All that was shown before it came is there."""
+        self.bytes = 0
+        self.coloured_at_s = 0.0
+        self._uncoloured = coloured
         self._start_ns, self._turn_rad_s = start_ns, turn_rad_s
         self._origin_m = np.zeros(3)
         self._newest_rad = -np.inf
 
     def take(self, now_ns: int, data: bytes) -> None:
+        self.bytes += len(data)
         for message in _messages(data):
             name = str(message.get("name", ""))
             if message["type"] == "ReplayDoneMessage":
@@ -100,6 +120,14 @@ class _Seen:
             elif message["type"] == "PointCloudMessage" and name.startswith(CLOUD):
                 points = np.frombuffer(message["props"]["points"], np.float32).reshape(-1, 3)
                 self._note(now_ns, points + self._origin_m)
+            elif self.whole and name.startswith(CLOUD) and "colors" in message.get("updates", ()):
+                self._note_colours(len(message["updates"]["colors"]) // 3)
+
+    def _note_colours(self, points: int) -> None:
+        left = self._uncoloured
+        self._uncoloured -= points
+        if left > 0 >= self._uncoloured:
+            self.coloured_at_s = time.monotonic()
 
     def _note(self, now_ns: int, points_m: Floats) -> None:
         azimuth = np.arctan2(points_m[:, 1], points_m[:, 0])
@@ -125,7 +153,8 @@ def _messages(data: bytes) -> list[dict[str, Any]]:
         arrays.append(data[at : at + length])
         at += length
     for message in frame["messages"]:
-        for key, value in message.get("props", {}).items():
-            if isinstance(value, dict) and "__binary_index" in value:
-                message["props"][key] = arrays[value["__binary_index"]]
+        for part in (message.get("props", {}), message.get("updates", {})):
+            for key, value in part.items():
+                if isinstance(value, dict) and "__binary_index" in value:
+                    part[key] = arrays[value["__binary_index"]]
     return list(frame["messages"])

@@ -90,6 +90,11 @@ class Scene:
         return self._clouds.shown_of(self._live)
 
     @property
+    def waiting(self) -> int:
+        """Points that were taken and are not drawn yet."""
+        return self._waiting_points
+
+    @property
     def begun(self) -> int:
         """How many scans have begun: with each the picture is cleared."""
         return self._begun

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import cv2
 import numpy as np
 from playwright.sync_api import Browser, ConsoleMessage, Page, expect
 
@@ -159,6 +160,7 @@ def scan(visit: Visit, folder: Path) -> None:
     page.get_by_role("button", name="Stop the scan").click()
     visit.wait_until("stopping", "/api/scan", lambda scan: scan["state"] == "idle")
     visit.look("scanned")
+    look_closer(visit, folder)
     page.get_by_role("link", name="Records").click()
     with page.expect_download() as download:
         page.get_by_role("link", name=re.compile("PLY")).or_(
@@ -169,3 +171,59 @@ def scan(visit: Visit, folder: Path) -> None:
     points = read_cloud(saved).points_mm
     assert len(points) > 30000
     assert np.isfinite(points).all()
+
+
+def look_closer(visit: Visit, folder: Path) -> None:
+    """Other colours, a plane fitted to what is drawn around, its deviations, a picture saved."""
+    page = visit.page
+    page.get_by_role("button", name="Colours").click()
+    page.get_by_role("radio", name="Uncertainty").click()
+    expect(page.get_by_role("figure")).to_contain_text("Uncertainty of a point")
+    visit.look("uncertainty")
+    page.get_by_role("button", name="Measure").click()
+    page.get_by_role("button", name="Plane", exact=True).click()
+    area = page.locator("iframe").bounding_box()
+    assert area is not None
+    page.mouse.move(area["x"] + 0.02 * area["width"], area["y"] + 0.3 * area["height"])
+    page.mouse.down()
+    page.mouse.move(area["x"] + 0.98 * area["width"], area["y"] + 0.98 * area["height"], steps=5)
+    visit.look("drawing-a-rectangle")
+    page.mouse.up()
+    visit.wait_until("a plane", "/api/view", lambda view: bool(view["fits"]))
+    fitted = visit.ask("/api/view")["fits"][0]
+    assert fitted["every"]
+    assert fitted["points"] > 1000
+    page.get_by_role("button", name="Colour by deviation from it").click()
+    expect(page.get_by_role("figure")).to_contain_text("Deviation from the shape")
+    visit.look("deviation")
+    with page.expect_download() as download:
+        page.get_by_role("button", name="Save picture").click()
+    saved = folder / "view.png"
+    download.value.save_as(saved)
+    picture = cv2.imread(str(saved))
+    assert picture is not None
+    assert picture.shape[0] > 500
+    assert len(np.unique(picture.reshape(-1, 3), axis=0)) > 300
+    rename_and_hide(visit)
+
+
+def rename_and_hide(visit: Visit) -> None:
+    page = visit.page
+    page.get_by_role("button", name="Scans", exact=True).click()
+    page.get_by_role("button", name="Rename").click()
+    page.get_by_role("textbox").fill("First part")
+    page.get_by_role("button", name="Save", exact=True).click()
+    shown = page.get_by_role("switch", name=re.compile("First part"))
+    expect(shown).to_be_checked()
+    shown.click()
+    expect(shown).not_to_be_checked()
+    assert not visit.ask("/api/view")["scans"]
+    shown.click()
+    visit.wait_until(
+        "the scan shown again",
+        "/api/view",
+        lambda view: any(scan["loaded"] == 1 for scan in view["scans"]),
+    )
+    page.get_by_role("button", name="Delete").click()
+    visit.look("really-delete")
+    page.get_by_role("button", name="No, keep it").click()

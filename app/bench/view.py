@@ -1,0 +1,169 @@
+"""The 3D view after a long scan: how soon a second viewer has all of it, and what it takes.
+
+Points are handed to the display as a scan hands them, in a station of its own process; the
+viewer reads the 3D view's socket through the station's server.
+"""
+
+import contextlib
+import multiprocessing
+import socket
+import tempfile
+import threading
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass
+from multiprocessing.connection import Connection
+from pathlib import Path
+
+import httpx
+import numpy as np
+
+from app.bench.live import MB, PATIENCE_S, memory_mb
+from app.bench.watching import watching
+from app.files.cloud_points import Points, packed
+from app.files.progress import Progress, no_progress
+from app.station.scene import Scene
+from hardware.twin.swift import Pace, SwiftArm, SwiftClock, SwiftSensor, stripe_pictures
+
+LINE, LINES_A_PIECE = 2000, 16
+PIECE = LINE * LINES_A_PIECE
+WIDE_MM, LONG_MM, STEP_MM = 400.0, 600.0, 0.1
+"""The part, swept again and again, each time in between the lines of before."""
+NOISE_MM = 0.02
+MOST_WAITING = 200_000
+COLUMNS = ("measure", "value")
+
+
+@dataclass(frozen=True)
+class ViewBench:
+    """What the view did with it."""
+
+    points: int
+    points_shown: int
+    shown_per_s: float
+    """Points a second that the display took."""
+    memory_mb: float
+    """Of the station, at the end."""
+    joined_s: float
+    """From a second viewer's connection until it has all that is shown."""
+    joined_mb: float
+    """That it was sent."""
+    coloured_s: float
+    """From the wish for other colours until the last point of the viewer has them."""
+
+
+def table(found: ViewBench) -> list[tuple[str, str]]:
+    return [
+        ("points scanned, shown", f"{found.points}, {found.points_shown}"),
+        ("taken by the display", f"{found.shown_per_s / 1e6:.1f} million points/s"),
+        ("the station's memory", f"{found.memory_mb:.0f} MB"),
+        (
+            "a second viewer has the whole picture",
+            f"{found.joined_s:.2f} s, {found.joined_mb:.0f} MB",
+        ),
+        ("all points in other colours", f"{found.coloured_s:.2f} s"),
+    ]
+
+
+def run(points: int, progress: Progress = no_progress) -> ViewBench:
+    """Shows so many points, then lets a second viewer join."""
+    with (
+        tempfile.TemporaryDirectory(prefix="crenel-bench-") as folder,
+        _station(Path(folder), points) as (pipe, port, pid),
+        httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=30.0) as http,
+    ):
+        began_s = time.monotonic()
+        while (given := int(pipe.recv())) < points:
+            progress(given / points, f"{given / 1e6:.0f} million points")
+        seconds = time.monotonic() - began_s
+        address = f"ws://127.0.0.1:{port}/viewer/"
+        with watching(address, 0, 1.0, until_whole=True) as watched:
+            joined = watched()
+        shown = sum(scan["points_shown"] for scan in http.get("/api/view").json()["scans"])
+        with watching(address, 0, 1.0, coloured=shown) as watched:
+            time.sleep(1.0)
+            asked_s = time.monotonic()
+            http.post("/api/view/colours", json={"measure": "intensity"}).raise_for_status()
+            coloured_s = watched().coloured_at_s - asked_s
+        return ViewBench(
+            points=points,
+            points_shown=shown,
+            shown_per_s=points / seconds,
+            memory_mb=memory_mb(pid),
+            joined_s=joined.whole_s,
+            joined_mb=joined.bytes / MB,
+            coloured_s=coloured_s,
+        )
+
+
+@contextlib.contextmanager
+def _station(data: Path, points: int) -> Iterator[tuple[Connection, int, int]]:
+    """A station in a process of its own that shows so many points: its pipe, port and id."""
+    context = multiprocessing.get_context("spawn")
+    ours, theirs = context.Pipe()
+    process = context.Process(target=_serve, args=(theirs, data, points), daemon=True)
+    process.start()
+    if not ours.poll(PATIENCE_S):
+        process.kill()
+        raise TimeoutError("the station does not start")
+    try:
+        yield ours, int(ours.recv()), process.pid or 0
+    finally:
+        ours.send("stop")
+        process.join(20.0)
+        process.kill()
+
+
+def _serve(pipe: Connection, data: Path, points: int) -> None:
+    """In the station's process: until something comes through the pipe."""
+    from app.api.wiring import Parts
+    from app.main import build_app, make_server
+
+    pace, clock = Pace(profiles_hz=2.0, width_px=100), SwiftClock()
+    pool = stripe_pictures(pace)
+    parts = Parts(
+        "Bench", data, lambda: SwiftArm(pace, clock), lambda: SwiftSensor(pace, clock, pool)
+    )
+    app = build_app(parts)
+    server = make_server(app)
+    with socket.socket() as listening:
+        listening.bind(("127.0.0.1", 0))
+        listening.listen()
+        thread = threading.Thread(target=server.run, kwargs={"sockets": [listening]})
+        thread.start()
+        while not server.started:
+            time.sleep(0.05)
+        pipe.send(listening.getsockname()[1])
+        _show(app.state.context.scene, points, pipe)
+        pipe.recv()
+        server.should_exit = True
+        thread.join(15.0)
+
+
+def _show(scene: Scene, points: int, pipe: Connection) -> None:
+    """As a scan does, as fast as the display takes them without leaving any out."""
+    scene.begin("bench")
+    random = np.random.default_rng(1)
+    given = 0
+    while given < points:
+        while scene.waiting > MOST_WAITING:
+            time.sleep(0.005)
+        scene.add_points(_piece(given, random))
+        given += PIECE
+        if given // PIECE % 50 == 0:
+            pipe.send(min(given, points - 1))
+    while scene.waiting:
+        time.sleep(0.01)
+    time.sleep(0.5)
+    pipe.send(points)
+
+
+def _piece(given: int, random: np.random.Generator) -> Points:
+    """The next lines across a wavy part."""
+    line = given // LINE + np.repeat(np.arange(LINES_A_PIECE), LINE)
+    lines = int(LONG_MM / STEP_MM)
+    y = STEP_MM * (line % lines) + 0.37 * STEP_MM * (line // lines)
+    x = 300.0 + WIDE_MM / LINE * np.tile(np.arange(LINE), LINES_A_PIECE)
+    z = 20.0 * np.sin(x / 60.0) * np.cos(y / 80.0) + random.normal(0.0, NOISE_MM, len(x))
+    places = np.column_stack([x, y, z])
+    return packed(places, 60.0 + 30.0 * np.sin(x / 9.0), np.full(len(x), 8.0), line)

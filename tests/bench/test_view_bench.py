@@ -1,0 +1,14 @@
+"""The bench of the 3D view, on a short scan."""
+
+from app.bench.view import PIECE, run, table
+
+
+def test_a_second_viewer_gets_all_and_the_colours_change() -> None:
+    points = 8 * PIECE
+    found = run(points)
+    assert found.points == points
+    assert 50_000 < found.points_shown <= points
+    assert found.joined_s > 0
+    assert found.joined_mb > 15 * found.points_shown / 2**20
+    assert 0 < found.coloured_s < 60
+    assert len(table(found)) == 5
