@@ -51,8 +51,10 @@ def figures_of(measured: MeasuredShape) -> tuple[Figure, ...]:
     fit, known = measured.fit, _Known(measured.covariance)
     if isinstance(fit, PlaneFit):
         upright = float(np.arccos(np.clip(abs(fit.normal[2]), 0.0, 1.0)))
+        # known at the middle of its points, and by its tilts from there to the arm's zero
+        lever = np.array([1.0, *(float(side @ fit.centre_mm) for side in across(fit.normal))])
         return (
-            Figure("Distance from the arm's zero", fit.offset_mm, "mm", 3, known.um(0), "µm"),
+            Figure("From the arm's zero", fit.offset_mm, "mm", 3, known.along_um(lever), "µm"),
             _angle("Tilt from level", upright, known.angle_arcsec(1)),
             *_vector("Normal", fit.normal),
         )
@@ -83,6 +85,12 @@ class _Known:
         if self._covariance is None:
             return None
         return factor * UM_PER_MM * float(np.sqrt(self._covariance[parameter, parameter]))
+
+    def along_um(self, gradient: Floats) -> float | None:
+        """Of a length that changes so with the parameters (p,)."""
+        if self._covariance is None:
+            return None
+        return UM_PER_MM * float(np.sqrt(gradient @ self._covariance @ gradient))
 
     def angle_arcsec(self, first: int) -> float | None:
         """Of a direction with two tilts, towards where it is known worst."""

@@ -103,10 +103,10 @@ def test_a_rectangle_of_a_page_is_fitted_by_where_that_page_looks_from(
             time.sleep(0.05)
     (fitted,) = wait(server, lambda view: bool(view["fits"]))["fits"]  # type: ignore[misc]
     figures = {figure["label"]: figure for figure in fitted["figures"]}
-    offset = figures["Distance from the arm's zero"]
+    offset = figures["From the arm's zero"]
     assert fitted["every"]
     assert offset["value"] == pytest.approx(5.0, abs=0.002)
-    assert 0 < offset["uncertainty"] < 2.0
+    assert 0 < offset["uncertainty"] < 5.0
     assert fitted["rms_um"] == pytest.approx(10, rel=0.1)
     gone = server.http.post("/api/view/fits", json=region)
     assert "not connected" in gone.text

@@ -18,7 +18,7 @@ export function ScansPanel() {
     <>
       <h2 className={styles.title}>Scans in the picture</h2>
       {running && <p className={styles.running}>The scan that is being recorded is always shown.</p>}
-      {list.length === 0 && !running && <p className={styles.empty}>Finished scans will be here. Start one on the right.</p>}
+      {list.length === 0 && !running && <p className={styles.empty}>Finished scans will be here. Press Start scan for the first.</p>}
       <ul className={styles.list}>
         {list.map((scan) => (
           <ScanLine key={scan.id} scan={scan} shown={shown?.find(({ id }) => id === scan.id)} />
