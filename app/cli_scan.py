@@ -96,7 +96,7 @@ def sync(
 ) -> None:
     """Find the constant delay between arm and camera, with its uncertainty.
 
-    For crenel reconstruct --sync; the station finds and applies it on the Scan page.
+    For crenel reconstruct --sync; the station finds and applies it on its Settings page.
     """
     from app.files.arm import read_arm
     from app.files.atomic import checked_target

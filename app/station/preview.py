@@ -215,8 +215,10 @@ class Preview:
     def _stripe(self, frame: Frame) -> Stripe | None:
         if not frame.laser_on:
             return None
+        # while an object is looked for, as its calibration takes the line: whole
+        extraction = Extraction(self._axis) if self._detecting else self._extraction
         try:
-            return self._extraction.stripe(frame.image)
+            return extraction.stripe(frame.image)
         except Refusal:
             return None
 

@@ -12,7 +12,9 @@ import numpy as np
 import pytest
 
 from app.files.images import read_grey
+from app.files.mask import Mask
 from app.files.objects import read_block
+from app.files.scan_settings import ScanSettings
 from app.metrology.stripe import Stripe, extract_stripe
 from app.station.bus import Bus
 from app.station.preview import STRIPE_POINTS, Preview, PreviewImage, decimated, jpeg
@@ -150,3 +152,20 @@ def test_the_stripe_of_a_real_picture_is_drawn_on_it(samples: Path) -> None:
     stripe = extract_stripe(picture)
     at = np.array(decimated(stripe)).round().astype(int)
     assert np.median(picture[at[:, 1], at[:, 0]]) > 3 * np.median(picture)
+
+
+def test_zones_cut_the_drawn_stripe_but_not_while_an_object_is_looked_for(
+    preview: Preview, rig: Rig, samples: Path
+) -> None:
+    corners = ((-2.0, -2.0), (WIDTH / 2, -2.0), (WIDTH / 2, HEIGHT + 2.0), (-2.0, HEIGHT + 2.0))
+    preview.set_settings(
+        ScanSettings(mask=Mask(width_px=WIDTH, height_px=HEIGHT, zones=(corners,)))
+    )
+    rig.sensor.set_laser(True)
+    with preview.watch():
+        until(lambda: newest(preview).header.stripe)
+        assert min(u for u, _ in newest(preview).header.stripe) > WIDTH / 2
+        preview.detect(read_block(samples / "one-pose" / "object.json"))
+        until(lambda: min(u for u, _ in newest(preview).header.stripe) < WIDTH / 4)
+        preview.detect(None)
+        until(lambda: min(u for u, _ in newest(preview).header.stripe) > WIDTH / 2)
