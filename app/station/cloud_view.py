@@ -6,9 +6,10 @@ import numpy as np
 import viser
 from numpy.typing import NDArray
 
+from app.files.cloud_points import Points
 from app.metrology.frames import Floats
 from app.station.colours import Bytes
-from app.station.painter import Painter, Points32, Traits
+from app.station.painter import Painter, Points32, Traits, traits_of
 from app.station.views import M_PER_MM
 from app.station.voxels import VoxelFilter
 
@@ -93,18 +94,23 @@ class CloudView:
         self.clear()
         self._server.scene.remove_by_name(self._root)
 
-    def add(self, points_mm: Floats, traits: Traits) -> None:
-        """Shows those of the points (N, 3) of the arm frame that are the first in their cube."""
-        new = self._voxels.take_new(points_mm)
-        if not new.any():
+    def add(self, found: Points, taken_s: Floats) -> None:
+        """Shows those of the points (N,), taken at times (N,), that are the first in their cube."""
+        places = np.empty((len(found), 3))
+        for i, axis in enumerate("xyz"):
+            places[:, i] = found[axis]
+        new = np.flatnonzero(self._voxels.take_new(places))
+        if not len(new):
             return
-        points = points_mm[new]
+        points, traits = places[new], traits_of(found[new], taken_s[new])
+        if self._painter.legend is None:
+            self._painter.settle_range(self._painter.values(points, traits, float(taken_s[-1])))
         if not self._nodes:
             self._place_origin(points)
         self._low_mm = np.minimum(self._low_mm, points.min(axis=0))
         self._high_mm = np.maximum(self._high_mm, points.max(axis=0))
         self.newest_s = max(self.newest_s, float(traits["taken_s"][-1]))
-        node = _Node((points - self._origin_mm).astype(np.float32), traits[new])
+        node = _Node((points - self._origin_mm).astype(np.float32), traits)
         with self._server.atomic():
             self._show(node)
             self._small.append(node)

@@ -83,14 +83,7 @@ class Clouds:
         view = self._views.get(name)
         if view is None:
             return False
-        places = np.column_stack([points["x"], points["y"], points["z"]])
-        traits = np.empty(len(points), TRAITS)
-        traits["intensity"] = points["intensity"]
-        traits["uncertainty_um"] = points["uncertainty_um"]
-        traits["taken_s"] = taken_s
-        if self.painter.legend is None and len(points):
-            self.painter.settle_range(self.painter.values(places, traits, float(taken_s[-1])))
-        view.add(places, traits)
+        view.add(points, taken_s)
         return True
 
     def colour_by(self, measure: Measure, limits: tuple[float, float] | None) -> None:

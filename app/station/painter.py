@@ -7,6 +7,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from app.files.cloud_points import Points
 from app.metrology.frames import Floats
 from app.station.colours import APART, BALANCE, SCALE, Bytes, painted, stops_of
 
@@ -20,7 +21,15 @@ Traits = NDArray[np.void]
 
 TRAITS = np.dtype([("intensity", "<f4"), ("uncertainty_um", "<f4"), ("taken_s", "<f4")])
 """What is kept of each shown point beside its place; the time since its scan began."""
-NO_TRAITS = np.zeros(0, TRAITS)
+
+
+def traits_of(points: Points, taken_s: Floats) -> Traits:
+    """Of points (N,) taken at times (N,)."""
+    traits = np.empty(len(points), TRAITS)
+    traits["intensity"] = points["intensity"]
+    traits["uncertainty_um"] = points["uncertainty_um"]
+    traits["taken_s"] = taken_s
+    return traits
 
 
 @dataclass(frozen=True)
