@@ -1,5 +1,6 @@
 """The 3D view: which scans it shows, their colours, and shapes fitted in it."""
 
+import contextlib
 import shutil
 from typing import Annotated
 
@@ -85,8 +86,10 @@ def delete(scan_id: ScanId, context: TheContext) -> None:
             scan.folder.rename(doomed)
         context.store.scans.delete(scan.id)
         context.viewing.note_records()
-        if doomed.exists():
-            shutil.rmtree(doomed)
+        # with what a mains failure has left of earlier ones
+        for left in scan.folder.parent.glob(f"{DELETED}*"):
+            with contextlib.suppress(FileNotFoundError):  # another request is at it
+                shutil.rmtree(left)
     context.bus.event("scan-deleted", f"{scan.name} was deleted")
 
 

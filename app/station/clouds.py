@@ -72,11 +72,12 @@ class Clouds:
         if view is not None:
             view.remove()
             self._share()
+            if not self.shown:
+                self.painter.forget_range()
 
     def clear(self) -> None:
         for name in self.names:
             self.close(name)
-        self.painter.forget_range()
 
     def add(self, name: str, points: Points, taken_s: Floats) -> bool:
         """Shows points (N,) taken at these times (N,); False where their scan is not shown."""

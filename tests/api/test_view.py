@@ -119,6 +119,7 @@ def test_a_scan_is_renamed_and_deleted_with_its_files(server: Server, scan: Scan
         return [found["name"] for found in server.http.get("/api/scans").json()]
 
     show(server)
+    scan.folder.with_name(".deleted-before").mkdir()  # as a killed server leaves it
     before = view(server)["records"]
     assert server.http.post("/api/scans/plate/name", json={"name": " Cover  2 "}).status_code == 204
     assert "Cover 2" in names()

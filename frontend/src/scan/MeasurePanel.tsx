@@ -87,7 +87,7 @@ function FitCard({ fitted, last }: { fitted: Fitted; last: boolean }) {
       <p className={styles.note}>
         {plural(fitted.points, "point")}
         {fitted.points < fitted.picked && <> of {figures(fitted.picked)}</>}
-        {fitted.every ? "" : ", those shown: the file is complete once the scan is stopped"}.{" "}
+        {fitted.every ? "" : ", of those in the picture, which are thinned"}.{" "}
         {fitted.figures.some((figure) => figure.uncertainty !== null)
           ? "± is the standard uncertainty, k = 1, by the scatter of the scan; what calibration and arm add is not in it."
           : "Too few pictures took part to tell an uncertainty."}
