@@ -1,10 +1,12 @@
 """Which edge of the block each segment of the picture is: poses voted for, then drawn and judged.
 
-With the three directions and the focal length known, a segment along the grooves
-is a bearing in the plane across them: the camera lies on the line through the
-block's corner in that bearing. Two bearings to two corners place the camera, all
-others vote. The block's mirror image is tried as well, so that it can be told
-from the block.
+With the three directions and the focal length known, a segment along one of them
+is a bearing in the plane across it: the camera lies on the line through one of the
+block's edges, seen end on, in that bearing. Two bearings to two edges place the camera
+in that plane, the segments along the other two directions on the third axis, and all
+vote. Each direction takes its turn as the first: of any, the picture may show too
+little, or tool marks too much. The block's mirror image is tried as well, so that it
+can be told from the block.
 """
 
 from collections.abc import Iterator
@@ -13,13 +15,12 @@ from functools import lru_cache
 from itertools import permutations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from app.metrology.compiled import kernel
 from app.metrology.crenellated import Crenellated
-from app.metrology.detection.directions import Directions, plane_normals
+from app.metrology.detection.directions import Directions
 from app.metrology.detection.segments import Segments
-from app.metrology.detection.voting import across_x, along_x
+from app.metrology.detection.voting import WORTH, completed, crossings
 from app.metrology.frames import Floats
 
 # How far a segment may lie from the edge it votes for, over the picture's longer side.
@@ -29,8 +30,10 @@ _LONG = 0.15
 # How far the block's middle may lie from the picture's, and the block's size, over the
 # picture's longer side; and how far along the camera's axis its X or Y may point wrongly.
 _ASIDE, _SMALLEST, _LARGEST, _ACROSS = 0.75, 0.15, 3.0, 0.35
-# So many bearings of each direction vote.
-_BEARINGS = 12
+# The same of its size, while only two of the camera's three coordinates are known.
+_NEARER, _FURTHER = 0.11, 4.3
+# So many bearings of each direction vote; so many places are returned for one reading of them.
+_BEARINGS, _READINGS = 12, 12
 
 
 @dataclass(frozen=True)
@@ -53,7 +56,7 @@ def mirrored(block: Crenellated) -> Crenellated:
 
 
 def placings(
-    directions: Directions, seen: Segments, block: Crenellated, most: int = 24
+    directions: Directions, seen: Segments, block: Crenellated, best: float = 0.0, most: int = 24
 ) -> list[Placing]:
     """Placings of the block and of its mirror image, most votes first.
 
@@ -61,24 +64,46 @@ def placings(
         directions: three perpendicular directions in the picture.
         seen: the segments they were found from.
         block: the block by its certificate.
+        best: the votes of the best placing so far; far fewer are of no interest.
         most: how many to return.
     """
     focal = directions.focal
-    normals = plane_normals(seen.lines, focal)
+    normals = _normals(directions, seen)
     # A long edge of a table has no more to say than one of the block's.
     weight = np.minimum(seen.weight, _LONG)
     found: list[Placing] = []
     for rotation, order in _labellings(directions.rotation):
-        families = [directions.family == axis for axis in order]
+        in_object = normals @ rotation
+        rows = [directions.family == axis for axis in order]
+        bearings = [
+            _merged(in_object[of][:, _across(k)], weight[of], _NEAR / focal)
+            for k, of in enumerate(rows)
+        ]
         for reverse in (False, True):
             form = mirrored(block) if reverse else block
-            for centre, score in _vote(
-                normals @ rotation, weight, families, form, rotation[2], focal
-            ):
+            for centre, votes in _vote(bearings, form, rotation[2], focal, best):
                 if _shown(centre, rotation, form, focal):
-                    found.append(Placing(rotation, centre, focal, reverse, score))
+                    found.append(Placing(rotation, centre, focal, reverse, votes))
+                    best = max(best, votes)
     found.sort(key=lambda one: -one.votes)
     return found[:most]
+
+
+def _normals(directions: Directions, seen: Segments) -> Floats:
+    """Unit normals (S, 3) of the planes through each segment's middle and along its direction.
+
+    Not along the segment itself: seen from afar, a camera aside of it is where a short
+    segment points least surely.
+    """
+    middle = (seen.lines[:, :2] + seen.lines[:, 2:]) / 2
+    middle = np.column_stack([middle, np.full(len(middle), directions.focal)])
+    normal = np.cross(middle, directions.rotation.T[directions.family])
+    return np.asarray(normal / np.linalg.norm(normal, axis=1, keepdims=True))
+
+
+def _across(axis: int) -> list[int]:
+    """The two axes of the plane across one, in turn."""
+    return [(axis + 1) % 3, (axis + 2) % 3]
 
 
 def _shown(centre_mm: Floats, rotation: Floats, block: Crenellated, focal: float) -> bool:
@@ -115,38 +140,56 @@ def _labellings(axes: Floats) -> Iterator[tuple[Floats, tuple[int, int, int]]]:
                 yield np.column_stack(columns), (order[0], order[1], order[2])
 
 
+@lru_cache(maxsize=32)
+def _end_on(block: Crenellated) -> tuple[Floats, Floats, Floats]:
+    """The block's edges along X, Y and Z as points (P, 2) in the planes across (``_across``)."""
+    depths = (block.front_y_mm, block.back_y_mm)
+    levels = (block.crest_z_mm, block.floor_z_mm, block.base_z_mm)
+    x = block.edges_x_mm
+    # The base's back edge is below and behind: never seen.
+    along_x = [(y, z) for z in levels for y in depths][:5]
+    along_y = [(levels[0], at) for at in x] + [(levels[1], at) for at in x[1:-1]]
+    along_y += [(levels[2], x[0]), (levels[2], x[-1])]
+    along_z = [(at, y) for at in x for y in depths]
+    return np.array(along_x), np.array(along_y), np.array(along_z)
+
+
 def _vote(
-    seen_mm: Floats,
-    weight: Floats,
-    families: list[NDArray[np.bool_]],
+    bearings: list[tuple[Floats, Floats]],
     block: Crenellated,
     axis: Floats,
     focal: float,
+    best: float,
 ) -> list[tuple[Floats, float]]:
-    """Camera centres (3,) in the object frame and the length of the segments that agree."""
-    along_x_axis, along_y_axis, along_z_axis = families
-    depths = (block.front_y_mm, block.back_y_mm)
-    levels = (block.crest_z_mm, block.floor_z_mm, block.base_z_mm)
-    # The base's back edge is below and behind: never seen.
-    ends = np.array([(y, z) for z in levels for y in depths][:5])
-    x = np.array(block.edges_x_mm)
-    across = np.array(
-        [(at, levels[0]) for at in x]
-        + [(at, levels[1]) for at in x[1:-1]]
-        + [(at, levels[2]) for at in (x[0], x[-1])]
-    )
-    upright = np.array([(at, y) for at in x for y in depths])
+    """Camera centres (3,) in the object frame and the length of the segments that agree.
+
+    ``bearings``: of each direction, in the plane across it, with their weights; ``axis``:
+    the camera's, in the object frame; ``best``: as in ``placings``.
+    """
+    if sum(float(weight.sum()) for _, weight in bearings) < WORTH * best:
+        return []
     near_rad = _NEAR / focal
-    bearings, bearing_weight = _merged(seen_mm[along_x_axis][:, 1:], weight[along_x_axis], near_rad)
+    points = _end_on(block)
     middle, size = _extent(block)
-    view = np.array([*middle[1:], *axis[1:], _ASIDE / focal, size * focal / _LARGEST])
-    near = np.array([block.front_y_mm, block.crest_z_mm])
-    places, votes = across_x(bearings, bearing_weight, ends, near_rad, near, view)
-    sides = _merged(seen_mm[along_y_axis][:, [0, 2]], weight[along_y_axis], near_rad)
-    walls = _merged(seen_mm[along_z_axis][:, :2], weight[along_z_axis], near_rad)
-    centres, scores = along_x(places, votes, *sides, across, *walls, upright, near_rad)
-    best = np.argsort(-scores)[:12]
-    return [(centres[k], float(scores[k])) for k in best if scores[k] > 0]
+    low = np.array([-np.inf, -np.inf, block.crest_z_mm])
+    high = np.array([np.inf, block.front_y_mm, np.inf])
+    reach = [_ASIDE / focal, size * focal / _FURTHER, size * focal / _NEARER]
+    found: list[tuple[Floats, float]] = []
+    for k in range(3):
+        plane = _across(k)
+        p, q = plane
+        view = np.array([*middle[plane], *axis[plane], *low[plane], *high[plane], *reach])
+        others = float(bearings[p][1].sum() + bearings[q][1].sum())
+        places, votes = crossings(*bearings[k], points[k], near_rad, view, WORTH * best - others)
+        # Seen along p, the plane's other axis comes before the third.
+        turned, weight = np.ascontiguousarray(bearings[p][0][:, ::-1]), bearings[p][1]
+        one = (turned, weight, np.ascontiguousarray(points[p][:, ::-1]))
+        centres, scores = completed(places, votes, *one, *bearings[q], points[q], near_rad, best)
+        order = np.argsort([k, p, q])
+        found += [(centres[row][order], float(scores[row])) for row in np.flatnonzero(scores)]
+        best = max(best, float(scores.max()))
+    found.sort(key=lambda one: -one[1])
+    return found[:_READINGS]
 
 
 @kernel

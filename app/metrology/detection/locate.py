@@ -97,7 +97,10 @@ def locate(
     """The block's likeliest placings in a small picture (H, W)."""
     seen = segments(cleaned(picture, cleaning), ignore)
     frames = perpendicular_directions(seen)
-    guesses = [guess for frame in frames for guess in placings(frame, seen, block)]
+    guesses: list[Placing] = []
+    for axes in frames:
+        best = max((one.votes for one in guesses), default=0.0)
+        guesses += placings(axes, seen, block, best)
     explained = max((frame.explained for frame in frames), default=0.0)
     if not guesses:
         return Search((), explained, seen.lines)

@@ -5,28 +5,45 @@ import numpy as np
 from app.metrology.compiled import kernel
 from app.metrology.frames import Floats
 
-# Places in the plane across X that are followed up, and along X for each of them.
-_KEPT = 48
+# Places in the plane across a direction that are followed up, and along it for each of them.
+_KEPT = 24
 _ALONG = 4
+# So many bearings, the weightiest, say where the camera may stand; all vote.
+_DRAWN = 6
+# Placings with less than this share of the best one's votes are of no interest.
+WORTH = 0.7
 
 
 @kernel
 def agreeing(
-    normals: Floats, weight: Floats, points: Floats, c0: float, c1: float, near_rad: float
+    normals: Floats,
+    weight: Floats,
+    points: Floats,
+    c0: float,
+    c1: float,
+    near_rad: float,
+    needed: float = 0.0,
 ) -> float:
-    """Weight of the bearings that pass a point, seen from (c0, c1).
+    """Weight of the bearings that pass a point, seen from (c0, c1); 0 where it falls short.
 
     ``normals``: (B, 2) perpendicular to the bearings; ``points``: (P, 2); a bearing counts
     in full when it passes through a point, and not at all ``near_rad`` beside it.
+    ``needed``: what it must come to, to be of interest.
     """
-    total = 0.0
+    total, left = 0.0, weight.sum()
     for s in range(len(normals)):
+        if total + left < needed:
+            return 0.0
         best = near_rad
+        n0, n1 = normals[s, 0], normals[s, 1]
+        at = n0 * c0 + n1 * c1
         for p in range(len(points)):
+            off = abs(n0 * points[p, 0] + n1 * points[p, 1] - at)
             d0, d1 = points[p, 0] - c0, points[p, 1] - c1
-            off = abs(normals[s, 0] * d0 + normals[s, 1] * d1)
-            best = min(best, off / np.sqrt(d0 * d0 + d1 * d1 + 1e-12))
+            if off * off < best * best * (d0 * d0 + d1 * d1):
+                best = off / np.sqrt(d0 * d0 + d1 * d1)
         total += weight[s] * (1.0 - (best / near_rad) ** 2)
+        left -= weight[s]
     return total
 
 
@@ -47,53 +64,66 @@ def _keep(places: Floats, scores: Floats, c0: float, c1: float, score: float) ->
 
 
 @kernel
-def _in_view(c0: float, c1: float, near: Floats, view: Floats) -> bool:
-    """Whether a camera at (c0, c1) in y and z stands before ``near`` (2,) and sees the block.
+def _in_view(c0: float, c1: float, view: Floats) -> bool:
+    """Whether a camera at (c0, c1) in two coordinates sees the block from its front and above.
 
-    ``view``: the block's middle and the camera's axis in y and z, the tangent of half its
-    field of view, and the least distance along the axis.
+    ``view``, in those coordinates: the block's middle, the camera's axis, the least and the
+    greatest values that a camera before and above it has; then the tangent of half the
+    field of view, the least and the greatest distance along the axis.
     """
-    if c0 >= near[0] or c1 <= near[1]:
+    if c0 <= view[4] or c1 <= view[5] or c0 >= view[6] or c1 >= view[7]:
         return False
     d0, d1 = view[0] - c0, view[1] - c1
     along = d0 * view[2] + d1 * view[3]
     aside = abs(d0 * view[3] - d1 * view[2])
-    size = np.sqrt(view[2] ** 2 + view[3] ** 2)
-    return bool(along > view[5] * size * size and aside < view[4] * along / size)
+    squared = view[2] ** 2 + view[3] ** 2
+    if along <= view[9] * squared or along >= view[10] * squared:
+        return False
+    return bool(aside < view[8] * along / np.sqrt(squared))
 
 
 @kernel
-def across_x(
-    bearings: Floats, weight: Floats, ends: Floats, near_rad: float, near: Floats, view: Floats
+def crossings(
+    bearings: Floats,
+    weight: Floats,
+    points: Floats,
+    near_rad: float,
+    view: Floats,
+    needed: float,
 ) -> tuple[Floats, Floats]:
-    """Places (K, 2) in y and z from which bearings (B, 2) pass the block's edges, and their votes.
+    """Places (K, 2) in a plane from which bearings (B, 2) pass edges, seen end on, and their votes.
 
-    Every two bearings to every two ``ends`` (P, 2) cross in a place; all others vote.
-    Places that do not see the block (``_in_view``) are passed over.
+    Every two of the weightiest bearings to every two ``points`` (P, 2) cross in a place; all
+    others vote. Places that do not see the block (``_in_view``) are passed over, and those
+    with fewer votes than ``needed``.
     """
     places, scores = np.zeros((_KEPT, 2)), np.zeros(_KEPT)
-    for a in range(len(bearings)):
-        for b in range(a + 1, len(bearings)):
+    first = min(len(bearings), _DRAWN)
+    for a in range(first):
+        for b in range(a + 1, first):
             na, nb = bearings[a], bearings[b]
             det = na[0] * nb[1] - na[1] * nb[0]
             if abs(det) < near_rad:
                 continue
-            for p in range(len(ends)):
-                ha = na[0] * ends[p, 0] + na[1] * ends[p, 1]
-                for q in range(len(ends)):
+            for p in range(len(points)):
+                ha = na[0] * points[p, 0] + na[1] * points[p, 1]
+                for q in range(len(points)):
                     if p == q:
                         continue
-                    hb = nb[0] * ends[q, 0] + nb[1] * ends[q, 1]
-                    cy, cz = (ha * nb[1] - hb * na[1]) / det, (na[0] * hb - nb[0] * ha) / det
-                    if not _in_view(cy, cz, near, view):
+                    hb = nb[0] * points[q, 0] + nb[1] * points[q, 1]
+                    c0, c1 = (ha * nb[1] - hb * na[1]) / det, (na[0] * hb - nb[0] * ha) / det
+                    if not _in_view(c0, c1, view):
                         continue
-                    score = agreeing(bearings, weight, ends, cy, cz, near_rad)
-                    _keep(places, scores, cy, cz, score)
+                    score = agreeing(bearings, weight, points, c0, c1, near_rad, needed)
+                    if score == 0.0:
+                        continue
+                    _keep(places, scores, c0, c1, score)
+                    needed = max(needed, scores.min())
     return places, scores
 
 
 @kernel
-def _crossings(normals: Floats, points: Floats, at: float, spots: Floats, filled: int) -> int:
+def _spots(normals: Floats, points: Floats, at: float, spots: Floats, filled: int) -> int:
     """Adds to ``spots`` where each bearing to each point crosses the line second = ``at``."""
     for s in range(len(normals)):
         if abs(normals[s, 0]) > 1e-3:
@@ -121,40 +151,49 @@ def _densest(order: Floats, width: float, taken: Floats) -> tuple[int, float]:
 
 
 @kernel
-def along_x(
+def completed(
     places: Floats,
     votes: Floats,
-    sides: Floats,
-    side_weight: Floats,
-    across: Floats,
-    walls: Floats,
-    wall_weight: Floats,
-    upright: Floats,
+    one: Floats,
+    one_weight: Floats,
+    one_points: Floats,
+    other: Floats,
+    other_weight: Floats,
+    other_points: Floats,
     near_rad: float,
+    best: float,
 ) -> tuple[Floats, Floats]:
-    """Centres (K, 3) and their votes (K,): each place in y and z with its best places in x.
+    """Centres (K, 3) and their votes (K,): each place with its best third coordinates.
+
+    A centre is third, first, second coordinate.
 
     Args:
-        places, votes: from ``across_x``.
-        sides: (S, 2) bearings, in x and z, of edges along Y; across: (P, 2) those edges.
-        walls: (W, 2) bearings, in x and y, of edges along Z; upright: (Q, 2) those edges.
+        places, votes: from ``crossings``.
+        one: (S, 2) bearings, in the third and the second coordinate, of edges along the
+            first; one_points: (P, 2) those edges.
+        other: (W, 2) bearings, in the third and the first coordinate, of edges along the
+            second; other_points: (Q, 2) those edges.
+        best: the votes of the best placing so far.
     """
     centres, scores = np.zeros((_ALONG * len(places), 3)), np.zeros(_ALONG * len(places))
-    spots = np.empty(len(sides) * len(across) + len(walls) * len(upright))
-    for k in range(len(places)):
-        if votes[k] <= 0:
-            continue
-        cy, cz = places[k, 0], places[k, 1]
-        filled = _crossings(sides, across, cz, spots, 0)
-        filled = _crossings(walls, upright, cy, spots, filled)
+    spots = np.empty(len(one) * len(one_points) + len(other) * len(other_points))
+    most = one_weight.sum() + other_weight.sum()
+    for k in np.argsort(-votes):
+        if votes[k] <= 0 or votes[k] + most < WORTH * best:
+            break
+        c0, c1 = places[k, 0], places[k, 1]
+        filled = _spots(one, one_points, c1, spots, 0)
+        filled = _spots(other, other_points, c0, spots, filled)
         order = np.sort(spots[:filled])
-        width = 2 * near_rad * np.sqrt(cy * cy + cz * cz)
+        width = 2 * near_rad * np.sqrt(c0 * c0 + c1 * c1)
         for m in range(_ALONG):
             row = _ALONG * k + m
-            count, cx = _densest(order, width, centres[_ALONG * k : row, 0])
+            count, c = _densest(order, width, centres[_ALONG * k : row, 0])
             if count == 0:
                 break
-            centres[row, 0], centres[row, 1], centres[row, 2] = cx, cy, cz
-            scores[row] = votes[k] + agreeing(sides, side_weight, across, cx, cz, near_rad)
-            scores[row] += agreeing(walls, wall_weight, upright, cx, cy, near_rad)
+            centres[row, 0], centres[row, 1], centres[row, 2] = c, c0, c1
+            score = votes[k] + agreeing(one, one_weight, one_points, c, c1, near_rad)
+            score += agreeing(other, other_weight, other_points, c, c0, near_rad)
+            scores[row] = score
+            best = max(best, score)
     return centres, scores
