@@ -14,14 +14,15 @@ from app.metrology.detection.refusals import WHOLE
 from app.metrology.detection.visibility import seen
 from app.metrology.frames import Floats
 
-# A plane of the block that all edges together put this many standard deviations elsewhere.
-_SHIFTED = 6.0
+# A plane of the block that all edges together put this many standard deviations elsewhere,
+# and so many blurs, or pixels: less is an edge's finish, and how the light falls on it.
+_SHIFTED, _SHIFTED_BLURS = 6.0, 0.5
 # Pixels of today's sensors are square; by how much a fitted camera may differ.
 _SQUARE = 0.005
 # More than any lens of a sensor is bent.
 _K1, _K2 = 1.2, 3.0
 # Of the drawn edges' length, how much must show: faces of equal brightness hide some.
-_LEAST_SHOWN = 0.35
+LEAST_SHOWN = 0.35
 # Of the points that show, how many must agree with the edge they were looked for on.
 _LEAST_AGREEING = 0.8
 # and of the edges of floors and base.
@@ -55,7 +56,11 @@ def judged(grey: Floats, found: Survey, certificate_mm: float) -> tuple[Survey, 
 
 def _shifted(found: Survey, certificate_mm: float) -> Objection | None:
     """A plane of the block that lies elsewhere, as all edges together say."""
-    shift = max(shifts(found, certificate_mm), key=lambda one: one.ratio, default=None)
+    depth = found.at.points_mm[found.used] @ found.camera.rotation[2]
+    px_per_mm = found.camera.matrix[0, 0] / float(np.median(depth) + found.camera.translation_mm[2])
+    least_mm = _SHIFTED_BLURS * max(1.0, found.blur_px) / px_per_mm
+    told = [one for one in shifts(found, certificate_mm) if abs(one.by_mm) > least_mm]
+    shift = max(told, key=lambda one: one.ratio, default=None)
     if shift is None or shift.ratio < _SHIFTED:
         return None
     return elsewhere(found.frame.names[shift.edges[0]], abs(shift.by_mm), shift.edges)
@@ -66,7 +71,7 @@ def _unclear(found: Survey) -> Objection | None:
     at = found.at
     shown = float(at.length_px[found.shows].sum()) / max(float(at.length_px.sum()), 1e-9)
     missing = tuple(int(edge) for edge in set(at.edge) - set(at.edge[found.used]))
-    if shown < _LEAST_SHOWN:
+    if shown < LEAST_SHOWN:
         text = f"only {100 * shown:.0f} % of its visible edges show in the picture"
         return Objection(text, edges=missing)
     agreeing = float(found.used.sum()) / max(int(found.shows.sum()), 1)

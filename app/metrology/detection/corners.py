@@ -58,6 +58,10 @@ _ATTEMPTS: tuple[tuple[int, Cleaning], ...] = (
 # A placing this much less supported than the best is no rival.
 _RIVAL = 0.85
 _RIVALS = 4
+# Tool marks leave even the right placing little support; with less it is not worth measuring.
+_LEAST_SUPPORT = 0.15
+# Placings that draw the crests alike to so much of the picture's longer side are the same.
+_SAME, _VERY_SAME = 0.01, 0.0005
 # A reading the other way round with this share of the best's support leaves it in doubt.
 _DOUBTFUL = 0.95
 _SURE = 0.8
@@ -116,13 +120,14 @@ def detect_object(
     findings = picture_findings(ambient)
     lit = None if stripe is None or len(stripe.u) == 0 else stripe_mask(grey, stripe)
     tries: list[_Tried] = []
+    declined: list[tuple[Camera, bool]] = []
     try:
         refusals.refuse_unusable(findings, clipped)
         hidden = clipped if lit is None else clipped | lit
         for longer_px, cleaning in _ATTEMPTS:
             small, ignore, scale = working_picture(grey, lit, longer_px)
             found = locate(small, ignore, block, cleaning)
-            tried = _tried(grey, hidden, found, scale, block)
+            tried = _tried(grey, hidden, found, scale, block, declined)
             tries.append(tried)
             if tried.good and not _doubtful(tried) and tried is max(tries, key=_borne_out):
                 _refuse_gainsaid(tried, tries[:-1], block)
@@ -174,20 +179,31 @@ class _Tried:
         return _explained(self.measured) if self.measured is not None else 0.0
 
 
+def _share_shown(tried: _Tried) -> float:
+    """Share of the drawn edges' length that the picture shows, of the placing it shows most."""
+    if tried.measured is None:
+        return 0.0
+    return tried.shown_px / max(float(tried.measured.at.length_px.sum()), 1e-9)
+
+
 def _sure(tried: _Tried) -> bool:
     """Whether the nearest placing is an object very like the block; no other try tells more."""
     if tried.nearest is None or tried.against is None or not tried.against.edges:
         return False
-    drawn_px = float(tried.nearest.at.length_px.sum())
     well_drawn = tried.found.found[0].support > _SURE
-    return tried.against.definite and well_drawn and tried.shown_px > _MOST * drawn_px
+    return tried.against.definite and well_drawn and _share_shown(tried) > _MOST
 
 
 def _tried(
-    grey: Floats, hidden: NDArray[np.bool_], found: Search, scale: float, block: Crenellated
+    grey: Floats,
+    hidden: NDArray[np.bool_],
+    found: Search,
+    scale: float,
+    block: Crenellated,
+    declined: list[tuple[Camera, bool]],
 ) -> _Tried:
-    """Measures the likeliest placings."""
-    if not found.found or found.found[0].support < acceptance.LEAST_SUPPORT:
+    """Measures the likeliest placings but those ``declined`` before, to which it adds."""
+    if not found.found or found.found[0].support < _LEAST_SUPPORT:
         return _Tried(found, [])
     best = found.found[0].support
     blur_px = edge_blur_px(grey)
@@ -197,12 +213,15 @@ def _tried(
     rejected: list[tuple[Survey, Objection]] = []
     for rival in found.found[:_RIVALS]:
         start = _enlarged(rival.camera, scale, grey.shape)
-        if rival.support < _RIVAL * best or _known(start, rival.mirrored, good, block):
+        known = [(measured.camera, one.mirrored) for one, measured in good]
+        if rival.support < _RIVAL * best or _among(start, rival.mirrored, known, block, _SAME):
             continue
         form = wireframe(mirrored(block) if rival.mirrored else block)
         camera = pulled(smooth, form, start, coarse_px)
         # Several starts may lead to one placing; it is measured once.
-        if camera is None or _known(camera, rival.mirrored, good, block):
+        if camera is None or _among(camera, rival.mirrored, known, block, _SAME):
+            continue
+        if _among(camera, rival.mirrored, declined, block, _VERY_SAME):
             continue
         measured = survey(masked, form, camera, blur_px, made_mm)
         if measured is None:
@@ -210,12 +229,16 @@ def _tried(
         measured, against = acceptance.judged(masked, measured, made_mm)
         if against is not None:
             rejected.append((measured, against))
-        elif not _known(measured.camera, rival.mirrored, good, block):
+            declined.append((camera, rival.mirrored))
+        elif not _among(measured.camera, rival.mirrored, known, block, _SAME):
             good.append((rival, measured))
     good.sort(key=lambda one: -_explained(one[1]))
     if good:
         enough = _MORE * _explained(good[0][1])
         return _Tried(found, [one for one in good if _explained(one[1]) >= enough])
+    # What hardly looks like the block says nothing against it either.
+    if best < acceptance.LEAST_SUPPORT:
+        return _Tried(found, [])
     nearest = max(rejected, key=lambda one: _explained(one[0]), default=(None, None))
     return _Tried(found, [], *nearest)
 
@@ -263,7 +286,8 @@ def _why_not(
     """The refusal after the last attempt: another object, or one not seen well enough."""
     best = max(tries, key=lambda one: one.shown_px)
     seen_well = not findings and not noisy(grey)
-    if best.nearest is not None:
+    # A placing that hardly shows is none to say where the frame ends on.
+    if best.nearest is not None and _share_shown(best) > acceptance.LEAST_SHOWN:
         share = acceptance.in_frame(best.nearest)
         if acceptance.too_little_left(best.nearest, block, share):
             return refusals.too_much_cut_off(block, share)
@@ -282,16 +306,23 @@ def _explained(measured: Survey) -> float:
     return float(measured.at.length_px[measured.used].sum())
 
 
-def _known(
-    camera: Camera, reverse: bool, good: list[tuple[Located, Survey]], block: Crenellated
+def _among(
+    camera: Camera,
+    reverse: bool,
+    placings: list[tuple[Camera, bool]],
+    block: Crenellated,
+    share: float,
 ) -> bool:
-    """Whether a placing draws the crests where an accepted one does, to a hundredth."""
+    """Whether a placing draws the crests where another does, to a share of the longer side.
+
+    A placing is a camera, and whether it shows the block mirrored.
+    """
     points = np.array([at for name, at in corners_of(block).items() if name.startswith("crest")])
-    for other, measured in good:
-        if other.mirrored != reverse:
+    for other, other_reverse in placings:
+        if other_reverse != reverse:
             continue
-        apart = project(camera, points) - project(measured.camera, points)
-        if np.hypot(*apart.T).max() < 0.01 * max(camera.width_px, camera.height_px):
+        apart = project(camera, points) - project(other, points)
+        if np.hypot(*apart.T).max() < share * max(camera.width_px, camera.height_px):
             return True
     return False
 

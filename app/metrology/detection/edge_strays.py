@@ -30,16 +30,20 @@ _STANDS_OUT, _FREE, _HERE = 0.15, 0.4, 0.25
 _APART_PX = 6.0
 # Share of one edge, or of each of two, that shows there.
 _MOST_OF_IT, _PART_OF_IT = 0.6, 0.3
+# Points of an edge that say it is there.
+_A_FEW = 4
 # Length, px, that the edges of a size must have in the picture to say anything.
 _LENGTH_PX = 25.0
 # How far a line may run beside an edge, in px, and be the edge's.
 _STRAIGHT_PX = 1.5
 # Gaussian: a step of height a blurred by s is a / (s sqrt(2 pi)) steep.
 _ROOT_TWO_PI = 2.5066
-# How far beyond the block's ends its lines are followed, over its length, and how many
-# stations in a row, every two pixels, must see one go on.
+# How far beyond the block's ends its lines are followed, over its length; how many stations
+# in a row, every two pixels, must see one go on, for which share of the way: for most of it
+# where tool marks run beside it, which are looked for so many px away.
 _BEYOND = 0.3
-_IN_A_ROW, _OF_THE_WAY = 8, 0.3
+_IN_A_ROW, _OF_THE_WAY, _MOST_OF_THE_WAY = 8, 0.3, 0.6
+_BESIDE_PX = (*range(-24, -5, 3), *range(6, 25, 3))
 
 
 def missized(grey: Floats, found: Survey) -> Objection | None:
@@ -56,7 +60,7 @@ def missized(grey: Floats, found: Survey) -> Objection | None:
     lines = _lines_about(grey, found)
     for axis, _, edges in planes(found.frame):
         rows = np.flatnonzero(np.isin(lines.at.edge, edges))
-        off_mm = _elsewhere(found, lines, rows, axis)
+        off_mm = _elsewhere(found, lines, rows, axis, _in_place(found, edges, axis))
         if off_mm is not None:
             return elsewhere(found.frame.names[lines.at.edge[rows[0]]], abs(off_mm), edges)
     return None
@@ -112,10 +116,31 @@ def _averaged(slope: Floats) -> Floats:
     return np.asarray(total / np.maximum(share, 1e-3), dtype=np.float64)
 
 
-def _elsewhere(found: Survey, lines: _Lines, rows: NDArray[np.int64], axis: int) -> float | None:
+def _in_place(found: Survey, edges: tuple[int, ...], axis: int) -> int:
+    """How many of a plane's edges are seen, all but whole, where the certificate puts them.
+
+    Only those count that a shift of the plane would move in the picture.
+    """
+    at = found.at
+    count = 0
+    for edge in edges:
+        rows = np.flatnonzero(at.edge == edge)
+        ahead = project(found.camera, at.points_mm[rows] + 0.1 * np.eye(3)[axis]) - at.uv_px[rows]
+        px_per_mm = 10.0 * np.abs((ahead * at.normal[rows]).sum(axis=1))
+        there = found.used[rows] & (np.abs(found.off_px[rows]) < _NEAREST_PX)
+        there &= px_per_mm * _FURTHEST_MM > 2 * _NEAREST_PX
+        count += int(there.sum()) >= max(_A_FEW, _MOST_OF_IT * len(rows))
+    return count
+
+
+def _elsewhere(
+    found: Survey, lines: _Lines, rows: NDArray[np.int64], axis: int, in_place: int
+) -> float | None:
     """By how many mm along an axis the edges at some stations lie elsewhere; None if they do not.
 
     Every shift of their plane moves each station's edge along its normal by a known amount.
+    ``in_place``: how many of the edges are seen where they should be; as many must lie
+    elsewhere, and one more.
     """
     at = lines.at
     along = np.eye(3)[axis]
@@ -144,7 +169,10 @@ def _elsewhere(found: Survey, lines: _Lines, rows: NDArray[np.int64], axis: int)
     shows = [_share(seen[best], length, edge == one) for one in np.unique(edge)]
     like_edges = max(shows) > _MOST_OF_IT or sum(one > _PART_OF_IT for one in shows) > 1
     stands_out = like_edges and share[best] - here - second > _STANDS_OUT
-    several = sum(one > _MOST_OF_IT for one in shows) > 1
+    most = sum(one > _MOST_OF_IT for one in shows)
+    if most <= in_place and in_place > 0:
+        return None
+    several = most > 1
     told = (stands_out and here < _HERE * share[best]) or (several and here < share[best] / 2)
     return float(steps[best]) if told else None
 
@@ -194,15 +222,33 @@ def overrun(grey: Floats, found: Survey) -> Objection | None:
 
 def _runs_on(grey: Floats, found: Survey, beyond: Stations, step: float) -> bool:
     """Whether a step like an edge's own is seen at enough stations (every 2 px) in a row."""
-    # In texture a short run means nothing: it must go on for most of the way.
-    row = max(_IN_A_ROW, int(_OF_THE_WAY * len(beyond.edge)))
-    if len(beyond.edge) < row:
-        return False
     seen = measure(grey, beyond, found.blur_px)
     like = np.abs(seen.offset_px) < _STRAIGHT_PX / 2
     like &= np.abs(seen.step - step) < np.minimum(0.4 * abs(step), abs(step) - 6 * seen.step_sigma)
+    if not _in_a_row(like, _OF_THE_WAY):
+        return False
+    return _in_a_row(like, _MOST_OF_THE_WAY) or not _marked(grey, found, beyond, step)
+
+
+def _in_a_row(like: NDArray[np.bool_], share: float) -> bool:
+    """Whether so many neighbouring stations, for this share of the way, are alike."""
+    row = max(_IN_A_ROW, int(share * len(like)))
+    if len(like) < row:
+        return False
     streak = np.convolve(like.astype(np.int64), np.ones(row, dtype=np.int64), "valid")
     return bool(streak.max() == row)
+
+
+def _marked(grey: Floats, found: Survey, beyond: Stations, step: float) -> bool:
+    """Whether lines as strong as the one at some stations run beside it as well: tool marks."""
+    for away in _BESIDE_PX:
+        beside = replace(beyond, uv_px=beyond.uv_px + away * beyond.normal)
+        seen = measure(grey, beside, found.blur_px)
+        there = np.abs(seen.offset_px) < _STRAIGHT_PX / 2
+        there &= np.abs(seen.step) > np.maximum(0.6 * abs(step), 6 * seen.step_sigma)
+        if _in_a_row(there, _OF_THE_WAY):
+            return True
+    return False
 
 
 def _beyond(found: Survey, corner: Floats, reach_mm: float, row: int) -> Stations:
