@@ -39,6 +39,7 @@ def parts_of(twin: Twin, data: Path, hosts: tuple[str, ...] = ()) -> Parts:
         sensor=twin.sensor,
         hosts=hosts,
         hand=twin.hand,
+        guest="Demo",
     )
 
 

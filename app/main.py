@@ -4,6 +4,7 @@ import asyncio
 import gc
 import logging
 import socket
+import ssl
 import sys
 import tempfile
 import webbrowser
@@ -12,9 +13,23 @@ from contextlib import AbstractAsyncContextManager, asynccontextmanager
 from pathlib import Path
 
 import uvicorn
-from fastapi import FastAPI
+from fastapi import Depends, FastAPI
 
-from app.api import arm, client, flow, live, machine, problems, records, settings, view, viewer
+from app.api import (
+    arm,
+    client,
+    flow,
+    live,
+    machine,
+    people,
+    problems,
+    records,
+    session,
+    settings,
+    view,
+    viewer,
+)
+from app.api.access import authorise
 from app.api.context import Context
 from app.api.guard import Guard
 from app.api.ticker import tick
@@ -22,12 +37,13 @@ from app.api.wiring import Parts, close_context, open_context
 from app.files.software import SOFTWARE
 from app.metrology.refusal import Refusal
 from app.replay import Replay
-from app.settings import read_settings, user_data_folder
+from app.settings import Serving, read_settings, user_data_folder
 from app.station.warm_up import warm_up
 from hardware.errors import DeviceError
 from hardware.registry import arm_driver, sensor_driver
 
 PORTS_TRIED = 20
+LOCAL = Serving()
 SHUTDOWN_S = 3
 LARGEST_MESSAGE = 1 << 16
 """Of a browser's messages; all are small."""
@@ -46,11 +62,24 @@ def build_app(parts: Parts) -> FastAPI:
         lifespan=_lifespan(context),
         docs_url=None,
         redoc_url=None,
-        openapi_url="/api/openapi.json",
+        openapi_url=None,
+        dependencies=[Depends(authorise)],
     )
     app.state.context = context
     problems.install(app)
-    for room in (flow, arm, machine, settings, records, view, live, viewer, client):
+    for room in (
+        session,
+        people,
+        flow,
+        arm,
+        machine,
+        settings,
+        records,
+        view,
+        live,
+        viewer,
+        client,
+    ):
         app.include_router(room.router)
     app.add_middleware(Guard, hosts=parts.hosts)
     return app
@@ -102,7 +131,7 @@ def serve(config: Path | None, data: Path | None, host: str, port: int, open_bro
         limits=settings.limits,
     )
     print("Starting the station; the first start takes a minute.", flush=True)
-    _run(parts, listening, host, open_browser)
+    _run(parts, listening, host, open_browser, serving=settings.serving)
 
 
 def demo(data: Path | None, host: str, port: int, open_browser: bool) -> None:
@@ -127,7 +156,7 @@ def replay(show: Replay, title: str, host: str, port: int, open_browser: bool) -
     """
     listening = _listen(host, port, PORTS_TRIED)
     with tempfile.TemporaryDirectory(prefix="crenel-replay-") as data:
-        parts = Parts(title, Path(data), show.arm, show.sensor, hosts=(host,))
+        parts = Parts(title, Path(data), show.arm, show.sensor, hosts=(host,), guest="Replay")
         _run(parts, listening, host, open_browser, show)
 
 
@@ -155,32 +184,50 @@ def _listen(host: str, port: int, tries: int) -> socket.socket:
     )
 
 
-def make_server(app: FastAPI) -> "StationServer":
-    """The server of an application, not yet running."""
-    return StationServer(
-        uvicorn.Config(
-            app,
-            log_level="warning",
-            access_log=False,
-            ws="websockets-sansio",
-            ws_per_message_deflate=False,
-            ws_max_size=LARGEST_MESSAGE,
-            timeout_graceful_shutdown=SHUTDOWN_S,
-            server_header=False,
-        )
+def make_server(app: FastAPI, serving: Serving = LOCAL) -> "StationServer":
+    """The server of an application, not yet running.
+
+    Raises:
+        Refusal: certificate and key are not a pair in PEM format.
+    """
+    config = uvicorn.Config(
+        app,
+        ssl_certfile=serving.tls_certificate,
+        ssl_keyfile=serving.tls_key,
+        forwarded_allow_ips=list(serving.proxies),
+        log_level="warning",
+        access_log=False,
+        ws="websockets-sansio",
+        ws_per_message_deflate=False,
+        ws_max_size=LARGEST_MESSAGE,
+        timeout_graceful_shutdown=SHUTDOWN_S,
+        server_header=False,
     )
+    try:
+        config.load()
+    except ssl.SSLError as error:
+        raise Refusal(
+            "tls",
+            f"{serving.tls_certificate} and {serving.tls_key} cannot be used",
+            f"they are no certificate with its key in PEM format ({error.reason})",
+            "Give the certificate, with those that vouch for it, and its own key",
+        ) from error
+    return StationServer(config)
 
 
 class StationServer(uvicorn.Server):
     """Says where the station is once it can be reached."""
 
     address = ""
+    first_words = ""
     open_browser = False
 
     async def startup(self, sockets: list[socket.socket] | None = None) -> None:
         await super().startup(sockets)
         if self.started and self.address:
             print(f"Crenel is at {self.address} (end with Ctrl-C)", flush=True)
+            if self.first_words:
+                print(self.first_words, flush=True)
             if self.open_browser:
                 await asyncio.to_thread(webbrowser.open, self.address)
 
@@ -191,6 +238,7 @@ def _run(
     host: str,
     open_browser: bool,
     show: Replay | None = None,
+    serving: Serving = LOCAL,
 ) -> None:
     """Serves until SIGINT or SIGTERM.
 
@@ -198,12 +246,20 @@ def _run(
         Refusal: the data folder cannot be used, or is in use by another server.
     """
     app = build_app(parts)
+    server = make_server(app, serving)
     warm_up()
     shown = "127.0.0.1" if host in ("0.0.0.0", "::") else host
     bracketed = f"[{shown}]" if ":" in shown else shown
     logging.basicConfig(level=logging.WARNING, format="%(asctime)s %(name)s: %(message)s")
-    server = make_server(app)
-    server.address = f"http://{bracketed}:{listening.getsockname()[1]}/"
+    scheme = "https" if serving.tls_certificate else "http"
+    server.address = f"{scheme}://{bracketed}:{listening.getsockname()[1]}/"
+    entrance = app.state.context.entrance
+    if entrance.by_code:
+        server.address += f"#code={entrance.code}"
+    elif entrance.first_start:
+        server.first_words = (
+            f"Nobody can sign in yet. The code {entrance.code} makes the first administrator there."
+        )
     server.open_browser = open_browser
     if show is not None:
         show.start(app.state.context.scene, app.state.context.bus)

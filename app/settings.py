@@ -4,6 +4,9 @@
 name = "Measuring room 2"
 data = "data"                 # beside this file; --data goes before it
 hosts = ["station.local"]     # further names browsers may use; localhost always may
+tls_certificate = "cert.pem"  # with the key: the station is served over HTTPS
+tls_key = "key.pem"
+proxies = ["10.0.0.5"]        # whose word is taken for where a browser is, and for HTTPS
 
 [arm]
 driver = "serial-encoder"     # every other key is the driver's own
@@ -44,6 +47,15 @@ class DeviceSettings:
 
 
 @dataclass(frozen=True)
+class Serving:
+    """How browsers reach the station."""
+
+    tls_certificate: Path | None = None
+    tls_key: Path | None = None
+    proxies: tuple[str, ...] = ("127.0.0.1", "::1")
+
+
+@dataclass(frozen=True)
 class Settings:
     """One station."""
 
@@ -53,6 +65,7 @@ class Settings:
     arm: DeviceSettings
     sensor: DeviceSettings
     limits: Limits
+    serving: Serving
 
 
 class _StationTable(BaseModel):
@@ -61,6 +74,9 @@ class _StationTable(BaseModel):
     name: Annotated[str, Field(min_length=1, max_length=60)] = "Crenel"
     data: Annotated[str, Field(min_length=1)] | None = None
     hosts: list[Annotated[str, Field(min_length=1)]] = []
+    tls_certificate: Annotated[str, Field(min_length=1)] | None = None
+    tls_key: Annotated[str, Field(min_length=1)] | None = None
+    proxies: list[Annotated[str, Field(min_length=1)]] = list(Serving.proxies)
 
 
 class _DeviceTable(BaseModel):
@@ -117,7 +133,33 @@ def read_settings(path: Path | None) -> Settings:
         arm=DeviceSettings(sheet.arm.driver, sheet.arm.model_extra or {}),
         sensor=DeviceSettings(sheet.sensor.driver, sheet.sensor.model_extra or {}),
         limits=_limits(path, sheet.limits),
+        serving=_serving(path, station),
     )
+
+
+def _serving(path: Path, station: _StationTable) -> Serving:
+    given = {"tls_certificate": station.tls_certificate, "tls_key": station.tls_key}
+    files = {
+        name: path.absolute().parent / Path(file).expanduser()
+        for name, file in given.items()
+        if file is not None
+    }
+    if len(files) == 1:
+        raise Refusal(
+            "settings-tls",
+            f"{path}, [station]: {next(iter(files))} is given alone",
+            "certificate and key belong together",
+            "Give both tls_certificate and tls_key, or neither",
+        )
+    for name, file in files.items():
+        if not file.is_file():
+            raise Refusal(
+                "settings-tls",
+                f"{path}, [station]: {name} = {str(file)!r}",
+                "there is no such file",
+                "Give the file in PEM format",
+            )
+    return Serving(files.get("tls_certificate"), files.get("tls_key"), tuple(station.proxies))
 
 
 def _limits(path: Path, table: _LimitsTable) -> Limits:

@@ -1,6 +1,6 @@
 """The arm's own flows: its daily check, and its identification."""
 
-from fastapi import APIRouter
+from fastapi import APIRouter, Request
 from pydantic_core import to_json
 from starlette.responses import Response
 
@@ -35,6 +35,7 @@ def start(asked: ArmStart, context: TheContext) -> Response:
 
 
 @router.post("/command", response_model=ArmView)
-def act(asked: FlowCommand, context: TheContext) -> Response:
+def act(asked: FlowCommand, request: Request, context: TheContext) -> Response:
     """One of the view's actions; once for each key, and only on the present view."""
+    request.state.detail = asked.name
     return _answer(command(context.arm_guide, asked.name, asked.args, asked.rev, asked.key))

@@ -2,11 +2,11 @@
 
 from pathlib import Path
 
-from fastapi import APIRouter, Request
+from fastapi import APIRouter, FastAPI, Request
 from starlette.exceptions import HTTPException
 from starlette.responses import FileResponse, HTMLResponse, Response
 
-router = APIRouter()
+router = APIRouter(include_in_schema=False)
 STATIC = Path(__file__).resolve().parents[1] / "static"
 FOREVER = "public, max-age=31536000, immutable"
 NOT_BUILT = """<!doctype html>
@@ -19,6 +19,13 @@ operator's client were not built into this copy of the program.</p>
 the source tree: <code>npm ci &amp;&amp; npm run build</code> in <code>frontend</code>.</p>
 </body></html>
 """
+
+
+@router.get("/api/openapi.json")
+def openapi(request: Request) -> dict[str, object]:
+    """What the interface takes and gives, for programs."""
+    app: FastAPI = request.app
+    return app.openapi()
 
 
 @router.api_route("/api/{path:path}", methods=["GET", "POST", "PUT", "PATCH", "DELETE"])

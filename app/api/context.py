@@ -6,12 +6,14 @@ from typing import Annotated, cast
 from fastapi import Depends
 from starlette.requests import HTTPConnection
 
+from app.api.entrance import Entrance
 from app.api.schema import ScanState, Station
 from app.guide.arm.guide import ArmGuide
 from app.guide.guide import Guide
 from app.guide.scan_hand import ScanHand
 from app.station.bus import Bus
 from app.station.jobs import Jobs
+from app.station.lease import Lease
 from app.station.operator_settings import OperatorSettings
 from app.station.preview import Preview
 from app.station.rig import Rig
@@ -39,6 +41,8 @@ class Context:
     scan_hand: ScanHand
     arm_guide: ArmGuide
     settings: OperatorSettings
+    lease: Lease
+    entrance: Entrance
 
     def scan_state(self, state: RoomScanState | None = None) -> ScanState:
         """The scan as the browser shows it."""

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from fastapi import APIRouter
+from fastapi import APIRouter, Request
 from pydantic_core import to_json
 from starlette.responses import FileResponse, Response
 
@@ -32,8 +32,9 @@ def start(context: TheContext) -> Response:
 
 
 @router.post("/command", response_model=FlowView)
-def act(asked: FlowCommand, context: TheContext) -> Response:
+def act(asked: FlowCommand, request: Request, context: TheContext) -> Response:
     """One of the view's actions; once for each key, and only on the present view."""
+    request.state.detail = asked.name
     return _answer(command(context.guide, asked.name, asked.args, asked.rev, asked.key))
 
 

@@ -1,8 +1,8 @@
-"""Who may talk to the server, and what its pages may load.
+"""Which pages may talk to the server, and what its own may load.
 
-There is no sign-in yet, so the server listens on loopback, answers only to the names
-it is known by (which defeats DNS rebinding), and takes changes and live connections
-only from its own pages (which defeats foreign pages open in the same browser).
+It answers only to the names it is known by (which defeats DNS rebinding), and takes
+changes and live connections only from its own pages (which defeats foreign pages open
+in the same browser). Who may do what is looked at behind this, in ``access``.
 """
 
 from collections.abc import Collection

@@ -13,11 +13,15 @@ from pydantic import TypeAdapter, ValidationError
 from pydantic_core import to_json
 from starlette.websockets import WebSocketDisconnect
 
+from app.api.access import signed_in, until_signed_out
 from app.api.context import Context, context_of
-from app.api.schema import LiveRequest, PreviewRequest
+from app.api.rights import MESSAGES, allowed
+from app.api.schema import Beat, LiveRequest, PreviewRequest
+from app.api.session import you
 from app.station.bus import Event, Subscription, Updates
 from app.station.preview import PreviewImage
 from app.station.scanner import ScanState
+from app.store.sign_ins import Visitor
 
 router = APIRouter()
 BEAT_S = 1.0
@@ -32,7 +36,7 @@ async def live(socket: WebSocket) -> None:
     context = context_of(socket)
     await socket.accept()
     with context.bus.subscribe(without={"preview"}) as subscription:
-        tab = _Tab(context, socket, subscription)
+        tab = _Tab(context, socket, subscription, signed_in(socket))
         try:
             await tab.run()
         finally:
@@ -42,13 +46,20 @@ async def live(socket: WebSocket) -> None:
 class _Tab:
     """One browser tab."""
 
-    def __init__(self, context: Context, socket: WebSocket, subscription: Subscription) -> None:
+    def __init__(
+        self, context: Context, socket: WebSocket, subscription: Subscription, visitor: Visitor
+    ) -> None:
         self._context, self._socket, self._subscription = context, socket, subscription
+        self._visitor = visitor
         self._previewing = False
 
     async def run(self) -> None:
         """Until the tab goes away; whichever direction ends first ends both."""
-        tasks = [asyncio.create_task(self._send()), asyncio.create_task(self._receive())]
+        tasks = [
+            asyncio.create_task(self._send()),
+            asyncio.create_task(self._receive()),
+            asyncio.create_task(until_signed_out(self._socket)),
+        ]
         try:
             done, _ = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
             for task in done:
@@ -63,7 +74,8 @@ class _Tab:
         self._set_preview(False)
 
     async def _send(self) -> None:
-        await self._text({"type": "hello", "station": self._context.station})
+        hello = {"station": self._context.station, "you": you(self._visitor)}
+        await self._text({"type": "hello", **hello})
         beat_at = time.monotonic() + BEAT_S
         while True:
             left_s = beat_at - time.monotonic()
@@ -106,7 +118,11 @@ class _Tab:
                 return
 
     def _obey(self, request: LiveRequest) -> None:
-        if isinstance(request, PreviewRequest):
+        if not allowed(MESSAGES[request.type], self._visitor.role, self._visitor.wall):
+            raise ValueError
+        if isinstance(request, Beat):
+            self._context.lease.beat(self._visitor.id)
+        elif isinstance(request, PreviewRequest):
             self._set_preview(request.on)
         elif self._previewing:
             self._subscription.want("preview", True)

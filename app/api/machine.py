@@ -47,13 +47,17 @@ def scan_hand(asked: Switch, context: TheContext) -> ScanState:
     return context.scan_state()
 
 
-@router.post("/laser")
-def laser(asked: Switch, context: TheContext) -> Devices:
-    """Switches the laser; off always works."""
-    if asked.on:
-        context.rig.sensor.set_laser(True)
-    else:
-        context.rig.sensor.laser_off()
+@router.post("/laser/on")
+def laser_on(context: TheContext) -> Devices:
+    """Switches the laser on."""
+    context.rig.sensor.set_laser(True)
+    return context.rig.devices()
+
+
+@router.post("/laser/off")
+def laser_off(context: TheContext) -> Devices:
+    """Switches the laser off, whoever has control."""
+    context.rig.sensor.laser_off()
     return context.rig.devices()
 
 

@@ -10,6 +10,7 @@ from starlette.exceptions import HTTPException
 from starlette.responses import Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from app.api.denied import Denied, TooManyTries
 from app.api.schema import Problem
 from app.guide.guide import StaleCommand
 from app.guide.view import FlowView
@@ -48,6 +49,8 @@ def install(app: FastAPI) -> None:
     app.add_exception_handler(Refusal, _refused)
     app.add_exception_handler(StaleCommand, _stale)
     app.add_exception_handler(NotFound, _missing)
+    app.add_exception_handler(Denied, _denied)
+    app.add_exception_handler(TooManyTries, _too_many)
     app.add_exception_handler(RequestValidationError, _invalid)
     app.add_exception_handler(HTTPException, _http)
     app.add_middleware(_Unexpected)
@@ -71,6 +74,24 @@ async def _stale(request: Request, error: Exception) -> Response:
 
 async def _missing(request: Request, error: Exception) -> Response:
     return problem(HTTPStatus.NOT_FOUND, "not-found", str(error))
+
+
+async def _denied(request: Request, error: Exception) -> Response:
+    assert isinstance(error, Denied)
+    return problem(error.status, error.code, error.detail, error.remedy)
+
+
+async def _too_many(request: Request, error: Exception) -> Response:
+    assert isinstance(error, TooManyTries)
+    wait_s = max(round(error.wait_s), 1)
+    answer = problem(
+        HTTPStatus.TOO_MANY_REQUESTS,
+        "too-many-tries",
+        "Too many wrong tries.",
+        f"Wait {wait_s} s, then try again",
+    )
+    answer.headers["Retry-After"] = str(wait_s)
+    return answer
 
 
 async def _invalid(request: Request, error: Exception) -> Response:

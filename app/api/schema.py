@@ -91,7 +91,13 @@ class PreviewAck(Request):
     seq: int
 
 
-LiveRequest = Annotated[PreviewRequest | PreviewAck, Field(discriminator="type")]
+class Beat(Request):
+    """Every few seconds, so that whoever has control keeps it."""
+
+    type: Literal["beat"]
+
+
+LiveRequest = Annotated[PreviewRequest | PreviewAck | Beat, Field(discriminator="type")]
 
 
 @dataclass(frozen=True)
@@ -160,3 +166,91 @@ class Home:
     calibration: CalibrationSummary | None
     findings: tuple[Finding, ...]
     next: NextStep
+
+
+Secret = Annotated[str, Field(max_length=256)]
+Name = Annotated[str, Field(max_length=80)]
+RoleName = Literal["viewer", "operator", "admin"]
+
+
+class SignIn(Request):
+    name: Name
+    password: Secret
+
+
+class Code(Request):
+    code: Secret
+
+
+class FirstAdmin(Request):
+    code: Secret
+    name: Name
+    password: Secret
+
+
+class NewPassword(Request):
+    old: Secret
+    new: Secret
+
+
+class NewAccount(Request):
+    name: Name
+    role: RoleName
+    password: Secret
+
+
+class AccountChange(Request):
+    """What is not given stays."""
+
+    role: RoleName | None = None
+    password: Secret | None = None
+
+
+class NewWall(Request):
+    name: Annotated[str, Field(min_length=1, max_length=60)]
+
+
+class Answer(Request):
+    give: bool
+
+
+class Reason(Request):
+    reason: Annotated[str, Field(max_length=200)] = ""
+
+
+@dataclass(frozen=True)
+class You:
+    """Who is signed in at this browser; ``id`` is the sign-in's, as in ``Control``."""
+
+    id: str
+    name: str
+    role: RoleName
+    wall: bool
+
+
+@dataclass(frozen=True)
+class Session:
+    """``first_start``: the console's code makes the administrator; ``by_code``: it lets in."""
+
+    station: str
+    you: You | None
+    first_start: bool
+    by_code: bool
+
+
+@dataclass(frozen=True)
+class AccountSummary:
+    name: str
+    role: RoleName
+    made_at: str
+
+
+@dataclass(frozen=True)
+class WallSummary:
+    """``token`` only where it was made just now."""
+
+    id: str
+    name: str
+    made_by: str
+    made_at: str
+    token: str | None = None

@@ -19,6 +19,7 @@ from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import ConnectionClosed, InvalidHandshake
 from websockets.typing import Subprotocol
 
+from app.api.access import until_signed_out
 from app.api.context import TheContext, context_of
 from app.api.problems import problem
 from app.station.picking import ViewCamera
@@ -122,6 +123,7 @@ async def socket(browser: WebSocket, key: str = "") -> None:
         tasks = [
             asyncio.create_task(_to_browser(viser, browser)),
             asyncio.create_task(_to_viser(browser, viser, page)),
+            asyncio.create_task(until_signed_out(browser)),
         ]
         try:
             await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)

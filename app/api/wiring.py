@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from app.api.context import Context
+from app.api.entrance import Entrance
 from app.api.machine import stop_everything
 from app.api.schema import Station
 from app.files.arm import read_arm
@@ -23,6 +24,7 @@ from app.metrology.findings import LIMITS, Limits
 from app.metrology.refusal import Refusal
 from app.station.bus import Bus
 from app.station.jobs import Jobs
+from app.station.lease import Lease
 from app.station.operator_settings import OperatorSettings
 from app.station.pipeline import ScanCalibration
 from app.station.preview import Preview
@@ -51,6 +53,8 @@ class Parts:
     """Of the simulated station."""
     limits: Limits = LIMITS
     """What the verdict on a calibration goes by."""
+    guest: str | None = None
+    """The account that a link on the console enters, of a demonstration or a replay."""
 
 
 def open_context(parts: Parts) -> Context:
@@ -106,6 +110,8 @@ def open_context(parts: Parts) -> Context:
         scan_hand,
         arm_guide,
         settings,
+        Lease(bus),
+        Entrance(store.accounts, store.sign_ins, parts.guest),
     )
 
 

@@ -18,6 +18,8 @@ from pathlib import Path
 import httpx
 import numpy as np
 
+from app.api.access import cookie_for
+from app.api.context import Context
 from app.bench.watching import watching
 from app.files.progress import Progress, no_progress
 from app.files.recording import StripeRecord, open_recording
@@ -67,6 +69,7 @@ class LiveBench:
 
 
 COLUMNS = ("measure", "value")
+GUEST = "Bench"
 
 
 def table(found: LiveBench) -> list[tuple[str, str]]:
@@ -100,7 +103,7 @@ def run(pace: Pace, seconds: float, progress: Progress = no_progress) -> LiveBen
     with (
         tempfile.TemporaryDirectory(prefix="crenel-bench-") as folder,
         _station(Path(folder), pace) as station,
-        httpx.Client(base_url=station.address, timeout=30.0) as http,
+        httpx.Client(base_url=station.address, headers=station.signed_in, timeout=30.0) as http,
     ):
         return _scan(station, http, Path(folder), pace, seconds, progress)
 
@@ -110,6 +113,8 @@ class _Station:
     port: int
     pid: int
     start_ns: int
+    signed_in: dict[str, str]
+    """The header that its browsers send."""
 
     @property
     def address(self) -> str:
@@ -148,7 +153,7 @@ def _scan(
     seconds: float,
     progress: Progress,
 ) -> LiveBench:
-    with watching(station.viewer, station.start_ns, pace.turn_rad_s) as watched:
+    with watching(station.viewer, station.signed_in, station.start_ns, pace.turn_rad_s) as watched:
         http.post("/api/scan/start", json={"name": "Bench"}).raise_for_status()
         began_s, busy_s = time.monotonic(), station.processor_s
         settled_mb = float("nan")
@@ -187,7 +192,9 @@ def _scan(
 
 def _join(station: _Station, pace: Pace) -> float:
     """How long a second viewer waits for what the first one sees."""
-    with watching(station.viewer, station.start_ns, pace.turn_rad_s, until_whole=True) as watched:
+    with watching(
+        station.viewer, station.signed_in, station.start_ns, pace.turn_rad_s, until_whole=True
+    ) as watched:
         return watched().whole_s
 
 
@@ -210,9 +217,9 @@ def _station(data: Path, pace: Pace) -> Iterator[_Station]:
     if not ours.poll(PATIENCE_S):
         process.kill()
         raise TimeoutError("the station does not start")
-    port, start_ns = ours.recv()
+    port, start_ns, signed_in = ours.recv()
     try:
-        yield _Station(port, process.pid or 0, start_ns)
+        yield _Station(port, process.pid or 0, start_ns, signed_in)
     finally:
         ours.send("stop")
         process.join(20.0)
@@ -228,7 +235,11 @@ def _serve(pipe: Connection, data: Path, pace: Pace) -> None:
     warm_up()
     pool, clock = stripe_pictures(pace), SwiftClock()
     parts = Parts(
-        "Bench", data, lambda: SwiftArm(pace, clock), lambda: SwiftSensor(pace, clock, pool)
+        "Bench",
+        data,
+        lambda: SwiftArm(pace, clock),
+        lambda: SwiftSensor(pace, clock, pool),
+        guest=GUEST,
     )
     app = build_app(parts)
     server = make_server(app)
@@ -242,10 +253,16 @@ def _serve(pipe: Connection, data: Path, pace: Pace) -> None:
         calibration = swift_calibration(pace)
         app.state.context.rig.arm.set_model(calibration.arm)
         app.state.context.scanner.set_calibration(calibration)
-        pipe.send((listening.getsockname()[1], clock.start_ns))
+        port = int(listening.getsockname()[1])
+        pipe.send((port, clock.start_ns, sign_in(app.state.context, port)))
         pipe.recv()
         server.should_exit = True
         thread.join(15.0)
+
+
+def sign_in(station: Context, port: int) -> dict[str, str]:
+    """The header of a browser that is signed in at the station on a port."""
+    return {"Cookie": f"{cookie_for(port)}={station.store.sign_ins.begin(GUEST, 'bench')}"}
 
 
 def swift_calibration(pace: Pace) -> ScanCalibration:

@@ -18,7 +18,7 @@ from pathlib import Path
 import httpx
 import numpy as np
 
-from app.bench.live import MB, PATIENCE_S, memory_mb
+from app.bench.live import GUEST, MB, PATIENCE_S, memory_mb, sign_in
 from app.bench.watching import watching
 from app.files.cloud_points import Points, packed
 from app.files.progress import Progress, no_progress
@@ -69,18 +69,18 @@ def run(points: int, progress: Progress = no_progress) -> ViewBench:
     """Shows so many points, then lets a second viewer join."""
     with (
         tempfile.TemporaryDirectory(prefix="crenel-bench-") as folder,
-        _station(Path(folder), points) as (pipe, port, pid),
-        httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=30.0) as http,
+        _station(Path(folder), points) as (pipe, port, pid, signed_in),
+        httpx.Client(base_url=f"http://127.0.0.1:{port}", headers=signed_in, timeout=30.0) as http,
     ):
         began_s = time.monotonic()
         while (given := int(pipe.recv())) < points:
             progress(given / points, f"{given / 1e6:.0f} million points")
         seconds = time.monotonic() - began_s
         address = f"ws://127.0.0.1:{port}/viewer/"
-        with watching(address, 0, 1.0, until_whole=True) as watched:
+        with watching(address, signed_in, 0, 1.0, until_whole=True) as watched:
             joined = watched()
         shown = sum(scan["points_shown"] for scan in http.get("/api/view").json()["scans"])
-        with watching(address, 0, 1.0, coloured=shown) as watched:
+        with watching(address, signed_in, 0, 1.0, coloured=shown) as watched:
             time.sleep(1.0)
             asked_s = time.monotonic()
             http.post("/api/view/colours", json={"measure": "intensity"}).raise_for_status()
@@ -97,8 +97,11 @@ def run(points: int, progress: Progress = no_progress) -> ViewBench:
 
 
 @contextlib.contextmanager
-def _station(data: Path, points: int) -> Iterator[tuple[Connection, int, int]]:
-    """A station in a process of its own that shows so many points: its pipe, port and id."""
+def _station(data: Path, points: int) -> Iterator[tuple[Connection, int, int, dict[str, str]]]:
+    """A station in a process of its own that shows so many points.
+
+    Yields its pipe, port and id, and the header of a browser that is signed in there.
+    """
     context = multiprocessing.get_context("spawn")
     ours, theirs = context.Pipe()
     process = context.Process(target=_serve, args=(theirs, data, points), daemon=True)
@@ -107,7 +110,8 @@ def _station(data: Path, points: int) -> Iterator[tuple[Connection, int, int]]:
         process.kill()
         raise TimeoutError("the station does not start")
     try:
-        yield ours, int(ours.recv()), process.pid or 0
+        port, signed_in = ours.recv()
+        yield ours, port, process.pid or 0, signed_in
     finally:
         ours.send("stop")
         process.join(20.0)
@@ -122,7 +126,11 @@ def _serve(pipe: Connection, data: Path, points: int) -> None:
     pace, clock = Pace(profiles_hz=2.0, width_px=100), SwiftClock()
     pool = stripe_pictures(pace)
     parts = Parts(
-        "Bench", data, lambda: SwiftArm(pace, clock), lambda: SwiftSensor(pace, clock, pool)
+        "Bench",
+        data,
+        lambda: SwiftArm(pace, clock),
+        lambda: SwiftSensor(pace, clock, pool),
+        guest=GUEST,
     )
     app = build_app(parts)
     server = make_server(app)
@@ -133,7 +141,8 @@ def _serve(pipe: Connection, data: Path, points: int) -> None:
         thread.start()
         while not server.started:
             time.sleep(0.05)
-        pipe.send(listening.getsockname()[1])
+        port = int(listening.getsockname()[1])
+        pipe.send((port, sign_in(app.state.context, port)))
         _show(app.state.context.scene, points, pipe)
         pipe.recv()
         server.should_exit = True

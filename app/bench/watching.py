@@ -3,7 +3,7 @@
 import contextlib
 import multiprocessing
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from multiprocessing.connection import Connection
 from typing import Any
@@ -37,6 +37,7 @@ class Watched:
 @contextlib.contextmanager
 def watching(
     address: str,
+    signed_in: Mapping[str, str],
     start_ns: int,
     turn_rad_s: float,
     until_whole: bool = False,
@@ -45,13 +46,14 @@ def watching(
     """A viewer from now on. What it yields ends it, and tells what it saw.
 
     Args:
+        signed_in: the header of a browser that is signed in.
         start_ns, turn_rad_s: of the sweep: a point's azimuth tells when it was taken.
         until_whole: it ends by itself once it has all that was shown before it came.
         coloured: it ends by itself once so many points were given other colours.
     """
     context = multiprocessing.get_context("spawn")
     ours, theirs = context.Pipe()
-    arguments = (theirs, address, start_ns, turn_rad_s, until_whole, coloured)
+    arguments = (theirs, address, signed_in, start_ns, turn_rad_s, until_whole, coloured)
     process = context.Process(target=_watch, args=arguments, daemon=True)
     process.start()
     if not ours.poll(PATIENCE_S):
@@ -76,6 +78,7 @@ def watching(
 def _watch(
     pipe: Connection,
     address: str,
+    signed_in: Mapping[str, str],
     start_ns: int,
     turn_rad_s: float,
     until_whole: bool,
@@ -84,7 +87,13 @@ def _watch(
     pipe.send("ready")
     began_s = time.monotonic()
     seen = _Seen(start_ns, turn_rad_s, coloured)
-    with connect(address, subprotocols=[PROTOCOL], max_size=None, compression=None) as socket:
+    with connect(
+        address,
+        additional_headers=signed_in,
+        subprotocols=[PROTOCOL],
+        max_size=None,
+        compression=None,
+    ) as socket:
         while not (pipe.poll() or (until_whole and seen.whole) or seen.coloured_at_s):
             with contextlib.suppress(TimeoutError):
                 data = socket.recv(POLL_S)

@@ -66,7 +66,8 @@ def warm_up() -> None:
     they are read from disk in about a second. To be called from the main thread.
     """
     warm_up_points()
-    if compiled_here(kernels.frame_points):
+    # a process that ends with its parent may have no children itself
+    if compiled_here(kernels.frame_points) and not multiprocessing.current_process().daemon:
         _share_out()
     for part in PARTS:
         part()

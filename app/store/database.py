@@ -13,8 +13,7 @@ from pathlib import Path
 
 from app.metrology.refusal import Refusal
 
-SCHEMA_VERSION = 1
-SCHEMA = """
+FIRST = """
 CREATE TABLE session (
     id TEXT PRIMARY KEY,
     kind TEXT NOT NULL,
@@ -58,6 +57,46 @@ CREATE TABLE scan (
     calibration_id TEXT NOT NULL
 ) STRICT;
 """
+ACCESS = """
+CREATE TABLE account (
+    name TEXT PRIMARY KEY COLLATE NOCASE,
+    role TEXT NOT NULL CHECK (role IN ('viewer', 'operator', 'admin')),
+    password TEXT NOT NULL,
+    made_at TEXT NOT NULL
+) STRICT;
+
+CREATE TABLE sign_in (
+    token TEXT PRIMARY KEY,
+    account TEXT NOT NULL COLLATE NOCASE REFERENCES account (name) ON DELETE CASCADE,
+    device TEXT NOT NULL,
+    begun_at TEXT NOT NULL,
+    seen_at TEXT NOT NULL
+) STRICT;
+
+CREATE TABLE wall_link (
+    id TEXT PRIMARY KEY,
+    token TEXT NOT NULL UNIQUE,
+    name TEXT NOT NULL,
+    made_by TEXT NOT NULL,
+    made_at TEXT NOT NULL
+) STRICT;
+
+CREATE TABLE audit (
+    number INTEGER PRIMARY KEY AUTOINCREMENT,
+    at TEXT NOT NULL,
+    who TEXT NOT NULL,
+    address TEXT NOT NULL,
+    act TEXT NOT NULL,
+    outcome TEXT NOT NULL
+) STRICT;
+CREATE TRIGGER audit_rows_stay BEFORE DELETE ON audit
+    BEGIN SELECT RAISE(ABORT, 'the audit log is append-only'); END;
+CREATE TRIGGER audit_rows_keep BEFORE UPDATE ON audit
+    BEGIN SELECT RAISE(ABORT, 'the audit log is append-only'); END;
+"""
+SCHEMAS = (FIRST, ACCESS)
+"""What each version of the database adds to the one before."""
+SCHEMA_VERSION = len(SCHEMAS)
 
 
 def utc_now() -> str:
@@ -103,9 +142,10 @@ class Database:
                 f"this one knows {SCHEMA_VERSION})",
                 remedy="Install that version or a later one",
             )
-        if version == 0:
+        if version < SCHEMA_VERSION:
+            added = " ".join(SCHEMAS[version:])
             self._connection.executescript(
-                f"BEGIN; {SCHEMA} PRAGMA user_version = {SCHEMA_VERSION}; COMMIT;"
+                f"BEGIN; {added} PRAGMA user_version = {SCHEMA_VERSION}; COMMIT;"
             )
 
     @contextmanager

@@ -3,12 +3,15 @@
 from pathlib import Path
 
 from app.metrology.refusal import Refusal
+from app.store.accounts import AccountStore
+from app.store.audit import AuditLog
 from app.store.calibrations import CalibrationStore
 from app.store.database import Database
 from app.store.journal import JournalStore
 from app.store.lock import FolderLock
 from app.store.scan_settings import SettingsStore
 from app.store.scans import ScanStore
+from app.store.sign_ins import SignInStore
 
 
 class Store:
@@ -41,6 +44,9 @@ class Store:
         self.calibrations = CalibrationStore(self._database, self.folder)
         self.scans = ScanStore(self._database, self.folder)
         self.settings = SettingsStore(self.folder)
+        self.accounts = AccountStore(self._database)
+        self.sign_ins = SignInStore(self._database)
+        self.audit = AuditLog(self._database)
 
     def close(self) -> None:
         """Closes the database and lets another server have the folder; idempotent."""

@@ -6,20 +6,25 @@ import { StatusLine } from "./frame/StatusLine";
 import { TopBar } from "./frame/TopBar";
 import { ArmPage } from "./pages/ArmPage";
 import { CalibratePage } from "./pages/CalibratePage";
+import { EntrancePage } from "./pages/EntrancePage";
 import { HomePage } from "./pages/HomePage";
+import { PeoplePage } from "./pages/PeoplePage";
 import { RecordsPage } from "./pages/RecordsPage";
 import { ScanPage } from "./pages/ScanPage";
 import { SettingsPage } from "./pages/SettingsPage";
 import { TITLES, usePage } from "./state/router";
+import { useLive } from "./state/store";
 
-const PAGE = { home: HomePage, calibrate: CalibratePage, scan: ScanPage, arm: ArmPage, records: RecordsPage, settings: SettingsPage };
+const PAGE = { home: HomePage, calibrate: CalibratePage, scan: ScanPage, arm: ArmPage, records: RecordsPage, settings: SettingsPage, people: PeoplePage };
 
 export function App() {
   const page = usePage();
   const Page = PAGE[page];
+  const session = useLive((s) => s.session);
   useEffect(() => {
     document.title = `${TITLES[page]} · Crenel`;
   }, [page]);
+  if (session && !session.you) return <EntrancePage session={session} />;
   return (
     <div className={styles.frame}>
       <TopBar page={page} />

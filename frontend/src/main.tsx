@@ -19,6 +19,7 @@ import { StrictMode } from "react";
 import { createRoot } from "react-dom/client";
 
 import { startLive } from "./api/live";
+import { startSession } from "./api/session";
 import { App } from "./App";
 import { unlockSound } from "./state/sounds";
 import { theme } from "./theme";
@@ -27,6 +28,9 @@ const root = document.getElementById("root");
 if (!root) throw new Error("the page has no #root");
 
 startLive();
+void startSession();
+// a link put into the address of a page that is open
+window.addEventListener("hashchange", () => void startSession());
 unlockSound();
 createRoot(root).render(
   <StrictMode>

@@ -10,12 +10,14 @@ from pathlib import Path
 
 import httpx
 import pytest
+from fastapi import FastAPI
 
 from app.api.context import Context
 from app.demonstration import parts_of
 from app.main import build_app, make_server
 from app.station.warm_up import warm_up
 from hardware.twin.station import Twin, TwinConfig
+from tests.entering import cookie, enter
 from tests.loops import loops
 
 
@@ -28,6 +30,7 @@ class Server:
     context: Context
     twin: Twin
     http: httpx.Client
+    application: FastAPI
     loops: dict[str, set[str]]
     """What was compiled when it began to serve."""
 
@@ -38,6 +41,11 @@ class Server:
     @property
     def live(self) -> str:
         return f"ws://127.0.0.1:{self.port}/api/live"
+
+    @property
+    def cookie(self) -> dict[str, str]:
+        """The header of a live connection."""
+        return cookie(self.http)
 
     def flow(self) -> dict[str, object]:
         return dict(self.http.get("/api/flow").json())
@@ -84,7 +92,8 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
         thread.start()
         port = listening.getsockname()[1]
         with httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=20.0) as http:
-            yield Server(port, data, app.state.context, twin, http, compiled)
+            enter(http, app.state.context.entrance.code)
+            yield Server(port, data, app.state.context, twin, http, app, compiled)
         running.should_exit = True
         thread.join(20.0)
         assert not thread.is_alive()

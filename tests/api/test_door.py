@@ -25,7 +25,7 @@ def test_local_names_are_answered(server: Server, host: str) -> None:
     "origin", ["http://evil.example", "null", "http://127.0.0.1:1", "https://localhost"]
 )
 def test_a_foreign_page_changes_nothing(server: Server, origin: str) -> None:
-    for path in ("/api/flow/start", "/api/stop", "/api/laser", "/api/scan/start"):
+    for path in ("/api/flow/start", "/api/stop", "/api/laser/on", "/api/scan/start"):
         answer = server.http.post(path, headers={"origin": origin}, json={"on": True})
         assert answer.status_code == 403
         assert answer.json()["code"] == "not-allowed"
@@ -34,7 +34,7 @@ def test_a_foreign_page_changes_nothing(server: Server, origin: str) -> None:
 
 def test_the_own_page_may(server: Server) -> None:
     own = {"origin": server.address}
-    assert server.http.post("/api/laser", headers=own, json={"on": False}).status_code == 200
+    assert server.http.post("/api/laser/off", headers=own).status_code == 200
 
 
 def test_further_names_come_from_the_settings() -> None:
@@ -64,9 +64,9 @@ def test_every_page_states_what_it_may_load(server: Server) -> None:
         ("GET", "/api/flow/image/..%2f..%2fstation.db", None, 404),
         ("GET", "/api/scans/none/cloud.ply", None, 404),
         ("GET", "/api/calibrations/..%2f..%2fstation.db/calibration.json", None, 404),
-        ("POST", "/api/laser", b'{"on": 1}', 422),
-        ("POST", "/api/laser", b'{"on"', 422),
-        ("POST", "/api/laser", b"", 422),
+        ("POST", "/api/scan/hand", b'{"on": 1}', 422),
+        ("POST", "/api/scan/hand", b'{"on"', 422),
+        ("POST", "/api/scan/hand", b"", 422),
         ("POST", "/api/exposure", b'{"exposure_us": -5}', 422),
         ("POST", "/api/exposure", b'{"exposure_us": NaN}', 422),
         ("POST", "/api/flow/command", b'{"name": "undo"}', 422),

@@ -194,7 +194,7 @@ def scan_with_it(http: httpx.Client, server: Server) -> None:
         assert time.monotonic() < deadline
         time.sleep(0.1)
     assert http.post("/api/stop").status_code == 204
-    devices = http.post("/api/laser", json={"on": False}).json()
+    devices = http.post("/api/laser/off").json()
     assert devices["laser_on"] is False
     deadline = time.monotonic() + 10
     while not (scans := http.get("/api/scans").json()):

@@ -36,7 +36,7 @@ def picture(socket: ClientConnection, timeout_s: float) -> dict[str, object] | N
 
 
 def test_hello_comes_first_then_the_whole_state_then_beats(server: Server) -> None:
-    with connect(server.live) as socket:
+    with connect(server.live, additional_headers=server.cookie) as socket:
         assert message(socket)["type"] == "hello"
         seen: set[object] = set()
         beats = 0
@@ -50,7 +50,7 @@ def test_hello_comes_first_then_the_whole_state_then_beats(server: Server) -> No
 
 
 def test_what_one_tab_does_the_other_sees(touching: Server) -> None:
-    with connect(touching.live) as socket:
+    with connect(touching.live, additional_headers=touching.cookie) as socket:
         assert message(socket)["type"] == "hello"
         rev = touching.command("select_face", face="front").json()["rev"]
         deadline = time.monotonic() + 5
@@ -63,7 +63,10 @@ def test_what_one_tab_does_the_other_sees(touching: Server) -> None:
 
 
 def test_an_event_is_numbered_and_told_once(server: Server) -> None:
-    with connect(server.live) as one, connect(server.live) as other:
+    with (
+        connect(server.live, additional_headers=server.cookie) as one,
+        connect(server.live, additional_headers=server.cookie) as other,
+    ):
         for socket in (one, other):
             while message(socket).get("type") != "topic":
                 pass
@@ -81,7 +84,7 @@ def test_an_event_is_numbered_and_told_once(server: Server) -> None:
 
 
 def test_the_next_picture_waits_for_the_last_to_be_acknowledged(server: Server) -> None:
-    with connect(server.live) as socket:
+    with connect(server.live, additional_headers=server.cookie) as socket:
         assert picture(socket, 0.5) is None
         socket.send(json.dumps({"type": "preview", "on": True}))
         first = picture(socket, 10.0)
@@ -119,7 +122,10 @@ def send_and_drain(socket: ClientConnection, sent: str | bytes) -> None:
     ids=lambda value: repr(value[:30]),
 )
 def test_a_malformed_message_ends_this_connection_alone(server: Server, sent: str | bytes) -> None:
-    with connect(server.live) as bystander, connect(server.live) as socket:
+    with (
+        connect(server.live, additional_headers=server.cookie) as bystander,
+        connect(server.live, additional_headers=server.cookie) as socket,
+    ):
         with pytest.raises(ConnectionClosed) as closed:
             send_and_drain(socket, sent)
         # the reason is lost where the server hangs up on a message that is still coming
@@ -133,8 +139,8 @@ def test_a_malformed_message_ends_this_connection_alone(server: Server, sent: st
 def test_a_tab_that_does_not_read_delays_nobody(server: Server) -> None:
     bus = server.context.bus
     with (
-        connect(server.live, max_queue=1, close_timeout=0.1),
-        connect(server.live, max_size=None) as reader,
+        connect(server.live, additional_headers=server.cookie, max_queue=1, close_timeout=0.1),
+        connect(server.live, additional_headers=server.cookie, max_size=None) as reader,
     ):
         for count in range(60):
             # far more than the buffers of a connection that nobody reads can hold
@@ -146,8 +152,8 @@ def test_a_tab_that_does_not_read_delays_nobody(server: Server) -> None:
 
 def test_a_foreign_page_gets_no_live_connection(server: Server) -> None:
     with pytest.raises(InvalidStatus) as refused:
-        connect(server.live, origin="http://evil.example")  # type: ignore[arg-type]
+        connect(server.live, additional_headers=server.cookie, origin="http://evil.example")  # type: ignore[arg-type]
     assert refused.value.response.status_code == 403
     own = f"http://127.0.0.1:{server.port}"
-    with connect(server.live, origin=own) as socket:  # type: ignore[arg-type]
+    with connect(server.live, additional_headers=server.cookie, origin=own) as socket:  # type: ignore[arg-type]
         assert message(socket)["type"] == "hello"

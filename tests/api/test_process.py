@@ -2,23 +2,28 @@
 
 import json
 import os
+import re
 import signal
 import socket
 import sqlite3
+import ssl
 import subprocess
 import sys
 import time
 from collections.abc import Iterator
 from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
+from urllib.parse import urlsplit
 
 import httpx
 import numpy as np
 import pytest
+import trustme
 
 from app.files.images import write_png
 from app.files.software import SOFTWARE
 from hardware.twin.station import Twin
+from tests.entering import client
 
 ROOT = Path(__file__).resolve().parents[2]
 START_S = 60.0
@@ -42,7 +47,7 @@ def running(*arguments: str) -> Iterator[Running]:
         try:
             assert process.stdout is not None
             words = (word for line in process.stdout for word in line.split())
-            yield process, next(word for word in words if word.startswith("http://"))
+            yield process, next(word for word in words if word.startswith("http"))
         finally:
             process.kill()
 
@@ -54,7 +59,7 @@ def run(*arguments: str) -> subprocess.CompletedProcess[str]:
 
 
 def test_a_server_killed_at_the_touch_step_loses_no_point(tmp_path: Path) -> None:
-    with demo(tmp_path) as (process, address), httpx.Client(base_url=address) as http:
+    with demo(tmp_path) as (process, address), client(address) as http:
         http.post("/api/flow/start").raise_for_status()
         view = start_hand(http)
         deadline = time.monotonic() + START_S
@@ -65,7 +70,7 @@ def test_a_server_killed_at_the_touch_step_loses_no_point(tmp_path: Path) -> Non
         process.send_signal(signal.SIGKILL)
         process.wait()
 
-    with demo(tmp_path) as (process, address), httpx.Client(base_url=address) as http:
+    with demo(tmp_path) as (process, address), client(address) as http:
         again = http.get("/api/flow").json()
         assert again["session_id"] == view["session_id"]
         assert again["step"] == "touch"
@@ -102,7 +107,7 @@ def test_the_demo_takes_the_next_port_when_its_own_is_busy(tmp_path: Path) -> No
         taken.listen()
         port = taken.getsockname()[1]
         with demo(tmp_path, port) as (process, address):
-            assert int(address.rstrip("/").rsplit(":", 1)[1]) > port
+            assert int(urlsplit(address).port or 0) > port
             process.send_signal(signal.SIGINT)
             process.wait(15.0)
             assert process.returncode in (0, 128 + signal.SIGINT, -signal.SIGINT)
@@ -131,6 +136,8 @@ def test_a_station_on_real_drivers(tmp_path: Path) -> None:
         config, data = str(tmp_path / "station.toml"), str(tmp_path / "data")
         asked = running("serve", "--config", config, "--data", data, "--port", "0")
         with asked as (process, address), httpx.Client(base_url=address) as http:
+            assert http.get("/api/home").status_code == 401
+            make_admin(process, http)
             assert http.get("/api/home").json()["station"] == {
                 "name": "Room 2",
                 "version": SOFTWARE.version,
@@ -144,12 +151,68 @@ def test_a_station_on_real_drivers(tmp_path: Path) -> None:
                 time.sleep(0.1)
             assert "TWIN-A1" in view["picture"]["devices"][0]["text"]
             assert "let_hand" not in [action["name"] for action in view["actions"]]
-            laser = http.post("/api/laser", json={"on": True})
+            laser = http.post("/api/laser/on")
             assert laser.status_code == 422
             assert laser.json()["code"] == "no-laser-switch"
-            assert http.post("/api/laser", json={"on": False}).status_code == 200
+            assert http.post("/api/laser/off").status_code == 200
             process.send_signal(signal.SIGTERM)
             process.wait(15.0)
+
+
+def test_a_station_over_tls(tmp_path: Path) -> None:
+    authority = trustme.CA()
+    issued = authority.issue_cert("localhost", "127.0.0.1")
+    issued.cert_chain_pems[0].write_to_path(tmp_path / "cert.pem")
+    issued.private_key_pem.write_to_path(tmp_path / "key.pem")
+    text = SETTINGS.format(folder=tmp_path, url=NOWHERE)
+    tls = '[station]\ntls_certificate = "cert.pem"\ntls_key = "key.pem"'
+    (tmp_path / "station.toml").write_text(text.replace("[station]", tls))
+    config, data = str(tmp_path / "station.toml"), str(tmp_path / "data")
+    asked = running("serve", "--config", config, "--data", data, "--port", "0")
+    trusted = ssl.create_default_context()
+    authority.configure_trust(trusted)
+    with asked as (process, address):
+        assert address.startswith("https://")
+        with httpx.Client(base_url=address, verify=trusted) as http:
+            make_admin(process, http)
+            answer = http.post("/api/session", json={"name": "Ada", "password": "correct horse"})
+            assert "secure" in answer.headers["set-cookie"].lower()
+            assert http.get("/api/home").status_code == 200
+        process.send_signal(signal.SIGTERM)
+        process.wait(15.0)
+
+
+@pytest.mark.parametrize(
+    ("keys", "told"),
+    [
+        ('tls_certificate = "none.pem"', "tls_certificate is given alone"),
+        ('tls_certificate = "none.pem"\ntls_key = "none.pem"', "there is no such file"),
+        ('tls_certificate = "picture.png"\ntls_key = "picture.png"', "no certificate"),
+    ],
+)
+def test_a_certificate_that_will_not_do_is_refused_in_one_line(
+    tmp_path: Path, keys: str, told: str
+) -> None:
+    write_png(tmp_path / "picture.png", np.full((24, 32), 90, np.uint8))
+    text = SETTINGS.format(folder=tmp_path, url=NOWHERE)
+    (tmp_path / "station.toml").write_text(text.replace("[station]", f"[station]\n{keys}"))
+    config, data = str(tmp_path / "station.toml"), str(tmp_path / "data")
+    done = run("serve", "--config", config, "--data", data, "--port", "0")
+    assert done.returncode == 1
+    assert told in done.stderr
+    assert len(done.stderr.strip().splitlines()) == 1
+
+
+def make_admin(process: subprocess.Popen[str], http: httpx.Client) -> None:
+    """What the one who sets the station up does with the code on the console."""
+    assert process.stdout is not None
+    code = re.search(r"code (\w+)", process.stdout.readline())
+    assert code
+    asked = {"code": code.group(1), "name": "Ada", "password": "correct horse"}
+    http.post("/api/session/admin", json=asked).raise_for_status()
+    assert http.get("/api/session").json()["you"]["role"] == "admin"
+    again = http.post("/api/session/admin", json={**asked, "name": "Eve"})
+    assert again.json()["code"] == "not-first-start"
 
 
 def test_serving_on_a_busy_port_is_refused_in_one_line(tmp_path: Path) -> None:

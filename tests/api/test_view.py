@@ -95,7 +95,13 @@ def test_a_rectangle_of_a_page_is_fitted_by_where_that_page_looks_from(
     region = {"view": KEY, "shape": "plane", "left": 0.4, "top": 0.4, "right": 0.6, "bottom": 0.6}
     assert "not connected" in server.http.post("/api/view/fits", json=region).text
     address = f"ws://127.0.0.1:{server.port}/viewer/{KEY}"
-    with connect(address, subprotocols=[PROTOCOL], max_size=None, close_timeout=0.5) as socket:  # type: ignore[list-item]
+    with connect(
+        address,
+        additional_headers=server.cookie,
+        subprotocols=[PROTOCOL],
+        max_size=None,
+        close_timeout=0.5,
+    ) as socket:  # type: ignore[list-item]
         socket.send(msgspec.msgpack.encode(LOOK))
         deadline = time.monotonic() + 10.0
         while server.http.post("/api/view/fits", json=region).status_code != 200:

@@ -81,7 +81,13 @@ def test_the_viewers_page_comes_through_with_a_policy_of_its_own(server: Server)
 
 def test_the_scene_comes_through_and_cameras_do_not_end_it(server: Server) -> None:
     address = f"ws://127.0.0.1:{server.port}/viewer"
-    with connect(address, subprotocols=[PROTOCOL], max_size=None, close_timeout=0.5) as socket:  # type: ignore[list-item]
+    with connect(
+        address,
+        additional_headers=server.cookie,
+        subprotocols=[PROTOCOL],
+        max_size=None,
+        close_timeout=0.5,
+    ) as socket:  # type: ignore[list-item]
         assert socket.subprotocol == PROTOCOL
         assert isinstance(socket.recv(10.0), bytes)
         socket.send(as_sent(viser_messages.ShareUrlRequest()))
@@ -94,7 +100,7 @@ def test_the_scene_comes_through_and_cameras_do_not_end_it(server: Server) -> No
 def test_a_page_of_another_version_is_turned_away_as_viser_does(server: Server) -> None:
     address = f"ws://127.0.0.1:{server.port}/viewer/"
     with (
-        connect(address, subprotocols=["viser-v0.0.1"]) as socket,  # type: ignore[list-item]
+        connect(address, additional_headers=server.cookie, subprotocols=["viser-v0.0.1"]) as socket,  # type: ignore[list-item]
         pytest.raises(ConnectionClosed),
     ):
         socket.recv(10.0)

@@ -4,7 +4,6 @@ import subprocess
 import sys
 import threading
 import time
-import urllib.request
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +17,7 @@ from app.replay import Replay, ReplayState
 from app.station.bus import Bus
 from hardware.clock import now_ns
 from hardware.interfaces import JointSample
+from tests.entering import client
 from tests.files.builders import ARM, HEIGHT, WIDTH, joints_every, little_calibration, q_at
 from tests.files.test_documents import calibration_file
 from tests.files.test_rebuild import MS, NAMES, expected, record_image, record_stripe
@@ -197,8 +197,8 @@ def test_the_command_serves_the_display(tmp_path: Path) -> None:
         killer.start()
         assert process.stdout is not None
         address = process.stdout.readline().split()[3]
-        with urllib.request.urlopen(f"{address}api/home", timeout=10) as answer:
-            assert "Replay of scan.mcap" in answer.read().decode()
+        with client(address) as http:
+            assert "Replay of scan.mcap" in http.get("/api/home").text
         process.terminate()
         process.wait(20)
         killer.cancel()

@@ -77,7 +77,8 @@ class Demo:
         watchdog.cancel()
         address = re.search(r"http://\S+", told)
         assert address, f"the demo did not start: {told}{''.join(self.errors)}"
-        self.address = address.group()
+        self.link = address.group()
+        self.address = self.link.partition("#")[0]
 
     def _listen(self) -> None:
         assert self.process.stderr is not None

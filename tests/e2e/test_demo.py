@@ -58,7 +58,7 @@ def test_the_whole_path_from_the_first_page_to_a_saved_cloud(
 ) -> None:
     page = browser.new_page(viewport={"width": 1440, "height": 900})
     visit = Visit(page, pictures)
-    page.goto(demo.address)
+    page.goto(demo.link)
     page.get_by_role("button", name="Calibrate").click()
     page.get_by_role("button", name="Start calibration").click()
     calibrate(visit)

@@ -13,7 +13,8 @@ def test_a_zone_is_drawn_pulled_undone_and_kept(
 ) -> None:
     page = browser.new_page(viewport={"width": 1180, "height": 820})
     visit = Visit(page, pictures)
-    page.goto(f"{demo.address}settings")
+    page.goto(demo.link)
+    page.get_by_role("link", name="Settings").click()
     editor = page.get_by_role("group", name="Zones without measurement")
     expect(editor).to_be_visible(timeout=30_000)
     page.get_by_role("button", name="Draw a zone").click()

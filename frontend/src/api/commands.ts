@@ -1,6 +1,7 @@
 import { clearNotice, notify } from "../state/notices";
 import { getState, putFlow, setState } from "../state/store";
 import { NoAnswer, post, Refused } from "./http";
+import type { Session } from "./accessTypes";
 import type { FlowCommand, FlowView, Problem, ScanState } from "./types";
 
 /** 128 random bits; works on plain http too, where randomUUID does not exist. */
@@ -12,14 +13,20 @@ export function newKey(): string {
 function tellProblem(problem: Problem): void {
   notify({
     quality: problem.status >= 500 ? "bad" : "attention",
-    title: problem.title,
-    detail: problem.detail,
+    title: problem.detail || problem.title,
     remedy: problem.remedy,
   });
 }
 
+function signedOut(session: Session | null): Session | null {
+  return session && { ...session, you: null };
+}
+
 export function tell(error: unknown, whatWas: string): void {
-  if (error instanceof Refused) return tellProblem(error.problem);
+  if (error instanceof Refused) {
+    if (error.problem.code === "signed-out") setState({ session: signedOut(getState().session) });
+    return tellProblem(error.problem);
+  }
   if (error instanceof NoAnswer) {
     return notify({
       quality: "bad",
@@ -85,7 +92,7 @@ export const setScanHand = (on: boolean) =>
 
 export async function setLaser(on: boolean): Promise<void> {
   try {
-    await post("/api/laser", { on });
+    await post(on ? "/api/laser/on" : "/api/laser/off");
   } catch (error) {
     tell(error, on ? "the laser was not switched on" : "the laser may still be on");
   }

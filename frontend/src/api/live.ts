@@ -1,10 +1,13 @@
 import { noteReturn, notify } from "../state/notices";
 import { playFor } from "../state/sounds";
-import { getState, type LiveState, putFlow, setState } from "../state/store";
+import { getState, type LiveState, putFlow, setState, subscribe } from "../state/store";
+import { readSession } from "./session";
 import { isWanted, showPreview, tellWanted } from "./preview";
 import type { LiveMessage, LiveRequest } from "./types";
 
 const SILENCE_MS = 2500;
+/** Whoever has control keeps it so. */
+const BEAT_MS = 5000;
 const RETRY_MS = [250, 500, 1000, 2000];
 
 let socket: WebSocket | null = null;
@@ -12,6 +15,8 @@ let openedAt = 0;
 let attempt = 0;
 /** After a new connection its first view counts, whatever was held before. */
 let resync = true;
+/** Nobody is signed in here. */
+let waiting = true;
 let pending: Partial<LiveState> = {};
 let flushing = false;
 
@@ -57,7 +62,7 @@ function onText(text: string): void {
   switch (message.type) {
     case "hello":
       resync = true;
-      return put({ station: message.station });
+      return put({ station: message.station, session: { ...getState().session!, you: message.you } });
     case "topic":
       return put({ [message.name]: message.value });
     case "event":
@@ -99,15 +104,28 @@ function lose(): void {
   socket = null;
   old?.close();
   if (getState().connection === "live") setState({ connection: "lost" });
-  setTimeout(connect, RETRY_MS[Math.min(attempt++, RETRY_MS.length - 1)]);
+  setTimeout(() => void again(), RETRY_MS[Math.min(attempt++, RETRY_MS.length - 1)]);
 }
 
-/** Opens the one live connection of this tab and keeps it for ever. */
+/** Who is no longer signed in is told so, and connects again once signed in. */
+async function again(): Promise<void> {
+  await readSession();
+  if (getState().session?.you) connect();
+  else waiting = true;
+}
+
+/** Opens the one live connection of this tab once somebody is signed in, and keeps it for ever. */
 export function startLive(): void {
   setState({ heardAt: performance.now() });
   tellWanted((on) => send({ type: "preview", on }));
-  connect();
+  subscribe(() => {
+    if (!waiting || !getState().session?.you) return;
+    waiting = false;
+    connect();
+  });
+  setInterval(() => send({ type: "beat" }), BEAT_MS);
   setInterval(() => {
+    if (waiting) return;
     const now = performance.now();
     if (now - getState().heardAt < SILENCE_MS) return;
     if (getState().connection !== "lost") setState({ connection: "lost" });

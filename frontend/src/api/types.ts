@@ -1,5 +1,6 @@
 /** What the server sends and takes. The Python side of each shape is in app/api/schema.py. */
 
+import type { Control, You } from "./accessTypes";
 import type { ArmView } from "./armTypes";
 import type { ViewState } from "./viewTypes";
 
@@ -428,7 +429,8 @@ export interface Home {
 
 /** Server to client over /api/live (JSON text frames). */
 export type LiveMessage =
-  | { type: "hello"; station: Station }
+  | { type: "hello"; station: Station; you: You }
+  | { type: "topic"; name: "control"; value: Control }
   | { type: "topic"; name: "devices"; value: Devices }
   | { type: "topic"; name: "flow"; value: FlowView }
   | { type: "topic"; name: "scan"; value: ScanState }
@@ -442,6 +444,7 @@ export type LiveMessage =
 
 /** Client to server over /api/live. */
 export type LiveRequest =
+  | { type: "beat" }
   | { type: "preview"; on: boolean }
   | { type: "preview_ack"; seq: number };
 

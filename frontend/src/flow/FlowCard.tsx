@@ -51,7 +51,7 @@ export function FlowCard({ view }: { view: FlowView }) {
       {view.progress && <Progress {...view.progress} />}
       {view.busy && <Busy key={view.busy.text} {...view.busy} />}
       {next && (
-        <PressButton kind="primary" onPress={() => go(next.page)}>
+        <PressButton free kind="primary" onPress={() => go(next.page)}>
           {next.label}
         </PressButton>
       )}

@@ -1,5 +1,7 @@
+import { answerForControl } from "../api/session";
 import type { DeviceState } from "../api/types";
 import { CloseIcon } from "../parts/icons";
+import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
 import { age } from "../parts/format";
 import { useSilence } from "../state/freshness";
@@ -15,6 +17,7 @@ export function Banners() {
     <div className={styles.banners}>
       {connection !== "live" && <LostBanner first={connection === "connecting"} />}
       {connection === "live" && <LostDevices />}
+      {connection === "live" && <Asked />}
       {notice && <NoticeBanner key={notice.id} notice={notice} />}
     </div>
   );
@@ -32,6 +35,28 @@ function LostBanner({ first }: { first: boolean }) {
         </strong>
         {!first && <span>The numbers here are old. The station keeps everything it has taken.</span>}
       </div>
+    </div>
+  );
+}
+
+/** Somebody would like to have control: told to whoever has it. */
+function Asked() {
+  const asked_by = useLive((s) => s.control?.asked_by ?? null);
+  const yours = useLive((s) => s.control?.holder?.id === s.session?.you?.id);
+  if (!asked_by || !yours) return null;
+  return (
+    <div className={styles.banner} data-quality="neutral" role="alert">
+      <QualityMark quality="neutral" />
+      <div className={styles.words}>
+        <strong>{asked_by.name} asks for control</strong>
+        <span>What runs goes on, whoever has it.</span>
+      </div>
+      <PressButton free onPress={async () => void (await answerForControl(true))}>
+        Hand over
+      </PressButton>
+      <PressButton free kind="quiet" onPress={async () => void (await answerForControl(false))}>
+        Keep it
+      </PressButton>
     </div>
   );
 }

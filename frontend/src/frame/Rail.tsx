@@ -1,21 +1,22 @@
 import type { MouseEvent } from "react";
 
-import { ArmIcon, CalibrateIcon, HomeIcon, RecordsIcon, ScanIcon, SettingsIcon } from "../parts/icons";
+import { ArmIcon, CalibrateIcon, HomeIcon, PeopleIcon, RecordsIcon, ScanIcon, SettingsIcon } from "../parts/icons";
 import { go, type Page, PAGES, pathOf, TITLES } from "../state/router";
 import { useLive } from "../state/store";
 import styles from "./Rail.module.css";
 import { StepList } from "./StepList";
 
-const ICONS = { home: HomeIcon, calibrate: CalibrateIcon, scan: ScanIcon, arm: ArmIcon, records: RecordsIcon, settings: SettingsIcon };
+const ICONS = { home: HomeIcon, calibrate: CalibrateIcon, scan: ScanIcon, arm: ArmIcon, records: RecordsIcon, settings: SettingsIcon, people: PeopleIcon };
 
 /** Pages, and under them the steps of the flow while it is on. */
 export function Rail({ page }: { page: Page }) {
   const flow = useLive((s) => s.flow);
   const arm = useLive((s) => s.arm);
+  const admin = useLive((s) => s.session?.you?.role === "admin");
   return (
     <div className={styles.rail}>
       <nav className={styles.pages} aria-label="Pages">
-        {PAGES.map((to) => (
+        {PAGES.filter((to) => to !== "people" || admin).map((to) => (
           <PageLink key={to} to={to} current={to === page} />
         ))}
       </nav>

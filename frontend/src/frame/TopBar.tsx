@@ -1,6 +1,7 @@
 import { Mark } from "../parts/icons";
 import { type Page, TITLES } from "../state/router";
 import { useLive } from "../state/store";
+import { ControlMenu } from "./ControlMenu";
 import { SafetyControls } from "./SafetyControls";
 import { Toggles } from "./Toggles";
 import styles from "./TopBar.module.css";
@@ -20,6 +21,7 @@ export function TopBar({ page }: { page: Page }) {
         </div>
       </div>
       <WhereWeAre page={page} />
+      <ControlMenu />
       <Toggles />
       <SafetyControls />
     </header>

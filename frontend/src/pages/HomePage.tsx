@@ -59,7 +59,7 @@ function Next({ home }: { home: Home }) {
   return (
     <>
       <CardHead title="What to do next" text={next.text} />
-      <PressButton kind="primary" onPress={() => go(next.page)}>
+      <PressButton free kind="primary" onPress={() => go(next.page)}>
         {next.label}
       </PressButton>
       <Findings findings={home.findings} />

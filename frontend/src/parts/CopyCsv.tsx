@@ -14,7 +14,7 @@ export function CopyCsv({ tables }: { tables: TableData[] }) {
     setTimeout(() => setTold(""), TOLD_MS);
   };
   return (
-    <PressButton onPress={copy}>
+    <PressButton free onPress={copy}>
       {told === "copied" ? <CheckIcon size="1.25rem" /> : <CopyIcon size="1.25rem" />}
       {{ "": "Copy as CSV", copied: "Copied", failed: "This browser does not let us copy" }[told]}
     </PressButton>

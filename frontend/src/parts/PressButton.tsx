@@ -1,5 +1,6 @@
 import { type ReactNode, useEffect, useId, useRef, useState } from "react";
 
+import { useBarred } from "../state/control";
 import { useElapsed } from "../state/freshness";
 import { bound, figures } from "./format";
 import styles from "./PressButton.module.css";
@@ -12,6 +13,8 @@ interface PressButtonProps {
   /** Why it is disabled, said on the button itself. */
   why?: string;
   describedBy?: string | undefined;
+  /** It changes nothing at the station: whoever looks on may press it. */
+  free?: boolean;
 }
 
 /** Two presses of a gloved hand closer than this are one. */
@@ -25,7 +28,11 @@ const pause = (ms: number) => new Promise<void>((resolve) => setTimeout(resolve,
  * answer is awaited.
  */
 export function PressButton(props: PressButtonProps) {
-  const { children, onPress, kind = "secondary", disabled = false, why = "", describedBy } = props;
+  const { children, onPress, kind = "secondary", describedBy, free = false } = props;
+  const barred = useBarred();
+  const bar = free ? "" : barred;
+  const disabled = bar !== "" || (props.disabled ?? false);
+  const why = bar && kind === "primary" ? bar : (props.why ?? "");
   const whyId = useId();
   const labelId = useId();
   const [waiting, setWaiting] = useState(true);

@@ -11,10 +11,12 @@ interface QuestionProps {
   onAct: (action: Action) => Promise<void>;
   /** What the harmless answer says. */
   no?: string;
+  /** As of PressButton. */
+  free?: boolean;
 }
 
 /** Asked before the act, never after; the harmless answer has the focus. */
-export function Question({ action, opened, onClose, onAct, no = "No, go on" }: QuestionProps) {
+export function Question({ action, opened, onClose, onAct, no = "No, go on", free = false }: QuestionProps) {
   const agree = async () => {
     onClose();
     await onAct(action);
@@ -26,7 +28,7 @@ export function Question({ action, opened, onClose, onAct, no = "No, go on" }: Q
         <button type="button" className={styles.no} data-autofocus onClick={onClose}>
           {no}
         </button>
-        <PressButton onPress={agree}>{action.label}</PressButton>
+        <PressButton free={free} onPress={agree}>{action.label}</PressButton>
       </div>
     </Modal>
   );

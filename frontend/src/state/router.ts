@@ -1,6 +1,6 @@
 import { useSyncExternalStore } from "react";
 
-export const PAGES = ["home", "calibrate", "scan", "arm", "records", "settings"] as const;
+export const PAGES = ["home", "calibrate", "scan", "arm", "records", "settings", "people"] as const;
 export type Page = (typeof PAGES)[number];
 
 export const TITLES: Record<Page, string> = {
@@ -10,6 +10,7 @@ export const TITLES: Record<Page, string> = {
   arm: "Arm check",
   records: "Records",
   settings: "Settings",
+  people: "People",
 };
 
 const listeners = new Set<() => void>();

@@ -1,5 +1,6 @@
 import { useSyncExternalStore } from "react";
 
+import type { Control, Session } from "../api/accessTypes";
 import type { ArmView } from "../api/armTypes";
 import type { Devices, FlowView, Home, Quality, ReplayState, ScanState, Station, StationSettings } from "../api/types";
 import type { ViewState } from "../api/viewTypes";
@@ -29,6 +30,9 @@ export interface LiveState {
   connection: Connection;
   /** performance.now() of the newest sign of life, 0 before the first. */
   heardAt: number;
+  /** Not known before the station's first answer. */
+  session: Session | null;
+  control: Control | null;
   station: Station | null;
   devices: Devices | null;
   flow: FlowView | null;
@@ -48,6 +52,8 @@ export interface LiveState {
 let state: LiveState = {
   connection: "connecting",
   heardAt: 0,
+  session: null,
+  control: null,
   station: null,
   devices: null,
   flow: null,
@@ -73,7 +79,7 @@ export function setState(change: Partial<LiveState>): void {
   for (const listener of listeners) listener();
 }
 
-function subscribe(listener: () => void): () => void {
+export function subscribe(listener: () => void): () => void {
   listeners.add(listener);
   return () => listeners.delete(listener);
 }

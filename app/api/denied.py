@@ -1,0 +1,19 @@
+"""A request that is not let pass."""
+
+from http import HTTPStatus
+
+
+class Denied(Exception):
+    """A request that its sender has no right to."""
+
+    def __init__(self, status: HTTPStatus, code: str, detail: str, remedy: str) -> None:
+        super().__init__(detail)
+        self.status, self.code, self.detail, self.remedy = status, code, detail, remedy
+
+
+class TooManyTries(Exception):
+    """Passwords or codes are tried too fast."""
+
+    def __init__(self, wait_s: float) -> None:
+        super().__init__(f"wait {wait_s:.0f} s")
+        self.wait_s = wait_s

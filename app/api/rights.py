@@ -1,0 +1,129 @@
+"""What each route and each message asks of whoever uses it. What is not listed here is denied."""
+
+from dataclasses import dataclass
+from enum import Enum, auto
+
+from app.store.accounts import Role
+
+
+class Right(Enum):
+    """What is asked, from nothing to most."""
+
+    enter = auto()
+    """Nothing: the pages themselves, and the ways to sign in."""
+    look = auto()
+    """Signed in, or a wall screen."""
+    be = auto()
+    """Signed in as a person, whatever the role."""
+    operate = auto()
+    """An operator."""
+    act = auto()
+    """An operator who has control, or takes it because nobody has."""
+    administer = auto()
+    """An administrator."""
+
+
+ROLE = {
+    Right.look: Role.viewer,
+    Right.be: Role.viewer,
+    Right.operate: Role.operator,
+    Right.act: Role.operator,
+    Right.administer: Role.admin,
+}
+"""The least role of each right that asks for one."""
+
+
+@dataclass(frozen=True, slots=True)
+class Rule:
+    """What a route asks, and how the audit log calls what it does; empty for what it leaves out."""
+
+    right: Right
+    act: str = ""
+
+
+WEBSOCKET = "WEBSOCKET"
+LOOK = Rule(Right.look)
+ENTER = Rule(Right.enter)
+
+ROUTES: dict[tuple[str, str], Rule] = {
+    ("GET", "/{path:path}"): ENTER,
+    ("HEAD", "/{path:path}"): ENTER,
+    ("GET", "/api/session"): ENTER,
+    ("POST", "/api/session"): ENTER,
+    ("DELETE", "/api/session"): ENTER,
+    ("POST", "/api/session/code"): ENTER,
+    ("POST", "/api/session/admin"): ENTER,
+    ("POST", "/api/session/wall"): ENTER,
+    ("POST", "/api/session/password"): Rule(Right.be, "changed the own password"),
+    ("GET", "/api/openapi.json"): LOOK,
+    (WEBSOCKET, "/api/live"): LOOK,
+    ("GET", "/viewer"): LOOK,
+    ("GET", "/viewer/{path:path}"): LOOK,
+    (WEBSOCKET, "/viewer"): LOOK,
+    (WEBSOCKET, "/viewer/"): LOOK,
+    (WEBSOCKET, "/viewer/{key}"): LOOK,
+    (WEBSOCKET, "/viewer/{key}/"): LOOK,
+    ("GET", "/api/home"): LOOK,
+    ("GET", "/api/calibrations"): LOOK,
+    ("GET", "/api/calibrations/{calibration_id}/calibration.json"): LOOK,
+    ("GET", "/api/scans"): LOOK,
+    ("GET", "/api/scans/{scan_id}/cloud.ply"): LOOK,
+    ("POST", "/api/scans/{scan_id}/name"): Rule(Right.act, "renamed a scan"),
+    ("DELETE", "/api/scans/{scan_id}"): Rule(Right.act, "deleted a scan"),
+    ("POST", "/api/scans/{scan_id}/shown"): Rule(Right.act),
+    ("GET", "/api/view"): LOOK,
+    ("POST", "/api/view/colours"): Rule(Right.act),
+    ("POST", "/api/view/fits"): Rule(Right.act),
+    ("DELETE", "/api/view/fits/{fit_id}"): Rule(Right.act),
+    ("GET", "/api/flow"): LOOK,
+    ("GET", "/api/flow/image/{name}"): LOOK,
+    ("POST", "/api/flow/start"): Rule(Right.act, "began or resumed a calibration"),
+    ("POST", "/api/flow/command"): Rule(Right.act, "calibration"),
+    ("GET", "/api/arm"): LOOK,
+    ("GET", "/api/arm/checks"): LOOK,
+    ("POST", "/api/arm/start"): Rule(Right.act, "began or resumed an arm check"),
+    ("POST", "/api/arm/command"): Rule(Right.act, "arm check"),
+    ("GET", "/api/scan"): LOOK,
+    ("POST", "/api/scan/start"): Rule(Right.act, "started a scan"),
+    ("POST", "/api/scan/stop"): Rule(Right.act, "stopped a scan"),
+    ("POST", "/api/scan/hand"): Rule(Right.act, "moved the simulated hand, or stopped it"),
+    ("POST", "/api/laser/on"): Rule(Right.act, "switched the laser on"),
+    # whoever sees a danger ends it, whoever has control
+    ("POST", "/api/laser/off"): Rule(Right.be, "switched the laser off"),
+    ("POST", "/api/stop"): Rule(Right.be, "pressed Stop"),
+    ("POST", "/api/exposure"): Rule(Right.act),
+    ("GET", "/api/settings"): LOOK,
+    ("POST", "/api/settings"): Rule(Right.act, "changed the settings"),
+    ("POST", "/api/settings/exposure"): Rule(Right.act, "set the exposure by the picture"),
+    ("POST", "/api/settings/delay/find"): Rule(Right.act, "looked for the arm's delay"),
+    ("POST", "/api/settings/delay/pass"): Rule(Right.act, "had the hand pass over the plate"),
+    ("POST", "/api/settings/delay"): Rule(Right.act, "applied or dropped the arm's delay"),
+    ("POST", "/api/control/ask"): Rule(Right.operate, "asked for control"),
+    ("POST", "/api/control/answer"): Rule(Right.operate, "answered who asked for control"),
+    ("POST", "/api/control/release"): Rule(Right.operate, "let go of control"),
+    ("POST", "/api/control/take"): Rule(Right.operate, "took control over"),
+    ("GET", "/api/accounts"): Rule(Right.administer),
+    ("POST", "/api/accounts"): Rule(Right.administer, "added an account"),
+    ("POST", "/api/accounts/{name}"): Rule(Right.administer, "changed an account"),
+    ("DELETE", "/api/accounts/{name}"): Rule(Right.administer, "removed an account"),
+    ("GET", "/api/walls"): Rule(Right.administer),
+    ("POST", "/api/walls"): Rule(Right.administer, "made a wall-screen link"),
+    ("DELETE", "/api/walls/{wall_id}"): Rule(Right.administer, "removed a wall-screen link"),
+    ("GET", "/api/audit"): Rule(Right.administer),
+} | {(method, "/api/{path:path}"): ENTER for method in ("GET", "POST", "PUT", "PATCH", "DELETE")}
+
+MESSAGES: dict[str, Right] = {
+    "preview": Right.look,
+    "preview_ack": Right.look,
+    "beat": Right.look,
+}
+"""What each kind of message of a live connection asks."""
+
+
+def allowed(right: Right, role: Role | None, wall: bool) -> bool:
+    """Whether a visitor has a right, leaving control aside; ``role`` is None for nobody."""
+    if right is Right.enter:
+        return True
+    if role is None or (wall and right is not Right.look):
+        return False
+    return role >= ROLE[right]

@@ -1,0 +1,48 @@
+"""Slowing down whoever guesses passwords."""
+
+import threading
+import time
+from collections.abc import Callable
+
+FREE_TRIES = 5
+LONGEST_WAIT_S = 60.0
+FORGOTTEN_S = 900.0
+MOST_KEPT = 10_000
+
+
+class Throttle:
+    """Failures by key: an address, or a name. After some, each doubles the wait."""
+
+    def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
+        self._clock = clock
+        self._lock = threading.Lock()
+        self._failures: dict[str, tuple[int, float]] = {}
+
+    def wait_s(self, *keys: str) -> float:
+        """Seconds until another try is allowed."""
+        with self._lock:
+            return max(self._left_s(key) for key in keys)
+
+    def failed(self, *keys: str) -> None:
+        """Notes a failure."""
+        now = self._clock()
+        with self._lock:
+            if len(self._failures) > MOST_KEPT:
+                recent = {k: v for k, v in self._failures.items() if now - v[1] < LONGEST_WAIT_S}
+                self._failures = recent
+            for key in keys:
+                count, at = self._failures.get(key, (0, now))
+                self._failures[key] = (1 if now - at > FORGOTTEN_S else count + 1, now)
+
+    def succeeded(self, *keys: str) -> None:
+        """Forgets the failures."""
+        with self._lock:
+            for key in keys:
+                self._failures.pop(key, None)
+
+    def _left_s(self, key: str) -> float:
+        count, at = self._failures.get(key, (0, 0.0))
+        if count < FREE_TRIES:
+            return 0.0
+        wait_s = min(2.0 ** (count - FREE_TRIES), LONGEST_WAIT_S)
+        return max(at + wait_s - self._clock(), 0.0)

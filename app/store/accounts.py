@@ -1,0 +1,169 @@
+"""The people who may sign in, and what each may do."""
+
+import sqlite3
+import unicodedata
+from dataclasses import dataclass
+from enum import IntEnum
+from functools import cache
+
+from argon2 import PasswordHasher
+from argon2.exceptions import InvalidHashError, VerificationError
+
+from app.metrology.refusal import Refusal
+from app.store.database import Database, utc_now
+
+LONGEST_NAME = 40
+SHORTEST_PASSWORD, LONGEST_PASSWORD = 10, 200
+HASHER = PasswordHasher()
+NO_PASSWORD = "!"
+"""In a hash's place: whoever has it enters by a link alone."""
+
+
+class Role(IntEnum):
+    """What an account may do; each may do what those below it may."""
+
+    viewer = 1
+    """Look on."""
+    operator = 2
+    """Probe, capture, calibrate, scan."""
+    admin = 3
+    """Accounts, links and the audit log."""
+
+
+@dataclass(frozen=True, slots=True)
+class Account:
+    """One person, or one wall screen."""
+
+    name: str
+    role: Role
+    made_at: str
+
+
+class AccountStore:
+    """Accounts by name, upper and lower case alike; passwords as argon2id hashes."""
+
+    def __init__(self, database: Database) -> None:
+        self._database = database
+
+    def all(self) -> list[Account]:
+        """Every account, by name."""
+        return self._read("ORDER BY name")
+
+    def get(self, name: str) -> Account | None:
+        found = self._read("WHERE name = ?", _plain(name))
+        return found[0] if found else None
+
+    def has_admin(self) -> bool:
+        """Whether anybody can sign in as an administrator."""
+        return bool(self._admins())
+
+    def add(self, name: str, role: Role, password: str | None) -> Account:
+        """A new account; without a password it can be entered by a link alone.
+
+        Raises:
+            Refusal: the name is taken or no name, or the password will not do.
+        """
+        name = _name(name)
+        hashed = NO_PASSWORD if password is None else self._hashed(name, password)
+        account = Account(name, role, utc_now())
+        with self._database.writing() as connection:
+            taken = connection.execute("SELECT 1 FROM account WHERE name = ?", (name,)).fetchone()
+            if taken:
+                raise Refusal(
+                    "account-taken",
+                    f"There is an account {name} already",
+                    remedy="Choose another name",
+                )
+            connection.execute(
+                "INSERT INTO account (name, role, password, made_at) VALUES (?, ?, ?, ?)",
+                (account.name, role.name, hashed, account.made_at),
+            )
+        return account
+
+    def matching(self, name: str, password: str) -> Account | None:
+        """The account that name and password belong to; as slow for a name that is not known."""
+        rows = self._database.read("SELECT * FROM account WHERE name = ?", _plain(name))
+        hashed = rows[0]["password"] if rows else _nobody()
+        try:
+            HASHER.verify(hashed, password)
+        except (VerificationError, InvalidHashError):
+            return None
+        return _account(rows[0]) if rows else None
+
+    def set_password(self, name: str, password: str) -> None:
+        """Raises ``Refusal`` where the password will not do."""
+        hashed = self._hashed(name, password)
+        with self._database.writing() as connection:
+            connection.execute("UPDATE account SET password = ? WHERE name = ?", (hashed, name))
+
+    def set_role(self, name: str, role: Role) -> None:
+        """Raises ``Refusal`` where nobody would be left who can administer the station."""
+        self._check_admin_left(name, role)
+        with self._database.writing() as connection:
+            connection.execute("UPDATE account SET role = ? WHERE name = ?", (role.name, name))
+
+    def remove(self, name: str) -> None:
+        """Removes an account with its sign-ins; raises ``Refusal`` as ``set_role`` does."""
+        self._check_admin_left(name, None)
+        with self._database.writing() as connection:
+            connection.execute("DELETE FROM account WHERE name = ?", (name,))
+
+    def _check_admin_left(self, name: str, role: Role | None) -> None:
+        admins = {admin.lower() for admin in self._admins()}
+        if role is not Role.admin and admins == {name.lower()}:
+            raise Refusal(
+                "last-admin",
+                f"{name} is the only administrator",
+                "somebody must be able to give people access",
+                "Make somebody else an administrator first",
+            )
+
+    def _admins(self) -> list[str]:
+        """Names of the administrators who can sign in."""
+        rows = self._database.read(
+            "SELECT name FROM account WHERE role = 'admin' AND password <> ?", NO_PASSWORD
+        )
+        return [row["name"] for row in rows]
+
+    def _hashed(self, name: str, password: str) -> str:
+        if not SHORTEST_PASSWORD <= len(password) <= LONGEST_PASSWORD:
+            raise Refusal(
+                "password-length",
+                f"The password has {len(password)} characters",
+                f"{SHORTEST_PASSWORD} to {LONGEST_PASSWORD} are wanted",
+                "Take a longer one; three unrelated words are good",
+            )
+        if password.lower() == name.lower():
+            raise Refusal("password-is-name", "The password is the name", remedy="Take another")
+        return HASHER.hash(password)
+
+    def _read(self, clause: str, *values: str) -> list[Account]:
+        return [
+            _account(row) for row in self._database.read(f"SELECT * FROM account {clause}", *values)
+        ]
+
+
+@cache
+def _nobody() -> str:
+    """A hash to compare with where there is none."""
+    return HASHER.hash("nobody has this password")
+
+
+def _account(row: sqlite3.Row) -> Account:
+    return Account(row["name"], Role[row["role"]], row["made_at"])
+
+
+def _plain(name: str) -> str:
+    """One spelling of names that look alike."""
+    return " ".join(unicodedata.normalize("NFKC", name).split())
+
+
+def _name(name: str) -> str:
+    plain = _plain(name)
+    if not plain or len(plain) > LONGEST_NAME or not plain.isprintable():
+        raise Refusal(
+            "account-name",
+            f"{plain!r} is no name of an account" if plain else "The account has no name",
+            f"1 to {LONGEST_NAME} letters, digits and signs",
+        )
+    return plain

@@ -1,0 +1,124 @@
+"""Who is signed in where: browsers by their cookie, wall screens by their link.
+
+Of cookies and links only the SHA-256 is kept, so that a copied database opens no door.
+"""
+
+import hashlib
+import secrets
+import sqlite3
+from dataclasses import dataclass
+from datetime import UTC, datetime, timedelta
+
+from app.store.accounts import Role
+from app.store.database import Database, utc_now
+
+IDLE = timedelta(hours=14)
+"""A person's browser that was not used for so long must sign in again: longer than a shift."""
+SEEN_EVERY = timedelta(minutes=1)
+TOKEN_BYTES = 32
+ID_DIGITS = 12
+
+
+@dataclass(frozen=True, slots=True)
+class Visitor:
+    """Who is behind a request."""
+
+    id: str
+    """Of this browser's sign-in; it opens nothing."""
+    name: str
+    role: Role
+    wall: bool
+    """A wall screen, which nobody stands at."""
+
+
+@dataclass(frozen=True, slots=True)
+class WallLink:
+    """A link that shows the station and lets nobody do anything."""
+
+    id: str
+    name: str
+    made_by: str
+    made_at: str
+
+
+class SignInStore:
+    """Cookies that are good, and wall links."""
+
+    def __init__(self, database: Database) -> None:
+        self._database = database
+
+    def begin(self, account: str, device: str) -> str:
+        """Signs a browser in; its cookie, which is told this once."""
+        token = secrets.token_urlsafe(TOKEN_BYTES)
+        now = utc_now()
+        with self._database.writing() as connection:
+            connection.execute(
+                "INSERT INTO sign_in (token, account, device, begun_at, seen_at)"
+                " VALUES (?, ?, ?, ?, ?)",
+                (_digest(token), account, device[:200], now, now),
+            )
+        return token
+
+    def visitor(self, token: str) -> Visitor | None:
+        """Whose cookie or wall link it is; None for one that is not good (any more)."""
+        digest = _digest(token)
+        rows = self._database.read(
+            "SELECT sign_in.seen_at, account.name, account.role FROM sign_in"
+            " JOIN account ON account.name = sign_in.account WHERE token = ?",
+            digest,
+        )
+        if rows:
+            return self._person(digest, rows[0])
+        links = self._database.read("SELECT * FROM wall_link WHERE token = ?", digest)
+        if links:
+            return Visitor(digest[:ID_DIGITS], links[0]["name"], Role.viewer, wall=True)
+        return None
+
+    def _person(self, digest: str, row: sqlite3.Row) -> Visitor | None:
+        idle = datetime.now(UTC) - datetime.fromisoformat(row["seen_at"])
+        if idle > IDLE:
+            self._end("token = ?", digest)
+            return None
+        if idle > SEEN_EVERY:
+            with self._database.writing() as connection:
+                connection.execute(
+                    "UPDATE sign_in SET seen_at = ? WHERE token = ?", (utc_now(), digest)
+                )
+        return Visitor(digest[:ID_DIGITS], row["name"], Role[row["role"]], wall=False)
+
+    def end(self, token: str) -> None:
+        """Signs one browser out."""
+        self._end("token = ?", _digest(token))
+
+    def end_all(self, account: str) -> None:
+        """Signs a person out everywhere."""
+        self._end("account = ?", account)
+
+    def _end(self, clause: str, value: str) -> None:
+        with self._database.writing() as connection:
+            connection.execute(f"DELETE FROM sign_in WHERE {clause}", (value,))
+
+    def add_wall(self, name: str, made_by: str) -> tuple[WallLink, str]:
+        """A new wall link and its token, which is told this once."""
+        token = secrets.token_urlsafe(TOKEN_BYTES)
+        link = WallLink(secrets.token_hex(6), name, made_by, utc_now())
+        with self._database.writing() as connection:
+            connection.execute(
+                "INSERT INTO wall_link (id, token, name, made_by, made_at) VALUES (?, ?, ?, ?, ?)",
+                (link.id, _digest(token), link.name, link.made_by, link.made_at),
+            )
+        return link, token
+
+    def walls(self) -> list[WallLink]:
+        """Every wall link, oldest first."""
+        rows = self._database.read("SELECT * FROM wall_link ORDER BY made_at")
+        return [WallLink(row["id"], row["name"], row["made_by"], row["made_at"]) for row in rows]
+
+    def remove_wall(self, link_id: str) -> None:
+        """Its screens show nothing from now on."""
+        with self._database.writing() as connection:
+            connection.execute("DELETE FROM wall_link WHERE id = ?", (link_id,))
+
+
+def _digest(token: str) -> str:
+    return hashlib.sha256(token.encode()).hexdigest()

@@ -1,0 +1,112 @@
+import { clearNotice } from "../state/notices";
+import { setState } from "../state/store";
+import type { Account, Control, Role, Session, Wall } from "./accessTypes";
+import { tell } from "./commands";
+import { drop, get, NoAnswer, post } from "./http";
+
+const AGAIN_MS = 1000;
+
+/** What a link brought along after its #, taken out of the address at once. */
+function fragment(): { way: "code" | "wall"; value: string } | null {
+  const found = /^#(code|wall)=([\w-]+)$/.exec(window.location.hash);
+  if (!found) return null;
+  window.history.replaceState(null, "", window.location.pathname);
+  return { way: found[1] as "code" | "wall", value: found[2] ?? "" };
+}
+
+/** Enters by the link that opened this page, or goes on as whoever is signed in here. */
+export async function startSession(): Promise<void> {
+  const link = fragment();
+  if (link) {
+    try {
+      put(await post<Session>(`/api/session/${link.way}`, { code: link.value }));
+      return clearNotice();
+    } catch (error) {
+      tell(error, "the link could not be opened");
+    }
+  }
+  await readSession();
+}
+
+/** Until the station answers. */
+export async function readSession(): Promise<void> {
+  for (;;) {
+    try {
+      return put(await get<Session>("/api/session"));
+    } catch (error) {
+      if (!(error instanceof NoAnswer)) throw error;
+      await new Promise((resolve) => setTimeout(resolve, AGAIN_MS));
+    }
+  }
+}
+
+function put(session: Session | null): void {
+  if (session) setState({ session });
+}
+
+/** Does it, and tells what went wrong; whether it was done. */
+async function done(act: () => Promise<void>, whatWas: string): Promise<boolean> {
+  try {
+    await act();
+    clearNotice();
+    return true;
+  } catch (error) {
+    tell(error, whatWas);
+    return false;
+  }
+}
+
+export const signIn = (name: string, password: string) =>
+  done(async () => put(await post<Session>("/api/session", { name, password })), "nobody was signed in");
+
+export const enterByCode = (code: string) =>
+  done(async () => put(await post<Session>("/api/session/code", { code })), "nobody was let in");
+
+export const makeAdmin = (code: string, name: string, password: string) =>
+  done(async () => put(await post<Session>("/api/session/admin", { code, name, password })), "no account was made");
+
+export const signOut = () =>
+  done(async () => put(await drop<Session>("/api/session")), "you may still be signed in");
+
+export const changePassword = (old: string, fresh: string) =>
+  done(
+    async () => put(await post<Session>("/api/session/password", { old, new: fresh })),
+    "the password was not changed",
+  );
+
+async function control(path: string, body: unknown, whatWas: string): Promise<boolean> {
+  return done(async () => {
+    const now = await post<Control>(`/api/control/${path}`, body);
+    if (now) setState({ control: now });
+  }, whatWas);
+}
+
+export const askForControl = () => control("ask", {}, "control was not asked for");
+export const answerForControl = (give: boolean) => control("answer", { give }, "the answer was not given");
+export const releaseControl = () => control("release", {}, "control was not let go");
+export const takeControl = (reason: string) => control("take", { reason }, "control was not taken");
+
+export const addAccount = (name: string, role: Role, password: string) =>
+  done(async () => void (await post<Account>("/api/accounts", { name, role, password })), "no account was made");
+
+export const changeAccount = (name: string, change: { role?: Role; password?: string }) =>
+  done(
+    async () => void (await post<Account>(`/api/accounts/${encodeURIComponent(name)}`, change)),
+    "the account was not changed",
+  );
+
+export const removeAccount = (name: string) =>
+  done(async () => void (await drop(`/api/accounts/${encodeURIComponent(name)}`)), "the account was not removed");
+
+/** The new link's address, which is shown this once; nothing where it was not made. */
+export async function addWall(name: string): Promise<string> {
+  let address = "";
+  await done(async () => {
+    const wall = await post<Wall>("/api/walls", { name });
+    if (wall?.token) address = `${window.location.origin}/#wall=${wall.token}`;
+  }, "no link was made");
+  return address;
+}
+
+export const removeWall = (id: string) =>
+  done(async () => void (await drop(`/api/walls/${id}`)), "the link may still be good");

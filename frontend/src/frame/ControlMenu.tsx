@@ -1,0 +1,107 @@
+import { Popover } from "@mantine/core";
+import { useState } from "react";
+
+import type { Control, You } from "../api/accessTypes";
+import { ROLES } from "../api/accessTypes";
+import { askForControl, releaseControl, signOut, takeControl } from "../api/session";
+import { PressButton } from "../parts/PressButton";
+import { TextField } from "../parts/TextField";
+import { useLive } from "../state/store";
+import styles from "./ControlMenu.module.css";
+import { PasswordForm } from "./PasswordForm";
+
+/** Who has control, in the same place on every page; under it, how to come by it. */
+export function ControlMenu() {
+  const you = useLive((s) => s.session?.you ?? null);
+  const control = useLive((s) => s.control);
+  // whoever came by the console's link has no password
+  const guest = useLive((s) => s.session?.by_code ?? false);
+  const [opened, setOpened] = useState(false);
+  if (!you) return null;
+  const holder = control?.holder ?? null;
+  const whose = !holder ? "free" : holder.id === you.id ? "yours" : "theirs";
+  const words = { free: "nobody", yours: "you", theirs: holder?.name ?? "" }[whose];
+  return (
+    <Popover opened={opened} onChange={setOpened} position="bottom-end" shadow="md" radius="md" trapFocus zIndex={310}>
+      <Popover.Target>
+        <button
+          type="button"
+          className={styles.pill}
+          data-whose={whose}
+          aria-label={`Control: ${words}`}
+          aria-haspopup="dialog"
+          aria-expanded={opened}
+          onClick={() => setOpened(!opened)}
+        >
+          <span className={styles.dot} aria-hidden="true" />
+          <span className={styles.words}>
+            <span className={styles.state}>Control</span>
+            <span className={styles.who}>{words}</span>
+          </span>
+        </button>
+      </Popover.Target>
+      <Popover.Dropdown className={styles.menu} aria-label="Control and sign-in">
+        <Whose you={you} control={control} whose={whose} />
+        <hr className={styles.rule} />
+        <p>
+          You are <strong>{you.name}</strong>, {you.wall ? "a wall screen" : ROLES[you.role]}.
+        </p>
+        {!you.wall && !guest && <PasswordForm />}
+        <PressButton free onPress={async () => void (await signOut())}>
+          Sign out
+        </PressButton>
+      </Popover.Dropdown>
+    </Popover>
+  );
+}
+
+interface WhoseProps {
+  you: You;
+  control: Control | null;
+  whose: "free" | "yours" | "theirs";
+}
+
+function Whose({ you, control, whose }: WhoseProps) {
+  const [reason, setReason] = useState("");
+  const holder = control?.holder;
+  if (you.wall || you.role === "viewer") {
+    return <p>{holder ? `${holder.name} has control. You look on.` : "Nobody has control. You look on."}</p>;
+  }
+  if (whose === "free") return <p>Nobody has control. Whoever acts first takes it.</p>;
+  if (whose === "yours") {
+    return (
+      <>
+        <p>You have control: what you press is done. Others look on.</p>
+        <PressButton free onPress={async () => void (await releaseControl())}>
+          Let go of control
+        </PressButton>
+      </>
+    );
+  }
+  const same = holder?.name === you.name;
+  const asked = control?.asked_by?.id === you.id;
+  return (
+    <>
+      <p>
+        {same ? "You have control in another browser." : `${holder?.name} has control.`} Stop and Laser off act all the
+        same.
+      </p>
+      {!same && (
+        <PressButton free disabled={asked} onPress={async () => void (await askForControl())}>
+          {asked ? "You have asked for control" : "Ask for control"}
+        </PressButton>
+      )}
+      {!same && (
+        <TextField
+          label={`Or take it over, and tell ${holder?.name} why`}
+          value={reason}
+          maxLength={120}
+          onText={setReason}
+        />
+      )}
+      <PressButton free disabled={!same && !reason.trim()} onPress={async () => void (await takeControl(reason))}>
+        Take over
+      </PressButton>
+    </>
+  );
+}

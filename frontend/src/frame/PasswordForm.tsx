@@ -1,0 +1,41 @@
+import { useState } from "react";
+
+import { changePassword } from "../api/session";
+import { PressButton } from "../parts/PressButton";
+import { TextField } from "../parts/TextField";
+import { notify } from "../state/notices";
+
+/** A new password of one's own; a press opens it. */
+export function PasswordForm() {
+  const [opened, setOpened] = useState(false);
+  const [old, setOld] = useState("");
+  const [fresh, setFresh] = useState("");
+  if (!opened) {
+    return (
+      <PressButton free onPress={() => setOpened(true)}>
+        Change the password
+      </PressButton>
+    );
+  }
+  const send = async () => {
+    if (!(await changePassword(old, fresh))) return;
+    setOpened(false);
+    notify({ quality: "good", title: "The password is changed; other browsers are signed out." }, 6000);
+  };
+  return (
+    <>
+      <TextField label="Old password" type="password" autoComplete="current-password" value={old} onText={setOld} />
+      <TextField
+        label="New password"
+        type="password"
+        autoComplete="new-password"
+        help="10 characters or more."
+        value={fresh}
+        onText={setFresh}
+      />
+      <PressButton free onPress={send}>
+        Change it
+      </PressButton>
+    </>
+  );
+}

@@ -1,0 +1,161 @@
+import { type FormEvent, type ReactNode, useState } from "react";
+
+import type { Session } from "../api/accessTypes";
+import { enterByCode, makeAdmin, signIn } from "../api/session";
+import { Mark } from "../parts/icons";
+import { PressButton } from "../parts/PressButton";
+import { QualityMark } from "../parts/QualityMark";
+import { TextField } from "../parts/TextField";
+import { useLive } from "../state/store";
+import styles from "./EntrancePage.module.css";
+
+/** Where somebody who is not signed in comes to: one form, for the one way in. */
+export function EntrancePage({ session }: { session: Session }) {
+  return (
+    <main className={styles.page}>
+      <div className={styles.card}>
+        <div className={styles.brand}>
+          <Mark />
+          <div>
+            <div className={styles.name}>Crenel</div>
+            <div className={styles.station}>{session.station}</div>
+          </div>
+        </div>
+        <Way session={session} />
+        <Told />
+      </div>
+    </main>
+  );
+}
+
+/** The form that suits; a demonstration can be entered by its code and by an account. */
+function Way({ session }: { session: Session }) {
+  const [byName, setByName] = useState(!session.by_code);
+  if (session.first_start) return <FirstAdmin />;
+  if (!session.by_code) return <SignIn />;
+  return (
+    <>
+      {byName ? <SignIn /> : <ByCode />}
+      <PressButton free kind="quiet" onPress={() => setByName(!byName)}>
+        {byName ? "Enter by the console’s code" : "Sign in by name"}
+      </PressButton>
+    </>
+  );
+}
+
+/** What was wrong with the last try. */
+function Told() {
+  const notice = useLive((s) => s.notice);
+  if (!notice) return null;
+  return (
+    <div className={styles.told} role="alert">
+      <QualityMark quality={notice.quality} />
+      <div>
+        <strong>{notice.title}</strong>
+        {notice.remedy && <div>{notice.remedy}.</div>}
+      </div>
+    </div>
+  );
+}
+
+interface FormProps {
+  title: string;
+  text: string;
+  act: string;
+  onAct: () => Promise<unknown>;
+  children: ReactNode;
+}
+
+function Form({ title, text, act, onAct, children }: FormProps) {
+  const [busy, setBusy] = useState(false);
+  const send = async () => {
+    if (busy) return;
+    setBusy(true);
+    await onAct();
+    setBusy(false);
+  };
+  const submit = (event: FormEvent) => {
+    event.preventDefault();
+    void send();
+  };
+  return (
+    <form className={styles.form} onSubmit={submit}>
+      <h1 className={styles.title}>{title}</h1>
+      <p className={styles.text}>{text}</p>
+      {children}
+      <PressButton free kind="primary" onPress={send}>
+        {act}
+      </PressButton>
+      {/* so that Enter in a field sends the form */}
+      <button type="submit" hidden />
+    </form>
+  );
+}
+
+function SignIn() {
+  const [name, setName] = useState("");
+  const [password, setPassword] = useState("");
+  return (
+    <Form
+      title="Sign in"
+      text="Whoever looks on sees everything; acting takes an operator’s account."
+      act="Sign in"
+      onAct={() => signIn(name, password)}
+    >
+      <TextField label="Name" autoComplete="username" autoFocus value={name} onText={setName} />
+      <TextField
+        label="Password"
+        type="password"
+        autoComplete="current-password"
+        value={password}
+        onText={setPassword}
+      />
+    </Form>
+  );
+}
+
+function ByCode() {
+  const [code, setCode] = useState("");
+  return (
+    <Form
+      title="Open it by its link"
+      text="The console that runs Crenel shows a link: open that one. Or enter what stands there after code=."
+      act="Enter"
+      onAct={() => enterByCode(code)}
+    >
+      <TextField label="Code" autoComplete="off" autoCapitalize="characters" autoFocus value={code} onText={setCode} />
+    </Form>
+  );
+}
+
+function FirstAdmin() {
+  const [code, setCode] = useState("");
+  const [name, setName] = useState("");
+  const [password, setPassword] = useState("");
+  return (
+    <Form
+      title="Make the administrator’s account"
+      text="This station is new: nobody can sign in yet. The console that runs it shows a code for this."
+      act="Make the account"
+      onAct={() => makeAdmin(code, name, password)}
+    >
+      <TextField
+        label="Code on the console"
+        autoComplete="off"
+        autoCapitalize="characters"
+        autoFocus
+        value={code}
+        onText={setCode}
+      />
+      <TextField label="Your name" autoComplete="username" value={name} onText={setName} />
+      <TextField
+        label="Password"
+        type="password"
+        autoComplete="new-password"
+        help="10 characters or more; three unrelated words are good."
+        value={password}
+        onText={setPassword}
+      />
+    </Form>
+  );
+}

@@ -1,0 +1,201 @@
+"""Signing in and out, control, accounts and wall screens, as browsers do it."""
+
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import httpx
+import pytest
+from websockets.exceptions import ConnectionClosed
+from websockets.sync.client import connect
+
+from app.store.accounts import Role
+from tests.api.conftest import Server
+from tests.entering import cookie
+
+PASSWORD = "three unrelated words"
+
+
+@contextmanager
+def browser(server: Server, name: str = "", password: str = PASSWORD) -> Iterator[httpx.Client]:
+    with httpx.Client(base_url=server.address, timeout=20.0) as http:
+        if name:
+            http.post("/api/session", json={"name": name, "password": password}).raise_for_status()
+        yield http
+
+
+@pytest.fixture
+def people(server: Server) -> Iterator[None]:
+    accounts = server.context.store.accounts
+    for name, role in (("Anna", Role.operator), ("Ben", Role.operator), ("Vera", Role.viewer)):
+        accounts.add(name, role, PASSWORD)
+    server.http.post("/api/control/take", json={"reason": "a test begins"}).raise_for_status()
+    server.http.post("/api/control/release").raise_for_status()
+    yield
+    for name in ("Anna", "Ben", "Vera"):
+        if accounts.get(name) is not None:
+            accounts.remove(name)
+    server.http.post("/api/control/take", json={"reason": "a test is over"}).raise_for_status()
+
+
+def test_a_sign_in_is_a_cookie_that_no_script_reads(server: Server, people: None) -> None:
+    with browser(server) as http:
+        assert http.get("/api/session").json()["you"] is None
+        answer = http.post("/api/session", json={"name": " anna ", "password": PASSWORD})
+        assert answer.json()["you"]["name"] == "Anna"
+        flags = answer.headers["set-cookie"].lower()
+        assert "httponly" in flags
+        assert "samesite=strict" in flags
+        assert http.get("/api/home").status_code == 200
+        http.delete("/api/session").raise_for_status()
+        assert http.get("/api/home").status_code == 401
+
+
+def test_a_sign_in_that_has_ended_is_not_good_for_who_kept_the_cookie(
+    server: Server, people: None
+) -> None:
+    with browser(server, "Anna") as http:
+        kept = cookie(http)
+        http.delete("/api/session").raise_for_status()
+    with browser(server) as other:
+        assert other.get("/api/home", headers=kept).status_code == 401
+
+
+@pytest.mark.parametrize("name", ["Anna", "Nobody", "", "Demo", "' OR 1=1 --"])
+def test_a_wrong_password_is_told_alike_for_everyone(
+    server: Server, people: None, name: str
+) -> None:
+    with browser(server) as http:
+        answer = http.post("/api/session", json={"name": name, "password": "!"})
+        assert answer.status_code == 401
+        assert answer.json()["code"] == "wrong-password"
+        assert "set-cookie" not in answer.headers
+    server.context.entrance._throttle.succeeded("address 127.0.0.1")
+
+
+def test_guessing_becomes_slow_and_stays_so_for_the_right_password(
+    server: Server, people: None
+) -> None:
+    with browser(server) as http:
+        wrong = {"name": "Anna", "password": "guess"}
+        codes = [http.post("/api/session", json=wrong).status_code for _ in range(7)]
+        assert codes[0] == 401
+        assert codes[-1] == 429
+        answer = http.post("/api/session", json={"name": "Anna", "password": PASSWORD})
+        assert answer.status_code == 429
+        assert int(answer.headers["retry-after"]) >= 1
+        server.context.entrance._throttle.succeeded("address 127.0.0.1", "name anna")
+        assert http.post("/api/session", json={**wrong, "password": PASSWORD}).status_code == 200
+
+
+def test_signing_out_closes_what_is_live(server: Server, people: None) -> None:
+    with browser(server, "Vera") as http:
+        with connect(server.live, additional_headers=cookie(http)) as socket:
+            assert '"Vera"' in str(socket.recv(10.0))
+            http.delete("/api/session").raise_for_status()
+            deadline = time.monotonic() + 10.0
+            code = 0
+            try:
+                while time.monotonic() < deadline:
+                    socket.recv(10.0)
+            except ConnectionClosed as closed:
+                code = closed.rcvd.code if closed.rcvd else 0
+        assert code == 4401
+
+
+def test_control_is_taken_by_acting_and_seen_by_all(server: Server, people: None) -> None:
+    with browser(server, "Anna") as anna, browser(server, "Ben") as ben:
+        assert anna.post("/api/exposure", json={"exposure_us": 3000}).status_code == 200
+        refused = ben.post("/api/exposure", json={"exposure_us": 3000})
+        assert refused.status_code == 422
+        assert refused.json()["code"] == "control"
+        assert "Anna has control" in refused.json()["detail"]
+        # what ends a danger needs no control
+        assert ben.post("/api/laser/off").status_code == 200
+        assert ben.post("/api/stop").status_code == 204
+
+        assert ben.post("/api/control/ask").json()["asked_by"]["name"] == "Ben"
+        assert ben.post("/api/control/answer", json={"give": True}).status_code == 422
+        given = anna.post("/api/control/answer", json={"give": True}).json()
+        assert given["holder"]["name"] == "Ben"
+        assert anna.post("/api/exposure", json={"exposure_us": 3000}).status_code == 422
+
+        assert anna.post("/api/control/take", json={}).json()["code"] == "control-reason"
+        taken = anna.post("/api/control/take", json={"reason": "Ben is at lunch"}).json()
+        assert taken["holder"]["name"] == "Anna"
+        with browser(server) as admin:
+            admin.cookies = server.http.cookies
+            acts = [entry["act"] for entry in admin.get("/api/audit").json()]
+        assert "took control over: Ben is at lunch" in acts
+        anna.delete("/api/session").raise_for_status()
+        assert ben.post("/api/exposure", json={"exposure_us": 3000}).status_code == 200
+
+
+def test_a_viewer_looks_on(server: Server, people: None) -> None:
+    with browser(server, "Vera") as vera:
+        assert vera.get("/api/flow").status_code == 200
+        answer = vera.post("/api/flow/start")
+        assert answer.status_code == 403
+        assert "Vera may not do this" in answer.json()["detail"]
+
+
+def test_a_new_password_signs_out_every_other_browser(server: Server, people: None) -> None:
+    with browser(server, "Vera") as here, browser(server, "Vera") as there:
+        wrong = here.post("/api/session/password", json={"old": "?", "new": PASSWORD + "!"})
+        assert wrong.status_code == 403
+        short = here.post("/api/session/password", json={"old": PASSWORD, "new": "short"})
+        assert short.json()["code"] == "password-length"
+        done = here.post("/api/session/password", json={"old": PASSWORD, "new": PASSWORD + "!"})
+        assert done.status_code == 200
+        assert here.get("/api/home").status_code == 200
+        assert there.get("/api/home").status_code == 401
+        with browser(server, "Vera", PASSWORD + "!") as later:
+            assert later.get("/api/home").status_code == 200
+
+
+def test_administrators_make_change_and_remove_accounts(server: Server, people: None) -> None:
+    admin = server.http
+    new = {"name": "Carl", "role": "viewer", "password": PASSWORD}
+    assert admin.post("/api/accounts", json=new).json()["role"] == "viewer"
+    assert admin.post("/api/accounts", json={**new, "name": "carl"}).json()["code"] == (
+        "account-taken"
+    )
+    assert admin.post("/api/accounts", json={**new, "name": " "}).json()["code"] == "account-name"
+    with browser(server, "Carl") as carl:
+        assert admin.post("/api/accounts/Carl", json={"role": "operator"}).status_code == 200
+        assert carl.get("/api/home").status_code == 401
+        assert admin.delete("/api/accounts/Carl").status_code == 204
+        gone = carl.post("/api/session", json={"name": "Carl", "password": PASSWORD})
+        assert gone.status_code == 401
+    assert admin.delete("/api/accounts/Carl").status_code == 404
+    server.context.entrance._throttle.succeeded("address 127.0.0.1", "name carl")
+
+
+def test_the_last_administrator_stays(server: Server) -> None:
+    accounts = server.context.store.accounts
+    accounts.add("Ada", Role.admin, PASSWORD)
+    assert server.http.delete("/api/accounts/Ada").json()["code"] == "last-admin"
+    change = server.http.post("/api/accounts/ada", json={"role": "viewer"})
+    assert change.json()["code"] == "last-admin"
+    accounts.add("Eva", Role.admin, PASSWORD)
+    assert server.http.delete("/api/accounts/Ada").status_code == 204
+
+
+def test_a_wall_screen_shows_and_does_nothing(server: Server) -> None:
+    made = server.http.post("/api/walls", json={"name": "Hall 3"}).json()
+    with browser(server) as screen:
+        assert screen.post("/api/session/wall", json={"code": "guess"}).status_code == 401
+        entered = screen.post("/api/session/wall", json={"code": made["token"]}).json()
+        assert entered["you"] == {
+            "id": entered["you"]["id"],
+            "name": "Hall 3",
+            "role": "viewer",
+            "wall": True,
+        }
+        assert screen.get("/api/flow").status_code == 200
+        assert screen.post("/api/stop").status_code == 403
+        listed = server.http.get("/api/walls").json()
+        assert [(wall["name"], wall["token"]) for wall in listed] == [("Hall 3", None)]
+        assert server.http.delete(f"/api/walls/{made['id']}").status_code == 204
+        assert screen.get("/api/flow").status_code == 401
+    assert server.http.delete("/api/walls/none").status_code == 404

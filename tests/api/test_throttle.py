@@ -1,0 +1,38 @@
+"""Waiting after failures."""
+
+from app.api.throttle import FORGOTTEN_S, FREE_TRIES, LONGEST_WAIT_S, Throttle
+
+
+class Clock:
+    now_s = 0.0
+
+    def __call__(self) -> float:
+        return self.now_s
+
+
+def test_after_some_failures_each_doubles_the_wait_up_to_a_minute() -> None:
+    clock = Clock()
+    throttle = Throttle(clock)
+    waits = []
+    for _ in range(FREE_TRIES + 10):
+        throttle.failed("anna", "10.0.0.1")
+        waits.append(throttle.wait_s("anna"))
+    assert waits[: FREE_TRIES - 1] == [0.0] * (FREE_TRIES - 1)
+    assert waits[FREE_TRIES - 1 : FREE_TRIES + 2] == [1.0, 2.0, 4.0]
+    assert waits[-1] == LONGEST_WAIT_S
+    assert throttle.wait_s("ben", "10.0.0.1") == LONGEST_WAIT_S
+    assert throttle.wait_s("ben") == 0.0
+    clock.now_s += LONGEST_WAIT_S
+    assert throttle.wait_s("anna") == 0.0
+
+
+def test_success_and_time_forget() -> None:
+    clock = Clock()
+    throttle = Throttle(clock)
+    for _ in range(9):
+        throttle.failed("anna", "ben")
+    throttle.succeeded("anna")
+    assert throttle.wait_s("anna") == 0.0
+    clock.now_s += FORGOTTEN_S + 1
+    throttle.failed("ben")
+    assert throttle.wait_s("ben") == 0.0

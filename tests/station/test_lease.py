@@ -1,0 +1,97 @@
+"""Who has control, over time."""
+
+import pytest
+
+from app.metrology.refusal import Refusal
+from app.station.bus import Bus
+from app.station.lease import LAPSES_S, Control, Lease, Person
+
+ANNA, BEN, TABLET = Person("a", "Anna"), Person("b", "Ben"), Person("t", "Anna")
+
+
+class Clock:
+    now_s = 100.0
+
+    def __call__(self) -> float:
+        return self.now_s
+
+
+def leased() -> tuple[Lease, Clock, Bus]:
+    clock, bus = Clock(), Bus()
+    return Lease(bus, clock), clock, bus
+
+
+def test_whoever_acts_first_has_it_and_all_are_told() -> None:
+    lease, _, bus = leased()
+    assert bus.latest("control") == Control()
+    lease.act(ANNA)
+    lease.act(ANNA)
+    assert bus.latest("control") == Control(ANNA)
+    with pytest.raises(Refusal, match="Anna has control"):
+        lease.act(BEN)
+    with pytest.raises(Refusal, match="in another browser"):
+        lease.act(TABLET)
+
+
+def test_it_lapses_without_beats_and_goes_to_whoever_asked() -> None:
+    lease, clock, bus = leased()
+    lease.act(ANNA)
+    clock.now_s += LAPSES_S - 1
+    lease.beat("a")
+    clock.now_s += LAPSES_S - 1
+    lease.ask(BEN)
+    assert lease.control == Control(ANNA, BEN)
+    clock.now_s += 2
+    lease.beat("b")
+    assert bus.latest("control") == Control(BEN)
+    clock.now_s += LAPSES_S + 1
+    assert lease.control == Control()
+
+
+def test_a_late_beat_does_not_bring_it_back() -> None:
+    lease, clock, _ = leased()
+    lease.act(ANNA)
+    clock.now_s += LAPSES_S + 1
+    lease.act(BEN)
+    lease.beat("a")
+    assert lease.control == Control(BEN)
+
+
+def test_only_the_holder_answers_and_lets_go() -> None:
+    lease, _, _ = leased()
+    lease.act(ANNA)
+    with pytest.raises(Refusal, match="Nobody asks"):
+        lease.answer(ANNA, give=True)
+    lease.ask(BEN)
+    for act in (lambda: lease.answer(BEN, give=True), lambda: lease.release(BEN)):
+        with pytest.raises(Refusal, match="do not have control"):
+            act()
+    lease.answer(ANNA, give=False)
+    assert lease.control == Control(ANNA)
+    lease.ask(BEN)
+    lease.release(ANNA)
+    assert lease.control == Control(BEN)
+
+
+def test_the_same_person_takes_over_without_a_reason_others_need_one() -> None:
+    lease, _, bus = leased()
+    lease.act(ANNA)
+    lease.take_over(TABLET, "")
+    assert lease.control == Control(TABLET)
+    with pytest.raises(Refusal, match="No reason"):
+        lease.take_over(BEN, "   ")
+    subscription = bus.subscribe()
+    lease.take_over(BEN, "she went home")
+    assert lease.control == Control(BEN)
+    told = bus._take({}, set(), subscription._after_event).events
+    assert [event.text for event in told] == ["Ben took over control from Anna: she went home"]
+
+
+def test_signing_out_lets_go() -> None:
+    lease, _, _ = leased()
+    lease.act(ANNA)
+    lease.ask(BEN)
+    lease.leave("b")
+    assert lease.control == Control(ANNA)
+    lease.leave("a")
+    assert lease.control == Control()

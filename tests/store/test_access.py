@@ -1,0 +1,120 @@
+"""Accounts, sign-ins and the audit log in the database."""
+
+import sqlite3
+from collections.abc import Iterator
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+
+import pytest
+
+from app.metrology.refusal import Refusal
+from app.store import sign_ins
+from app.store.accounts import Role
+from app.store.database import FIRST, Database
+from app.store.store import Store
+
+PASSWORD = "three unrelated words"
+
+
+@pytest.fixture
+def store(tmp_path: Path) -> Iterator[Store]:
+    opened = Store(tmp_path)
+    yield opened
+    opened.close()
+
+
+def test_neither_password_nor_token_stands_in_the_database(store: Store) -> None:
+    store.accounts.add("Anna", Role.operator, PASSWORD)
+    cookie = store.sign_ins.begin("Anna", "a browser")
+    _, link = store.sign_ins.add_wall("Hall", "Anna")
+    content = b"".join(path.read_bytes() for path in store.folder.glob("station.db*"))
+    for secret in (PASSWORD, cookie, link):
+        assert secret.encode() not in content
+    assert b"$argon2id$" in content
+
+
+def test_passwords_match_their_own_account_only(store: Store) -> None:
+    store.accounts.add("Anna", Role.operator, PASSWORD)
+    store.accounts.add("Ben", Role.viewer, PASSWORD + "!")
+    assert store.accounts.matching("ANNA", PASSWORD) == store.accounts.get("anna")
+    for name, password in (("Anna", PASSWORD + "!"), ("Ben", PASSWORD), ("Carl", PASSWORD)):
+        assert store.accounts.matching(name, password) is None
+
+
+def test_a_guest_has_no_password_and_is_no_administrator_who_can_sign_in(store: Store) -> None:
+    store.accounts.add("Demo", Role.admin, None)
+    assert not store.accounts.has_admin()
+    assert store.accounts.matching("Demo", "!") is None
+    assert store.accounts.matching("Demo", "") is None
+
+
+@pytest.mark.parametrize(
+    ("name", "password", "code"),
+    [
+        ("", PASSWORD, "account-name"),
+        ("x" * 41, PASSWORD, "account-name"),
+        ("a\x00b", PASSWORD, "account-name"),
+        ("Carl", "short", "password-length"),
+        ("Carl", "x" * 201, "password-length"),
+        ("ABCDEFGHIJ", "abcdefghij", "password-is-name"),
+    ],
+)
+def test_what_will_not_do_is_refused(store: Store, name: str, password: str, code: str) -> None:
+    with pytest.raises(Refusal) as refused:
+        store.accounts.add(name, Role.viewer, password)
+    assert refused.value.code == code
+    assert store.accounts.all() == []
+
+
+def test_sign_ins_end_with_time_and_with_the_account(
+    store: Store, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    store.accounts.add("Anna", Role.operator, PASSWORD)
+    first, second = (store.sign_ins.begin("Anna", "a browser") for _ in range(2))
+    assert store.sign_ins.visitor(first) != store.sign_ins.visitor(second)
+    store.accounts.remove("Anna")
+    assert store.sign_ins.visitor(first) is None
+
+    store.accounts.add("Anna", Role.operator, PASSWORD)
+    again = store.sign_ins.begin("Anna", "a browser")
+    assert store.sign_ins.visitor(again) is not None
+    later = datetime.now(UTC) + sign_ins.IDLE + timedelta(seconds=1)
+
+    class Later(datetime):
+        @classmethod
+        def now(cls, tz: object = None) -> datetime:  # type: ignore[override]
+            return later
+
+    monkeypatch.setattr(sign_ins, "datetime", Later)
+    assert store.sign_ins.visitor(again) is None
+    monkeypatch.undo()
+    assert store.sign_ins.visitor(again) is None
+
+
+def test_the_audit_log_is_only_ever_added_to(store: Store) -> None:
+    store.audit.note("Anna", "10.0.0.1", "pressed Stop")
+    store.audit.note("", "10.0.0.2", "signed in", "wrong password" * 100)
+    newest = store.audit.newest(10)
+    assert [(entry.who, entry.act) for entry in newest] == [
+        ("", "signed in"),
+        ("Anna", "pressed Stop"),
+    ]
+    connection = sqlite3.connect(store.folder / "station.db")
+    for statement in ("DELETE FROM audit", "UPDATE audit SET who = 'Eve'"):
+        with pytest.raises(sqlite3.IntegrityError, match="append-only"):
+            connection.execute(statement)
+    connection.close()
+
+
+def test_a_database_of_the_first_version_is_brought_up_to_date(tmp_path: Path) -> None:
+    path = tmp_path / "station.db"
+    old = sqlite3.connect(path)
+    old.executescript(f"{FIRST} PRAGMA user_version = 1;")
+    old.execute("INSERT INTO session (id, kind, started_at) VALUES ('s', 'calibration', 'then')")
+    old.commit()
+    old.close()
+    database = Database(path)
+    assert [row["id"] for row in database.read("SELECT id FROM session")] == ["s"]
+    assert database.read("SELECT * FROM account") == []
+    database.close()
+    Database(path).close()
