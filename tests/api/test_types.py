@@ -12,9 +12,11 @@ from app import replay
 from app.api import schema
 from app.guide import view
 from app.metrology.detection import evidence
-from app.station import device_state, findings, operator_settings, preview, rig
+from app.station import device_state, findings, lease, operator_settings, preview, rig
+from app.store import audit
 
-TYPES = Path(__file__).resolve().parents[2] / "frontend/src/api/types.ts"
+API = Path(__file__).resolve().parents[2] / "frontend/src/api"
+TYPES = (API / "types.ts", API / "accessTypes.ts")
 SHAPES: dict[str, type] = {
     "LiveNumber": view.LiveNumber,
     "Finding": findings.Finding,
@@ -52,6 +54,13 @@ SHAPES: dict[str, type] = {
     "Station": schema.Station,
     "Home": schema.Home,
     "PreviewHeader": preview.PreviewHeader,
+    "You": schema.You,
+    "Session": schema.Session,
+    "Person": lease.Person,
+    "Control": lease.Control,
+    "Account": schema.AccountSummary,
+    "Wall": schema.WallSummary,
+    "AuditEntry": audit.AuditEntry,
 }
 PICTURES = {
     "devices": view.DevicesPicture,
@@ -64,7 +73,7 @@ PICTURES = {
 
 
 def source() -> str:
-    text = re.sub(r"/\*.*?\*/", "", TYPES.read_text(), flags=re.S)
+    text = re.sub(r"/\*.*?\*/", "", "".join(path.read_text() for path in TYPES), flags=re.S)
     return re.sub(r"//.*", "", text)
 
 
@@ -128,7 +137,7 @@ def kind_in_types(text: str) -> set[str]:
             kinds.add(part)
         elif part == "undefined":
             kinds.add("null")
-        elif part.startswith('"') or part == "Quality":
+        elif part.startswith('"') or part in ("Quality", "Role"):
             kinds.add("string")
         else:
             kinds.add("object")
