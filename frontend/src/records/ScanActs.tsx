@@ -67,7 +67,7 @@ function NewName({ scan, onDone }: { scan: ScanSummary; onDone: () => void }) {
       <PressButton onPress={save} disabled={empty}>
         Save
       </PressButton>
-      <PressButton kind="quiet" onPress={onDone}>
+      <PressButton kind="quiet" free onPress={onDone}>
         Cancel
       </PressButton>
     </form>

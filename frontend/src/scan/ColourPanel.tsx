@@ -4,6 +4,7 @@ import { colourBy } from "../api/viewCommands";
 import type { Legend, Measure } from "../api/viewTypes";
 import { UnitInput } from "../arm/UnitInput";
 import { PressButton } from "../parts/PressButton";
+import { useBarred } from "../state/control";
 import { useLive } from "../state/store";
 import styles from "./ColourPanel.module.css";
 import { decimalsOf, MEASURES } from "./LegendBar";
@@ -14,13 +15,15 @@ const ORDER: Measure[] = ["height", "intensity", "uncertainty", "age", "deviatio
 export function ColourPanel() {
   const measure = useLive((s) => s.view?.measure ?? "height");
   const legend = useLive((s) => s.view?.legend ?? null);
+  const barred = useBarred() !== "";
   const fitted = useLive((s) => (s.view?.fits.length ?? 0) > 0);
   return (
     <>
       <h2 className={styles.title}>Colour by</h2>
       <div role="radiogroup" aria-label="Colour by" className={styles.measures}>
         {ORDER.map((one) => {
-          const off = one === "deviation" && !fitted;
+          const missing = one === "deviation" && !fitted;
+          const off = missing || barred;
           return (
             <button
               key={one}
@@ -32,7 +35,7 @@ export function ColourPanel() {
               onClick={() => !off && void colourBy(one)}
             >
               {MEASURES[one].name}
-              {off && <span className={styles.why}>Fit a shape first</span>}
+              {missing && <span className={styles.why}>Fit a shape first</span>}
             </button>
           );
         })}

@@ -4,6 +4,7 @@ import { colourBy, removeFit } from "../api/viewCommands";
 import type { Figure, Fitted, ShapeName } from "../api/viewTypes";
 import { CloseIcon, CylinderIcon, PlaneIcon, SphereIcon } from "../parts/icons";
 import { figures, plural } from "../parts/format";
+import { useBarred } from "../state/control";
 import { useLive } from "../state/store";
 import styles from "./MeasurePanel.module.css";
 
@@ -16,6 +17,7 @@ const SHAPES: { name: ShapeName; label: string; icon: ReactNode }[] = [
 /** Shapes fitted to what is drawn around, the newest first. */
 export function MeasurePanel({ onPick }: { onPick: (shape: ShapeName) => void }) {
   const fits = useLive((s) => s.view?.fits);
+  const barred = useBarred() !== "";
   const busy = useLive((s) => s.view?.busy ?? "");
   const some = useLive((s) => Boolean(s.view?.legend));
   const why = busy ? `${busy}.` : some ? "" : "There is no cloud in the picture yet. Scan, or show a scan.";
@@ -28,8 +30,8 @@ export function MeasurePanel({ onPick }: { onPick: (shape: ShapeName) => void })
             key={shape.name}
             type="button"
             className={styles.shape}
-            aria-disabled={why !== "" || undefined}
-            onClick={() => !why && onPick(shape.name)}
+            aria-disabled={barred || why !== "" || undefined}
+            onClick={() => !barred && !why && onPick(shape.name)}
           >
             {shape.icon}
             {shape.label}
@@ -49,6 +51,7 @@ export function MeasurePanel({ onPick }: { onPick: (shape: ShapeName) => void })
 }
 
 function FitCard({ fitted, last }: { fitted: Fitted; last: boolean }) {
+  const barred = useBarred() !== "";
   const byDeviation = useLive((s) => s.view?.measure === "deviation");
   const label = SHAPES.find(({ name }) => name === fitted.shape)?.label ?? fitted.shape;
   // of a plane its form is asked for first, of round shapes their diameter
@@ -62,9 +65,11 @@ function FitCard({ fitted, last }: { fitted: Fitted; last: boolean }) {
         <h3 className={styles.name}>
           {label} {fitted.id}
         </h3>
-        <button type="button" className={styles.remove} onClick={() => void removeFit(fitted.id)} aria-label={`Remove ${label} ${fitted.id}`}>
-          <CloseIcon size="1.25rem" />
-        </button>
+        {!barred && (
+          <button type="button" className={styles.remove} onClick={() => void removeFit(fitted.id)} aria-label={`Remove ${label} ${fitted.id}`}>
+            <CloseIcon size="1.25rem" />
+          </button>
+        )}
       </header>
       {main && (
         <p className={styles.main}>
@@ -92,7 +97,7 @@ function FitCard({ fitted, last }: { fitted: Fitted; last: boolean }) {
           ? "± is the standard uncertainty, k = 1, by the scatter of the scan; what calibration and arm add is not in it."
           : "Too few pictures took part to tell an uncertainty."}
       </p>
-      {last && !byDeviation && (
+      {last && !byDeviation && !barred && (
         <button type="button" className={styles.deviations} onClick={() => void colourBy("deviation")}>
           Colour by deviation from it
         </button>

@@ -4,6 +4,7 @@ import { newKey } from "../api/commands";
 import { fitShape } from "../api/viewCommands";
 import type { Region, ShapeName } from "../api/viewTypes";
 import { CameraIcon, CloudsIcon, ColoursIcon, MeasureIcon } from "../parts/icons";
+import { useBarred } from "../state/control";
 import { notify } from "../state/notices";
 import { getState, useLive } from "../state/store";
 import { CloudView } from "./CloudView";
@@ -30,6 +31,7 @@ export function ScanPicture() {
   const [viewKey] = useState(newKey);
   const [panel, setPanel] = useState<Panel | null>(null);
   const [picking, setPicking] = useState<ShapeName | null>(null);
+  const barred = useBarred();
   const legend = useLive((s) => s.view?.legend ?? null);
   const toggle = (one: Panel) => {
     setPicking(null);
@@ -62,6 +64,7 @@ export function ScanPicture() {
       </div>
       {panel && !picking && (
         <section className={styles.panel} aria-label={TOOLS.find((tool) => tool.panel === panel)?.label}>
+          {barred && <p className={styles.barred}>{barred}</p>}
           {panel === "scans" && <ScansPanel />}
           {panel === "colours" && <ColourPanel />}
           {panel === "measure" && <MeasurePanel onPick={setPicking} />}

@@ -3,6 +3,7 @@ import type { ShownScan } from "../api/viewTypes";
 import { showScan } from "../api/viewCommands";
 import { figures, moment } from "../parts/format";
 import { ScanActs } from "../records/ScanActs";
+import { useBarred } from "../state/control";
 import { useLive } from "../state/store";
 import { useList } from "../state/useList";
 import styles from "./ScansPanel.module.css";
@@ -29,6 +30,7 @@ export function ScansPanel() {
 }
 
 function ScanLine({ scan, shown }: { scan: ScanSummary; shown: ShownScan | undefined }) {
+  const barred = useBarred() !== "";
   return (
     <li className={styles.line}>
       <button
@@ -36,7 +38,8 @@ function ScanLine({ scan, shown }: { scan: ScanSummary; shown: ShownScan | undef
         role="switch"
         aria-checked={shown !== undefined}
         className={styles.switch}
-        onClick={() => void showScan(scan.id, !shown)}
+        aria-disabled={barred || undefined}
+        onClick={() => !barred && void showScan(scan.id, !shown)}
       >
         <span className={styles.box} aria-hidden="true" />
         <span className={styles.words}>
