@@ -17,6 +17,8 @@ _WORST_CORNER_PX = 1.5
 # Nor do edges that meet so far from where all the others put their corner: in px, and over
 # their deviation.
 _FURTHEST_PX, _ASTRAY = 1.0, 5.0
+# Those that meet more deviations off than this are less certain than they say, in proportion.
+_USUAL = 2.0
 # What lies askew to the drawn edge by more, over its length and its own deviation, is not it.
 _ASKEW_SIGMAS, _ASKEW_PX = 4.0, 0.7
 
@@ -131,7 +133,8 @@ def _meeting(name: str, at: Floats, lines: list[_Line], furthest_px: float) -> C
         return None
     shift = covariance @ pull
     # The camera follows from all edges; a shadow beside a corner moves that corner alone.
-    if float(np.hypot(*shift)) > furthest_px or float(shift @ information @ shift) > _ASTRAY**2:
+    squares = float(shift @ information @ shift)
+    if float(np.hypot(*shift)) > furthest_px or squares > _ASTRAY**2:
         return None
     u, v = at + shift
-    return Corner(name, float(u), float(v), covariance)
+    return Corner(name, float(u), float(v), covariance * max(1.0, squares / _USUAL**2))
