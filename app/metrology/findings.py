@@ -262,6 +262,7 @@ def _about_picture(seen: Evidence) -> list[Finding]:
     remedy = "" if good else "Clean the block's edges; check focus, lighting and certificate."
     found = [Finding("good" if good else "attention", "edges", text, remedy)]
     found += [Finding("attention", item.code, item.text, item.remedy) for item in seen.picture]
+    found += about_unseen([seen.detection])
     found += about_pixels(seen.fit.camera, seen.fit.covariance[:2, :2])
     condition = seen.faugeras.condition_number
     if condition > CONDITION:
@@ -275,6 +276,24 @@ def _about_picture(seen: Evidence) -> list[Finding]:
             )
         )
     return found
+
+
+def about_unseen(detections: Sequence[ObjectDetection]) -> list[Finding]:
+    """Sizes of the block that no picture shows: were they wrong, nothing would tell."""
+    hidden = [
+        name for name in detections[0].unseen if all(name in one.unseen for one in detections[1:])
+    ]
+    if not hidden:
+        return []
+    return [
+        Finding(
+            "neutral",
+            "size-unseen",
+            f"{'The picture does' if len(detections) == 1 else 'The pictures do'} not show "
+            f"{', '.join(hidden)}: whether the certificate is right there is not checked.",
+            "Turn the lamp until all edges of the block show, and take another picture.",
+        )
+    ]
 
 
 def about_pixels(camera: Camera, covariance_px2: Floats) -> list[Finding]:

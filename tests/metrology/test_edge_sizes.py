@@ -7,7 +7,7 @@ import pytest
 
 from app.metrology.camera import project
 from app.metrology.detection.edge_points import stations
-from app.metrology.detection.edge_sizes import shifts
+from app.metrology.detection.edge_sizes import planes, shifts, unseen
 from app.metrology.detection.edge_survey import survey
 from app.metrology.detection.objection import in_words
 from app.metrology.detection.picture import grey_picture
@@ -39,6 +39,18 @@ def test_a_side_of_a_merlon_is_told_with_its_amount(plain, edge, by_mm):
     assert shift.ratio > 6.0
     assert (shift.axis, shift.at_mm) == (0, pytest.approx(x[edge]))
     assert shift.by_mm == pytest.approx(-by_mm, rel=0.3)
+
+
+def test_a_side_whose_edges_do_not_show_is_named(plain):
+    grey, _ = grey_picture(plain.image)
+    found = survey(grey, wireframe(plain.block), plain.camera, 0.8, 0.002)
+    assert found is not None
+    assert unseen(found) == ()
+    for plane, name in ((2, "the left side of merlon 2"), (5, "the right side of merlon 3")):
+        _, at_mm, edges = planes(found.frame)[plane]
+        assert at_mm == plain.block.edges_x_mm[plane]
+        hidden = replace(found, used=found.used & ~np.isin(found.at.edge, edges))
+        assert unseen(hidden) == (name,)
 
 
 @pytest.mark.parametrize(("aside_mm", "measured"), [(-0.05, False), (0.05, False), (25.0, True)])

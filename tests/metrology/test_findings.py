@@ -7,10 +7,12 @@ import numpy as np
 import pytest
 
 from app.metrology.alignment import align
-from app.metrology.findings import Finding, about_size
+from app.metrology.detection.corners import ObjectDetection
+from app.metrology.findings import Finding, about_size, about_unseen
 from app.metrology.one_pose import OnePoseInputs, calibrate_one_pose
 from app.metrology.refusal import Refusal
 from tests.metrology.builders import BLOCK, TIP_RADIUS_MM, contacts_on, random_pose
+from tests.metrology.seen_block import camera_over
 from tests.metrology.test_one_pose import read_inputs
 
 
@@ -68,3 +70,16 @@ def test_the_joints_of_quite_another_pose_are_told(inputs: OnePoseInputs) -> Non
     q_rad = inputs.pose_q_rad.copy()
     q_rad[0] += np.pi
     assert said_of(replace(inputs, pose_q_rad=q_rad))["sensor-far"] == "attention"
+
+
+def test_a_size_that_no_picture_shows_is_said() -> None:
+    def seen(*unseen: str) -> ObjectDetection:
+        return ObjectDetection((), (), camera_over(BLOCK), 0.1, unseen)
+
+    [said] = about_unseen([seen("the left side of merlon 2", "the block's back")])
+    assert said.code == "size-unseen"
+    assert "merlon 2" in said.text
+    assert "back" in said.text
+    [said] = about_unseen([seen("the left side of merlon 2"), seen("the left side of merlon 2")])
+    assert "merlon 2" in said.text
+    assert about_unseen([seen("the left side of merlon 2"), seen()]) == []

@@ -21,6 +21,7 @@ from app.metrology.findings import (
     about_contacts,
     about_pixels,
     about_size,
+    about_unseen,
     far_sensor,
     verdict,
 )
@@ -64,6 +65,7 @@ def joint_findings(evidence: JointEvidence) -> tuple[Finding, ...]:
         *_about_poses(evidence),
         *_about_arm(evidence),
         *_about_pictures(evidence),
+        *about_unseen([pose.detection for pose in evidence.seen]),
         *about_pixels(state.camera, covariance[:2, :2]),
         _about_stripe(evidence),
     )

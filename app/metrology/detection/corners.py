@@ -16,6 +16,7 @@ from app.metrology.crenellated import Crenellated
 from app.metrology.crenellated import corners as corners_of
 from app.metrology.detection import acceptance, refusals
 from app.metrology.detection.corner_fit import Corner, corners_where_edges_meet
+from app.metrology.detection.edge_sizes import unseen
 from app.metrology.detection.edge_survey import Survey, pulled, softened, survey
 from app.metrology.detection.evidence import DetectionRefusal, with_evidence
 from app.metrology.detection.identify import mirrored
@@ -91,12 +92,14 @@ class EdgePoints:
 @dataclass(frozen=True)
 class ObjectDetection:
     """The block in an image. ``camera`` has the object frame as its sensor frame;
-    ``rms_px`` is that of the edge points about it, along their normals."""
+    ``rms_px`` is that of the edge points about it, along their normals; ``unseen`` names
+    the planes of the block whose place the image does not show."""
 
     corners: tuple[Corner, ...]
     edges: tuple[EdgePoints, ...]
     camera: Camera
     rms_px: float
+    unseen: tuple[str, ...] = ()
 
 
 def detect_object(
@@ -361,4 +364,5 @@ def _detection(measured: Survey, block: Crenellated) -> ObjectDetection:
         tuple(edges),
         measured.camera,
         float(np.sqrt(np.mean(off**2))),
+        unseen(measured),
     )

@@ -26,6 +26,8 @@ from app.metrology.frames import Floats
 _PIECES, _IN_PIECE = 3, 4
 # What the image leaves of an edge's place beside noise and marks, over the blur.
 _LEFT_BLURS = 0.03
+# So many points that a plane's shift by a mm would move so many px show where it lies.
+_TELLING_POINTS, _TELLING_PX = 4, 2.0
 # Pieces further off than this many deviations weigh less (Huber), and rounds of that.
 _HUBER, _ROUNDS = 2.5, 3
 
@@ -87,6 +89,33 @@ def shifts(found: Survey, certificate_mm: float) -> list[Shift]:
         by_mm, ratio = _estimated(pieces, held, k, certificate_mm)
         told.append(Shift(axis, at_mm, edges, by_mm, abs(ratio)))
     return told
+
+
+def unseen(found: Survey) -> tuple[str, ...]:
+    """The block's planes, in words, that no measured edge tells the place of.
+
+    Faces of equal brightness, shadows and the frame hide edges; a size that is wrong there
+    would not be noticed.
+    """
+    faces = planes(found.frame)
+    rows = np.flatnonzero(found.used)
+    telling = (np.abs(_shift_effects(found, rows, faces)) > _TELLING_PX).sum(axis=0)
+    count = dict.fromkeys(range(3), 0)
+    hidden = []
+    for (axis, _, _), points in zip(faces, telling, strict=True):
+        if points < _TELLING_POINTS:
+            hidden.append(_plane_in_words(axis, count[axis]))
+        count[axis] += 1
+    return tuple(hidden)
+
+
+def _plane_in_words(axis: int, number: int) -> str:
+    """The name of the so-manieth plane along an axis: merlons are counted from the left."""
+    if axis == 0:
+        return f"the {('left', 'right')[number % 2]} side of merlon {number // 2 + 1}"
+    if axis == 1:
+        return f"the block's {('front', 'back')[number]}"
+    return f"the height of its {('base', 'floors', 'crests')[number]}"
 
 
 def _gathered(
