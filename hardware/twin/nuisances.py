@@ -1,7 +1,10 @@
 """Pictures of the block as a workshop spoils them: many things in the way, several at once.
 
-``draw_shot`` makes another block, camera, light and surroundings for every seed; at
-least ``USABLE`` of the block's visible edges are in the picture and not covered.
+``draw_shot`` makes another block, camera, light and surroundings for every seed. A
+picture counts as usable where at least ``USABLE`` of the block's visible edges are in it
+and not covered, by length; nothing else is asked for. So there are pictures among them in
+which faces are as bright as each other, or edges drown in noise, blur or tool marks:
+those a detection has to refuse, and to say why.
 """
 
 from dataclasses import dataclass, replace
