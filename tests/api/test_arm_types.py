@@ -20,8 +20,7 @@ SHAPES: dict[str, type] = {
 
 @pytest.fixture
 def interfaces(monkeypatch: pytest.MonkeyPatch) -> dict[str, str]:
-    path = test_types.TYPES.with_name("armTypes.ts")
-    monkeypatch.setattr(test_types, "TYPES", path)
+    monkeypatch.setattr(test_types, "TYPES", (test_types.API / "armTypes.ts",))
     return test_types.interfaces()
 
 

@@ -17,8 +17,7 @@ SHAPES: dict[str, type] = {
 
 @pytest.fixture
 def interfaces(monkeypatch: pytest.MonkeyPatch) -> dict[str, str]:
-    path = test_types.TYPES.with_name("viewTypes.ts")
-    monkeypatch.setattr(test_types, "TYPES", path)
+    monkeypatch.setattr(test_types, "TYPES", (test_types.API / "viewTypes.ts",))
     return test_types.interfaces()
 
 
