@@ -36,8 +36,8 @@ class ViewCamera:
         """Of points (N, 3) of the arm frame: place in the picture (0 to 1 from the left and
         from the top) and distance ahead in mm; NaN for what is not ahead."""
         w, x, y, z = self.wxyz
-        R_arm_cam = Rotation.from_quat([x, y, z, w]).as_matrix()
-        seen = (points_mm - np.array(self.position_m) / M_PER_MM) @ R_arm_cam
+        R_arm_cam: Floats = Rotation.from_quat([x, y, z, w]).as_matrix()
+        seen: Floats = (points_mm - np.array(self.position_m) / M_PER_MM) @ R_arm_cam
         depth = np.where(seen[:, 2] > 0, seen[:, 2], np.nan)
         half = np.tan(self.fov_rad / 2)
         seen[:, 0] = 0.5 + 0.5 * seen[:, 0] / (depth * half * self.aspect)
