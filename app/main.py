@@ -130,7 +130,7 @@ def serve(config: Path | None, data: Path | None, host: str, port: int, open_bro
         hosts=(*settings.hosts, host),
         limits=settings.limits,
     )
-    print("Starting the station; the first start takes a minute.", flush=True)
+    print("Starting the station; the first start compiles for a minute or two.", flush=True)
     _run(parts, listening, host, open_browser, serving=settings.serving)
 
 
@@ -143,7 +143,7 @@ def demo(data: Path | None, host: str, port: int, open_browser: bool) -> None:
     from app.demonstration import simulated_parts
 
     listening = _listen(host, port, PORTS_TRIED)
-    print("Starting the simulated station; the first start takes a minute.", flush=True)
+    print("Starting the simulated station; the first start compiles for a minute or two.", flush=True)
     with simulated_parts(data or user_data_folder() / "demo", (host,)) as parts:
         _run(parts, listening, host, open_browser)
 
