@@ -43,6 +43,7 @@ from hardware.errors import DeviceError
 from hardware.registry import arm_driver, sensor_driver
 
 PORTS_TRIED = 20
+FIRST_START = "the first start compiles for a minute or two"
 LOCAL = Serving()
 SHUTDOWN_S = 3
 LARGEST_MESSAGE = 1 << 16
@@ -130,7 +131,7 @@ def serve(config: Path | None, data: Path | None, host: str, port: int, open_bro
         hosts=(*settings.hosts, host),
         limits=settings.limits,
     )
-    print("Starting the station; the first start compiles for a minute or two.", flush=True)
+    print(f"Starting the station; {FIRST_START}.", flush=True)
     _run(parts, listening, host, open_browser, serving=settings.serving)
 
 
@@ -143,7 +144,7 @@ def demo(data: Path | None, host: str, port: int, open_browser: bool) -> None:
     from app.demonstration import simulated_parts
 
     listening = _listen(host, port, PORTS_TRIED)
-    print("Starting the simulated station; the first start compiles for a minute or two.", flush=True)
+    print(f"Starting the simulated station; {FIRST_START}.", flush=True)
     with simulated_parts(data or user_data_folder() / "demo", (host,)) as parts:
         _run(parts, listening, host, open_browser)
 
