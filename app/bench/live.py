@@ -228,11 +228,25 @@ def _station(data: Path, pace: Pace) -> Iterator[_Station]:
 
 def _serve(pipe: Connection, data: Path, pace: Pace) -> None:
     """In the station's process: until something comes through the pipe."""
-    from app.api.wiring import Parts
-    from app.main import build_app, make_server
     from app.station.warm_up import warm_up
 
     warm_up()
+    with serving(data, pace) as (station, port, clock):
+        while not station.rig.sensor.fresh:
+            time.sleep(0.05)
+        calibration = swift_calibration(pace)
+        station.rig.arm.set_model(calibration.arm)
+        station.scanner.set_calibration(calibration)
+        pipe.send((port, clock.start_ns, sign_in(station, port)))
+        pipe.recv()
+
+
+@contextlib.contextmanager
+def serving(data: Path, pace: Pace) -> Iterator[tuple[Context, int, SwiftClock]]:
+    """A station on the swift devices that serves from a thread; its port, and their clock."""
+    from app.api.wiring import Parts
+    from app.main import build_app, make_server
+
     pool, clock = stripe_pictures(pace), SwiftClock()
     parts = Parts(
         "Bench",
@@ -248,14 +262,9 @@ def _serve(pipe: Connection, data: Path, pace: Pace) -> None:
         listening.listen()
         thread = threading.Thread(target=server.run, kwargs={"sockets": [listening]})
         thread.start()
-        while not server.started or not app.state.context.rig.sensor.fresh:
+        while not server.started:
             time.sleep(0.05)
-        calibration = swift_calibration(pace)
-        app.state.context.rig.arm.set_model(calibration.arm)
-        app.state.context.scanner.set_calibration(calibration)
-        port = int(listening.getsockname()[1])
-        pipe.send((port, clock.start_ns, sign_in(app.state.context, port)))
-        pipe.recv()
+        yield app.state.context, int(listening.getsockname()[1]), clock
         server.should_exit = True
         thread.join(15.0)
 

@@ -6,9 +6,7 @@ viewer reads the 3D view's socket through the station's server.
 
 import contextlib
 import multiprocessing
-import socket
 import tempfile
-import threading
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -18,12 +16,12 @@ from pathlib import Path
 import httpx
 import numpy as np
 
-from app.bench.live import GUEST, MB, PATIENCE_S, memory_mb, sign_in
+from app.bench.live import MB, PATIENCE_S, memory_mb, serving, sign_in
 from app.bench.watching import watching
 from app.files.cloud_points import Points, packed
 from app.files.progress import Progress, no_progress
 from app.station.scene import Scene
-from hardware.twin.swift import Pace, SwiftArm, SwiftClock, SwiftSensor, stripe_pictures
+from hardware.twin.swift import Pace
 
 LINE, LINES_A_PIECE = 2000, 16
 PIECE = LINE * LINES_A_PIECE
@@ -120,33 +118,10 @@ def _station(data: Path, points: int) -> Iterator[tuple[Connection, int, int, di
 
 def _serve(pipe: Connection, data: Path, points: int) -> None:
     """In the station's process: until something comes through the pipe."""
-    from app.api.wiring import Parts
-    from app.main import build_app, make_server
-
-    pace, clock = Pace(profiles_hz=2.0, width_px=100), SwiftClock()
-    pool = stripe_pictures(pace)
-    parts = Parts(
-        "Bench",
-        data,
-        lambda: SwiftArm(pace, clock),
-        lambda: SwiftSensor(pace, clock, pool),
-        guest=GUEST,
-    )
-    app = build_app(parts)
-    server = make_server(app)
-    with socket.socket() as listening:
-        listening.bind(("127.0.0.1", 0))
-        listening.listen()
-        thread = threading.Thread(target=server.run, kwargs={"sockets": [listening]})
-        thread.start()
-        while not server.started:
-            time.sleep(0.05)
-        port = int(listening.getsockname()[1])
-        pipe.send((port, sign_in(app.state.context, port)))
-        _show(app.state.context.scene, points, pipe)
+    with serving(data, Pace(profiles_hz=2.0, width_px=100)) as (station, port, _):
+        pipe.send((port, sign_in(station, port)))
+        _show(station.scene, points, pipe)
         pipe.recv()
-        server.should_exit = True
-        thread.join(15.0)
 
 
 def _show(scene: Scene, points: int, pipe: Connection) -> None:
