@@ -1,0 +1,48 @@
+"""The browser's types of the arm's flows and the 3D view are the same as the server's shapes."""
+
+import pytest
+
+from app.guide.arm import state, view
+from app.station import distance, fits, painter, viewing
+from tests.api import test_types
+
+SHAPES: dict[str, dict[str, type]] = {
+    "armTypes.ts": {
+        "JointSwing": view.JointSwing,
+        "Artefact": state.Artefact,
+        "SeatLine": view.SeatLine,
+        "Before": view.Before,
+        "ParameterLine": view.ParameterLine,
+        "ArmResult": view.ArmResult,
+        "ArmPicture": view.ArmPicture,
+        "ArmView": view.ArmView,
+        "ArmCheckSummary": view.ArmCheckSummary,
+    },
+    "viewTypes.ts": {
+        "Legend": painter.Legend,
+        "ShownScan": viewing.ShownScan,
+        "Figure": fits.Figure,
+        "Fitted": fits.Fitted,
+        "Distance": distance.Distance,
+        "ViewState": viewing.ViewState,
+    },
+}
+
+
+def interfaces_of(file: str, monkeypatch: pytest.MonkeyPatch) -> dict[str, str]:
+    monkeypatch.setattr(test_types, "TYPES", (test_types.API / file,))
+    return test_types.interfaces()
+
+
+@pytest.mark.parametrize("file", SHAPES)
+def test_every_interface_has_its_shape(file: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert set(interfaces_of(file, monkeypatch)) == set(SHAPES[file])
+
+
+@pytest.mark.parametrize(
+    ("file", "name"), [(file, name) for file, shapes in SHAPES.items() for name in shapes]
+)
+def test_a_shape_has_the_fields_of_its_interface(
+    file: str, name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    test_types.assert_same(SHAPES[file][name], interfaces_of(file, monkeypatch)[name])
