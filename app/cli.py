@@ -12,6 +12,7 @@ import typer
 from app.cli_arm import articulation, identify
 from app.cli_bench import bench
 from app.cli_scan import reconstruct, replay, study, sync
+from app.cli_station import mqtt_schema
 from app.console import (
     print_figures,
     print_json,
@@ -278,4 +279,5 @@ cli.command()(study)
 cli.command()(replay)
 cli.command()(identify)
 cli.command()(articulation)
+cli.command()(mqtt_schema)
 cli.add_typer(bench, name="bench")

@@ -7,6 +7,8 @@ hosts = ["station.local"]     # further names browsers may use; localhost always
 tls_certificate = "cert.pem"  # with the key: the station is served over HTTPS
 tls_key = "key.pem"
 proxies = ["10.0.0.5"]        # whose word is taken for where a browser is, and for HTTPS
+address = "http://10.0.0.7:8000/"  # of its pages, for the stations that link to them
+backups = "/mnt/backup/crenel"     # where the Health page's button puts them
 
 [arm]
 driver = "serial-encoder"     # every other key is the driver's own
@@ -19,6 +21,19 @@ source = 0
 [limits]                      # of a scanned point's standard uncertainty, k = 1
 good_um = 50                  # up to here a calibration is good
 usable_um = 150               # beyond, it is not to be used
+
+[mqtt]                        # optional: tells other stations of this one, and shows them here
+host = "broker.local"
+port = 1883
+user = "station"
+password_file = "mqtt-password"
+tls = false                   # by the authorities of this machine, or by
+ca_file = "ca.pem"
+prefix = "crenel"             # of all topics, the same at all stations
+station = "room-2"            # in the topics of this one; else by its name
+
+[temperature]                 # optional: of the room
+file = "/sys/bus/w1/devices/28-0316a4d5e6ff/temperature"  # thousandths of a degree Celsius
 """
 
 import os
@@ -33,6 +48,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from app.files.failures import files_refused
 from app.metrology.findings import LIMITS, Limits
 from app.metrology.refusal import Refusal
+from app.supervise.broker import BrokerSettings
 
 DEFAULT_FILE = "station.toml"
 LimitUm = Annotated[float, Field(gt=0, le=10_000, allow_inf_nan=False)]
@@ -66,6 +82,10 @@ class Settings:
     sensor: DeviceSettings
     limits: Limits
     serving: Serving
+    address: str = ""
+    backups: Path | None = None
+    mqtt: BrokerSettings | None = None
+    temperature: Path | None = None
 
 
 class _StationTable(BaseModel):
@@ -77,6 +97,8 @@ class _StationTable(BaseModel):
     tls_certificate: Annotated[str, Field(min_length=1)] | None = None
     tls_key: Annotated[str, Field(min_length=1)] | None = None
     proxies: list[Annotated[str, Field(min_length=1)]] = list(Serving.proxies)
+    address: Annotated[str, Field(max_length=200, pattern="^https?://")] | None = None
+    backups: Annotated[str, Field(min_length=1)] | None = None
 
 
 class _DeviceTable(BaseModel):
@@ -92,6 +114,27 @@ class _LimitsTable(BaseModel):
     usable_um: LimitUm = LIMITS.usable_um
 
 
+class _MqttTable(BaseModel):
+    model_config = ConfigDict(extra="forbid", strict=True)
+
+    host: Annotated[str, Field(min_length=1)]
+    port: Annotated[int, Field(ge=1, le=65535)] = BrokerSettings.port
+    user: Annotated[str, Field(min_length=1)] | None = None
+    password_file: Annotated[str, Field(min_length=1)] | None = None
+    tls: bool = BrokerSettings.tls
+    ca_file: Annotated[str, Field(min_length=1)] | None = None
+    prefix: Annotated[str, Field(pattern=r"^[^#+/\s]+(/[^#+/\s]+)*$", max_length=80)] = (
+        BrokerSettings.prefix
+    )
+    station: Annotated[str, Field(pattern="^[a-z0-9-]{1,40}$")] | None = None
+
+
+class _TemperatureTable(BaseModel):
+    model_config = ConfigDict(extra="forbid", strict=True)
+
+    file: Annotated[str, Field(min_length=1)]
+
+
 class _File(BaseModel):
     model_config = ConfigDict(extra="forbid", strict=True)
 
@@ -99,6 +142,8 @@ class _File(BaseModel):
     arm: _DeviceTable
     sensor: _DeviceTable
     limits: _LimitsTable = _LimitsTable()
+    mqtt: _MqttTable | None = None
+    temperature: _TemperatureTable | None = None
 
 
 def read_settings(path: Path | None) -> Settings:
@@ -134,7 +179,41 @@ def read_settings(path: Path | None) -> Settings:
         sensor=DeviceSettings(sheet.sensor.driver, sheet.sensor.model_extra or {}),
         limits=_limits(path, sheet.limits),
         serving=_serving(path, station),
+        address=station.address or "",
+        backups=_beside(path, station.backups),
+        mqtt=_mqtt(path, sheet.mqtt),
+        temperature=_beside(path, sheet.temperature.file if sheet.temperature else None),
     )
+
+
+def _beside(path: Path, file: str | None) -> Path | None:
+    """A path as the settings' file has it: relative ones are beside it."""
+    return None if file is None else path.absolute().parent / Path(file).expanduser()
+
+
+def _mqtt(path: Path, table: _MqttTable | None) -> BrokerSettings | None:
+    """Raises ``Refusal`` where a file is not there or cannot be read."""
+    if table is None:
+        return None
+    settings = BrokerSettings(
+        host=table.host,
+        port=table.port,
+        user=table.user,
+        password_file=_beside(path, table.password_file),
+        tls=table.tls,
+        ca_file=_beside(path, table.ca_file),
+        prefix=table.prefix,
+        station=table.station,
+    )
+    settings.password()
+    if settings.ca_file is not None and not settings.ca_file.is_file():
+        raise Refusal(
+            "settings-mqtt",
+            f"{path}, [mqtt]: ca_file = {str(settings.ca_file)!r}",
+            "there is no such file",
+            "Give the certificates of the broker's authority in PEM format",
+        )
+    return settings
 
 
 def _serving(path: Path, station: _StationTable) -> Serving:

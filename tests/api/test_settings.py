@@ -43,6 +43,35 @@ def test_a_whole_file(tmp_path: Path) -> None:
     assert settings.limits == Limits(good_um=30.0, usable_um=LIMITS.usable_um)
 
 
+def test_a_broker_and_a_thermometer(tmp_path: Path) -> None:
+    (tmp_path / "secret").write_text("a word\n")
+    more = """
+[mqtt]
+host = "broker.local"
+user = "station"
+password_file = "secret"
+[temperature]
+file = "/sys/room"
+"""
+    named = 'name = "Room 2"\naddress = "http://room2:8000/"\nbackups = "copies"'
+    text = GOOD.replace('name = "Room 2"', named)
+    settings = read_settings(write(tmp_path, text + more))
+    broker = settings.mqtt
+    assert broker is not None
+    assert (broker.host, broker.port, broker.prefix, broker.tls) == (
+        "broker.local",
+        1883,
+        "crenel",
+        False,
+    )
+    assert broker.password() == "a word"
+    assert settings.temperature == Path("/sys/room")
+    assert settings.backups == tmp_path / "copies"
+    (tmp_path / "secret").unlink()
+    with pytest.raises(Refusal, match="secret"):
+        read_settings(write(tmp_path, text + more))
+
+
 def test_only_the_devices_are_needed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "share"))
     settings = read_settings(write(tmp_path, '[arm]\ndriver="a"\n[sensor]\ndriver="b"\n'))

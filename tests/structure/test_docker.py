@@ -11,13 +11,14 @@ import yaml
 ROOT = Path(__file__).resolve().parents[2]
 
 
-def test_the_dockerfile_passes_the_linter() -> None:
+@pytest.mark.parametrize("file", ["Dockerfile", "broker.Dockerfile"])
+def test_the_dockerfiles_pass_the_linter(file: str) -> None:
     beside_python = Path(sys.executable).parent / "hadolint"
     hadolint = str(beside_python) if beside_python.is_file() else shutil.which("hadolint")
     if hadolint is None:
         pytest.skip("hadolint has no build for this platform")
     done = subprocess.run(
-        [hadolint, "--strict-labels", "docker/Dockerfile"],
+        [hadolint, "--strict-labels", f"docker/{file}"],
         cwd=ROOT,
         capture_output=True,
         text=True,
@@ -41,4 +42,14 @@ def test_compose_builds_this_tree_and_keeps_to_loopback() -> None:
     context = (ROOT / "docker" / build["context"]).resolve()
     assert context == ROOT
     assert (context / build["dockerfile"]).is_file()
-    assert all(port.startswith("127.0.0.1:") for port in station["ports"])
+    services = compose["services"].values()
+    assert all(port.startswith("127.0.0.1:") for one in services for port in one["ports"])
+
+
+def test_the_broker_is_there_for_those_who_ask_and_lets_nobody_in_unasked() -> None:
+    compose = yaml.safe_load((ROOT / "docker/compose.yaml").read_text())
+    broker = compose["services"]["broker"]
+    assert broker["profiles"] == ["broker"]
+    sources = [volume.partition(":")[0] for volume in broker["volumes"]]
+    (config,) = [source for source in sources if source.endswith(".conf")]
+    assert "allow_anonymous false" in (ROOT / "docker" / config).read_text().splitlines()

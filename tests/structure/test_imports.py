@@ -25,9 +25,11 @@ ROOMS_ALLOWED = {
     "app.station": {"app.station", "app.metrology", "app.files", "hardware"},
     "app.guide": {"app.guide", "app.station", "app.files", "app.metrology"},
     "app.store": {"app.store", "app.files", "app.metrology"},
+    "app.supervise": {"app.supervise", "app.station", "app.files", "app.metrology"},
     "app.api": {
         "app.api",
         "app.store",
+        "app.supervise",
         "app.guide",
         "app.station",
         "app.files",

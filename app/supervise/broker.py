@@ -1,0 +1,248 @@
+"""The connection to the MQTT broker: this station's words out, the others' in."""
+
+import asyncio
+import contextlib
+import logging
+import secrets
+import ssl
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import aiomqtt
+
+from app.metrology.refusal import Refusal
+from app.supervise.fleet import Fleet
+from app.supervise.messages import (
+    BEAT_S,
+    Payload,
+    Presence,
+    StationEvent,
+    StationReport,
+    parts_of,
+    topic,
+)
+
+log = logging.getLogger(__name__)
+KEEPALIVE_S = 2
+"""The broker tells a closed or dead connection's last will after one and a half of it."""
+ANSWER_S = 3.0
+FIRST_BACK_OFF_S, LONGEST_BACK_OFF_S = 0.5, 15.0
+EVENTS_WAITING = 100
+
+
+@dataclass(frozen=True)
+class BrokerSettings:
+    """``[mqtt]`` of station.toml."""
+
+    host: str
+    port: int = 1883
+    user: str | None = None
+    password_file: Path | None = None
+    tls: bool = False
+    ca_file: Path | None = None
+    prefix: str = "crenel"
+    station: str | None = None
+    """As a part of topics; else by the station's name."""
+
+    def password(self) -> str | None:
+        """What the password file holds, without the line's end.
+
+        Raises:
+            Refusal: it cannot be read.
+        """
+        if self.password_file is None:
+            return None
+        try:
+            return self.password_file.read_text().rstrip("\r\n")
+        except (OSError, UnicodeDecodeError) as error:
+            raise Refusal(
+                "mqtt-password",
+                f"{self.password_file} cannot be read",
+                str(getattr(error, "strerror", None) or error),
+                "Name a file that holds the broker's password alone, readable by the station",
+            ) from error
+
+
+@dataclass(frozen=True)
+class BrokerState:
+    """How the connection is, for the health page."""
+
+    connected: bool
+    text: str
+    """What went wrong last, while it is not connected."""
+    since_s: float
+    tries: int
+
+
+def new_instance() -> str:
+    """A name of this start of a station."""
+    return secrets.token_hex(6)
+
+
+class Broker:
+    """Keeps one connection for ever; lost, it comes back with growing pauses.
+
+    Everything runs on the event loop. The station works on whether it is there or not: reports
+    are latest-wins, and of events the oldest waiting are dropped.
+    """
+
+    def __init__(
+        self, settings: BrokerSettings, station: str, name: str, instance: str, fleet: Fleet
+    ) -> None:
+        self._settings, self._station, self._name = settings, station, name
+        self._instance, self.fleet = instance, fleet
+        self._report: StationReport | None = None
+        self._changed = asyncio.Event()
+        self._events: asyncio.Queue[StationEvent] = asyncio.Queue(EVENTS_WAITING)
+        self._state = BrokerState(False, "not connected yet", time.monotonic(), 0)
+        self.events_dropped = 0
+        self.doubled_at_s: float | None = None
+        """When another process was last heard under this station's name."""
+        self.on_heard: Callable[[], None] = lambda: None
+        """Called after something of another station came."""
+
+    @property
+    def state(self) -> BrokerState:
+        return self._state
+
+    @property
+    def settings(self) -> BrokerSettings:
+        return self._settings
+
+    def report(self, report: StationReport) -> None:
+        """What is published next; an older one that was not yet sent is forgotten."""
+        self._report = report
+        self._changed.set()
+
+    def event(self, event: StationEvent) -> None:
+        """Is published once; while there is no broker the newest wait."""
+        if self._events.full():
+            self._events.get_nowait()
+            self.events_dropped += 1
+        self._events.put_nowait(event)
+
+    async def run(self) -> None:
+        """Until cancelled; then says that the station has ended in order."""
+        pause_s, tries = FIRST_BACK_OFF_S, 0
+        while True:
+            began_s = time.monotonic()
+            try:
+                await self._connection()
+            except (aiomqtt.MqttError, Refusal, OSError, ssl.SSLError, ValueError) as error:
+                text = error.line if isinstance(error, Refusal) else str(error)
+                if self._state.connected:
+                    log.warning("the connection to the broker was lost: %s", text)
+                    tries = 0
+                if time.monotonic() - began_s > LONGEST_BACK_OFF_S:
+                    pause_s = FIRST_BACK_OFF_S
+                tries += 1
+                since_s = time.monotonic() if self._state.connected else self._state.since_s
+                self._state = BrokerState(False, text, since_s, tries)
+                self.fleet.broker(False)
+                self.on_heard()
+            await asyncio.sleep(pause_s)
+            pause_s = min(2 * pause_s, LONGEST_BACK_OFF_S)
+
+    async def _connection(self) -> None:
+        settings = self._settings
+        tls = None
+        if settings.tls or settings.ca_file is not None:
+            tls = ssl.create_default_context(cafile=settings.ca_file)
+        lost = self._presence("lost")
+        async with aiomqtt.Client(
+            settings.host,
+            settings.port,
+            username=settings.user,
+            password=await asyncio.to_thread(settings.password),
+            identifier=f"crenel-{self._station}-{self._instance}",
+            will=aiomqtt.Will(self._topic("presence"), lost.model_dump_json(), 1, True),
+            keepalive=KEEPALIVE_S,
+            timeout=ANSWER_S,
+            tls_context=tls,
+        ) as client:
+            await self._send(client, "presence", self._presence("online"), retain=True)
+            for kind in ("presence", "report", "event"):
+                await client.subscribe(f"{settings.prefix}/+/{kind}", qos=1)
+            self._state = BrokerState(True, "", time.monotonic(), 0)
+            self.fleet.broker(True)
+            log.info("connected to the broker at %s:%s", settings.host, settings.port)
+            tasks = [
+                asyncio.create_task(self._tell(client)),
+                asyncio.create_task(self._tell_events(client)),
+                asyncio.create_task(self._hear(client)),
+            ]
+            try:
+                done, _ = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
+                for task in done:
+                    task.result()
+            except asyncio.CancelledError:
+                await _ended(tasks)
+                with contextlib.suppress(aiomqtt.MqttError):
+                    await self._send(client, "presence", self._presence("off"), retain=True)
+                raise
+            finally:
+                await _ended(tasks)
+
+    async def _tell(self, client: aiomqtt.Client) -> None:
+        """Reports, once a beat."""
+        while True:
+            await self._changed.wait()
+            self._changed.clear()
+            if self._report is not None:
+                await self._send(client, "report", self._report, retain=True, qos=0)
+            await asyncio.sleep(BEAT_S)
+
+    async def _tell_events(self, client: aiomqtt.Client) -> None:
+        while True:
+            await self._send(client, "event", await self._events.get(), retain=False)
+
+    async def _hear(self, client: aiomqtt.Client) -> None:
+        async for message in client.messages:
+            found = parts_of(self._settings.prefix, message.topic.value)
+            payload = message.payload
+            if found is None or not isinstance(payload, bytes):
+                continue
+            station, kind = found
+            if station == self._station:
+                if self._hear_own(kind, payload, message.retain):
+                    await self._send(client, "presence", self._presence("online"), retain=True)
+            else:
+                self.fleet.take(station, kind, payload, message.retain)
+                self.on_heard()
+
+    def _hear_own(self, kind: str, payload: bytes, retained: bool) -> bool:
+        """Whether the presence is to be told again: an earlier connection's will came late.
+
+        Two stations of one name would be taken for one: that is noted.
+        """
+        if retained:
+            return False
+        if kind == "report" and self._instance.encode() not in payload:
+            self.doubled_at_s = time.monotonic()
+        return kind == "presence" and b'"state":"online"' not in payload
+
+    async def _send(
+        self, client: aiomqtt.Client, kind: str, payload: Payload, *, retain: bool, qos: int = 1
+    ) -> None:
+        await client.publish(self._topic(kind), payload.model_dump_json(), qos=qos, retain=retain)
+
+    def _presence(self, state: str) -> Presence:
+        return Presence.model_validate(
+            {
+                "station": self._station,
+                "instance": self._instance,
+                "name": self._name,
+                "state": state,
+            }
+        )
+
+    def _topic(self, kind: str) -> str:
+        return topic(self._settings.prefix, self._station, kind)
+
+
+async def _ended(tasks: list[asyncio.Task[None]]) -> None:
+    for task in tasks:
+        task.cancel()
+    await asyncio.gather(*tasks, return_exceptions=True)

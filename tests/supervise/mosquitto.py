@@ -1,0 +1,66 @@
+"""A real broker, Debian's mosquitto, on a free port of this machine."""
+
+import getpass
+import shutil
+import socket
+import subprocess
+import time
+from pathlib import Path
+from types import TracebackType
+from typing import Self
+
+BINARY = shutil.which("mosquitto") or shutil.which("mosquitto", path="/usr/sbin:/usr/local/sbin")
+USER, PASSWORD = "station", "a broker's password"
+
+
+class Mosquitto:
+    """Can be killed and started again on the same port."""
+
+    def __init__(self, folder: Path, passwords: bool = False) -> None:
+        with socket.socket() as free:
+            free.bind(("127.0.0.1", 0))
+            self.port: int = free.getsockname()[1]
+        self._config = folder / "mosquitto.conf"
+        # started by root it would become a user who may not read the passwords
+        lines = [f"listener {self.port} 127.0.0.1", f"user {getpass.getuser()}"]
+        if passwords:
+            listed = folder / "passwords"
+            maker = shutil.which("mosquitto_passwd") or "mosquitto_passwd"
+            subprocess.run([maker, "-b", "-c", str(listed), USER, PASSWORD], check=True)
+            lines += ["allow_anonymous false", f"password_file {listed}"]
+        else:
+            lines += ["allow_anonymous true"]
+        self._config.write_text("\n".join(lines) + "\n")
+        self._process: subprocess.Popen[bytes] | None = None
+        self.start()
+
+    def start(self) -> None:
+        assert BINARY is not None
+        self._process = subprocess.Popen(
+            [BINARY, "-c", str(self._config)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        )
+        deadline = time.monotonic() + 10.0
+        while True:
+            with socket.socket() as trying:
+                trying.settimeout(0.5)
+                if trying.connect_ex(("127.0.0.1", self.port)) == 0:
+                    return
+            assert time.monotonic() < deadline, "the broker did not start"
+            time.sleep(0.05)
+
+    def kill(self) -> None:
+        if self._process is not None:
+            self._process.kill()
+            self._process.wait()
+            self._process = None
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.kill()
