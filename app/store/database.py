@@ -94,7 +94,21 @@ CREATE TRIGGER audit_rows_stay BEFORE DELETE ON audit
 CREATE TRIGGER audit_rows_keep BEFORE UPDATE ON audit
     BEGIN SELECT RAISE(ABORT, 'the audit log is append-only'); END;
 """
-SCHEMAS = (FIRST, ACCESS)
+SUPERVISION = """
+CREATE TABLE scraper (
+    id TEXT PRIMARY KEY,
+    token TEXT NOT NULL UNIQUE,
+    name TEXT NOT NULL,
+    made_by TEXT NOT NULL,
+    made_at TEXT NOT NULL
+) STRICT;
+
+CREATE TABLE temperature (
+    at TEXT PRIMARY KEY,
+    celsius REAL NOT NULL
+) STRICT;
+"""
+SCHEMAS = (FIRST, ACCESS, SUPERVISION)
 """What each version of the database adds to the one before."""
 SCHEMA_VERSION = len(SCHEMAS)
 
@@ -113,6 +127,7 @@ class Database:
     """
 
     def __init__(self, path: Path) -> None:
+        self._path = path.absolute()
         self._lock = threading.RLock()
         self._connection = sqlite3.connect(path, check_same_thread=False, isolation_level=None)
         try:
@@ -164,6 +179,18 @@ class Database:
         """All rows of a query."""
         with self._lock:
             return self._connection.execute(query, values).fetchall()
+
+    def check(self) -> str:
+        """What is wrong with the file; empty where nothing is. On a connection of its own."""
+        try:
+            looking = sqlite3.connect(f"{self._path.as_uri()}?mode=ro", uri=True)
+            try:
+                found = str(looking.execute("PRAGMA quick_check(1)").fetchone()[0])
+            finally:
+                looking.close()
+        except sqlite3.DatabaseError as error:
+            found = str(error)
+        return "" if found == "ok" else found
 
     def close(self) -> None:
         with self._lock:

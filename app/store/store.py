@@ -11,7 +11,9 @@ from app.store.journal import JournalStore
 from app.store.lock import FolderLock
 from app.store.scan_settings import SettingsStore
 from app.store.scans import ScanStore
+from app.store.scrapers import ScraperStore
 from app.store.sign_ins import SignInStore
+from app.store.temperatures import TemperatureStore
 
 
 class Store:
@@ -47,6 +49,12 @@ class Store:
         self.accounts = AccountStore(self._database)
         self.sign_ins = SignInStore(self._database)
         self.audit = AuditLog(self._database)
+        self.scrapers = ScraperStore(self._database)
+        self.temperatures = TemperatureStore(self._database)
+
+    def check(self) -> str:
+        """What is wrong with the database; empty where nothing is. It may take seconds."""
+        return self._database.check()
 
     def close(self) -> None:
         """Closes the database and lets another server have the folder; idempotent."""

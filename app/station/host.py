@@ -1,0 +1,81 @@
+"""What the machine and the process are doing, as the operating system tells it."""
+
+import os
+import platform
+import resource
+import sys
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+MEMINFO, STATUS = Path("/proc/meminfo"), Path("/proc/self/status")
+JUMP_S = 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class Memory:
+    """In bytes; null where the system does not tell."""
+
+    own: int
+    free: int | None
+
+
+def memory() -> Memory:
+    """Of this process, and what is free for all."""
+    return Memory(
+        _kilobytes(STATUS, "VmRSS") or _peak(),
+        _kilobytes(MEMINFO, "MemAvailable"),
+    )
+
+
+def _kilobytes(path: Path, key: str) -> int | None:
+    try:
+        for line in path.read_text().splitlines():
+            if line.startswith(f"{key}:"):
+                return int(line.split()[1]) * 1024
+    except (OSError, ValueError, IndexError):
+        pass
+    return None
+
+
+def _peak() -> int:
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    return peak if sys.platform == "darwin" else peak * 1024
+
+
+class WallClock:
+    """Notices when the wall clock is set while the station runs."""
+
+    def __init__(self) -> None:
+        self._offset_s = time.time() - time.monotonic()
+        self.jumps = 0
+        self.last_jump_s = 0.0
+
+    def look(self) -> None:
+        """Called every few seconds; a slow drift is followed and is no jump."""
+        offset_s = time.time() - time.monotonic()
+        if abs(offset_s - self._offset_s) > JUMP_S:
+            self.jumps += 1
+            self.last_jump_s = offset_s - self._offset_s
+        self._offset_s = offset_s
+
+
+def versions() -> dict[str, str]:
+    """What the program runs on."""
+    return {
+        "Python": platform.python_version(),
+        "system": f"{platform.system()} {platform.release()}",
+        "machine": platform.machine(),
+        "processors": str(os.cpu_count() or 0),
+    }
+
+
+def writable(folder: Path) -> str:
+    """Empty where a file can be written into the folder, else why not."""
+    trial = folder / f".trial-{os.getpid()}"
+    try:
+        trial.write_bytes(b"x")
+        trial.unlink()
+    except OSError as error:
+        return error.strerror or str(error)
+    return ""

@@ -1,0 +1,179 @@
+"""The station's log: JSON lines in the data folder, and read again by level and words.
+
+Each line is an object with ``at``, ``level``, ``logger``, ``thread``, ``text`` and, of a
+failure, ``trace``.
+"""
+
+import json
+import logging
+import logging.handlers
+import queue
+from collections import deque
+from collections.abc import Iterator
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Literal
+
+from app.metrology.refusal import Refusal
+
+FOLDER, FILE = "logs", "station.jsonl"
+FILE_BYTES, FILES = 2_000_000, 5
+LONGEST_TEXT = 4000
+TOLD = ("app", "hardware")
+"""Loggers that are heard from ``info`` on; all others from ``warning`` on."""
+
+Level = Literal["info", "warning", "error"]
+LEVELS: dict[Level, int] = {
+    "info": logging.INFO,
+    "warning": logging.WARNING,
+    "error": logging.ERROR,
+}
+
+
+@dataclass(frozen=True, slots=True)
+class LogLine:
+    """One line, as the browser shows it."""
+
+    at: str
+    level: Level
+    logger: str
+    thread: str
+    text: str
+    trace: str
+
+
+class LogBook:
+    """Writes on a thread of its own, so that no disk holds up the event loop.
+
+    Args:
+        folder: the data folder.
+
+    Raises:
+        Refusal: the folder of the logs cannot be written.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder / FOLDER
+        try:
+            self.folder.mkdir(parents=True, exist_ok=True)
+            file = logging.handlers.RotatingFileHandler(
+                self.folder / FILE, maxBytes=FILE_BYTES, backupCount=FILES - 1, encoding="utf-8"
+            )
+        except OSError as error:
+            raise Refusal(
+                "data-folder-unwritable",
+                f"The logs in {self.folder} cannot be written",
+                error.strerror or str(error),
+                "Give a folder that this user may write with --data",
+            ) from error
+        file.setFormatter(_JsonLine())
+        self._errors: deque[float] = deque(maxlen=1000)
+        lines: queue.SimpleQueue[logging.LogRecord] = queue.SimpleQueue()
+        self._handler = _Handler(lines, self._errors)
+        self._file = file
+        self._listener = logging.handlers.QueueListener(lines, file)
+        self._listener.start()
+        self._levels = {name: logging.getLogger(name).level for name in TOLD}
+        for name in TOLD:
+            logging.getLogger(name).setLevel(logging.INFO)
+        logging.getLogger().addHandler(self._handler)
+
+    def close(self) -> None:
+        """Writes what waits, and gives the loggers back as they were; idempotent."""
+        if not self._levels:
+            return
+        logging.getLogger().removeHandler(self._handler)
+        for name, level in self._levels.items():
+            logging.getLogger(name).setLevel(level)
+        self._levels = {}
+        self._listener.stop()
+        self._file.close()
+
+    def errors_since(self, after: float) -> int:
+        """How many errors were logged after a moment (``time.time``)."""
+        return sum(at > after for at in tuple(self._errors))
+
+    def files(self) -> list[Path]:
+        """All files of the log, the newest first."""
+        numbered = [self.folder / f"{FILE}.{number}" for number in range(1, FILES)]
+        return [path for path in (self.folder / FILE, *numbered) if path.is_file()]
+
+    def read(self, level: Level, words: str, count: int) -> list[LogLine]:
+        """The newest lines of a level or above that contain the words, newest first."""
+        found: list[LogLine] = []
+        wanted = words.lower().split()
+        for line in self._newest_first():
+            hay = f"{line.text} {line.logger} {line.thread} {line.trace}".lower()
+            if LEVELS[line.level] >= LEVELS[level] and all(word in hay for word in wanted):
+                found.append(line)
+                if len(found) == count:
+                    break
+        return found
+
+    def _newest_first(self) -> Iterator[LogLine]:
+        for path in self.files():
+            try:
+                raw = path.read_text("utf-8", "replace").splitlines()
+            except OSError:  # rotated away meanwhile
+                continue
+            for text in reversed(raw):
+                line = _parsed(text)
+                if line is not None:
+                    yield line
+
+
+class _Handler(logging.handlers.QueueHandler):
+    """Counts errors as they are logged; the trace is made into text at once."""
+
+    def __init__(self, lines: "queue.SimpleQueue[logging.LogRecord]", errors: deque[float]) -> None:
+        super().__init__(lines)
+        self._error_times = errors
+
+    def prepare(self, record: logging.LogRecord) -> logging.LogRecord:
+        if record.levelno >= logging.ERROR:
+            self._error_times.append(record.created)
+        trace = ""
+        if record.exc_info:
+            trace = logging.Formatter().formatException(record.exc_info)
+        plain = logging.makeLogRecord(record.__dict__)
+        plain.msg, plain.args = record.getMessage(), None
+        plain.exc_info, plain.exc_text, plain.stack_info = None, trace or None, None
+        return plain
+
+
+class _JsonLine(logging.Formatter):
+    def format(self, record: logging.LogRecord) -> str:
+        at = datetime.fromtimestamp(record.created, UTC).isoformat(timespec="milliseconds")
+        line = {
+            "at": at.replace("+00:00", "Z"),
+            "level": _level(record.levelno),
+            "logger": record.name,
+            "thread": record.threadName or "",
+            "text": str(record.msg)[:LONGEST_TEXT],
+        }
+        if record.exc_text:
+            line["trace"] = record.exc_text[-LONGEST_TEXT:]
+        return json.dumps(line, ensure_ascii=False)
+
+
+def _level(number: int) -> Level:
+    if number >= logging.ERROR:
+        return "error"
+    return "warning" if number >= logging.WARNING else "info"
+
+
+def _parsed(text: str) -> LogLine | None:
+    """A line; None for one that a killed server left half."""
+    try:
+        line = json.loads(text)
+        return LogLine(
+            at=str(line["at"]),
+            level=line["level"] if line["level"] in LEVELS else "info",
+            logger=str(line["logger"]),
+            thread=str(line["thread"]),
+            text=str(line["text"]),
+            trace=str(line.get("trace", "")),
+        )
+    except (ValueError, KeyError, TypeError, AttributeError):
+        return None

@@ -1,0 +1,52 @@
+"""How much of what a device sent was lost, over the last minutes."""
+
+import time
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass
+
+WINDOW_S = 600.0
+SAMPLE_S = 5.0
+
+
+@dataclass(frozen=True, slots=True)
+class Losses:
+    """Of one device, in the window."""
+
+    received: int
+    lost: int
+    corrupt: int
+
+    @property
+    def share(self) -> float:
+        """0 to 1; of a silent device 0."""
+        total = self.received + self.lost + self.corrupt
+        return (self.lost + self.corrupt) / total if total else 0.0
+
+
+class LossWindow:
+    """Counts that only grow, looked at as what they grew by lately."""
+
+    def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
+        self._clock = clock
+        self._samples: deque[tuple[float, Losses]] = deque()
+
+    def note(self, received: int, lost: int, corrupt: int) -> None:
+        """The counts as of now; called at any pace."""
+        now_s = self._clock()
+        if self._samples and now_s - self._samples[-1][0] < SAMPLE_S:
+            return
+        self._samples.append((now_s, Losses(received, lost, corrupt)))
+        while len(self._samples) > 2 and now_s - self._samples[1][0] >= WINDOW_S:
+            self._samples.popleft()
+
+    def over(self, received: int, lost: int, corrupt: int) -> Losses:
+        """What the counts grew by in the window."""
+        if not self._samples:
+            return Losses(0, 0, 0)
+        first = self._samples[0][1]
+        return Losses(
+            max(received - first.received, 0),
+            max(lost - first.lost, 0),
+            max(corrupt - first.corrupt, 0),
+        )

@@ -1,0 +1,65 @@
+"""The room's temperature: read every few seconds, and kept for comparison."""
+
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Protocol
+
+from hardware.errors import DeviceError
+
+KEPT_EVERY_S = 600.0
+
+
+class Thermometer(Protocol):
+    """Anything that reads a temperature."""
+
+    def read_c(self) -> float:
+        """In °C; raises ``DeviceError``."""
+
+
+@dataclass(frozen=True)
+class Temperature:
+    """As of the last reading; null where there is no thermometer, or it fails."""
+
+    celsius: float | None
+    trouble: str = ""
+
+
+class TemperatureWatch:
+    """Called from one thread at a time; ``now`` may be read from any.
+
+    Args:
+        keep: called with a reading every ten minutes.
+    """
+
+    def __init__(self, thermometer: Thermometer | None, keep: Callable[[float], None]) -> None:
+        self._thermometer, self._keep = thermometer, keep
+        self._lock = threading.Lock()
+        self._now = Temperature(None)
+        self._kept_s: float | None = None
+
+    @property
+    def there(self) -> bool:
+        """Whether there is a thermometer at all."""
+        return self._thermometer is not None
+
+    @property
+    def now(self) -> Temperature:
+        return self._now
+
+    def read(self) -> None:
+        """Reads once; it may take a second."""
+        if self._thermometer is None:
+            return
+        with self._lock:
+            try:
+                celsius = self._thermometer.read_c()
+            except DeviceError as error:
+                self._now = Temperature(None, str(error))
+                return
+            self._now = Temperature(celsius)
+            now_s = time.monotonic()
+            if self._kept_s is None or now_s - self._kept_s > KEPT_EVERY_S:
+                self._kept_s = now_s
+                self._keep(celsius)

@@ -1,0 +1,188 @@
+"""A whole copy of the data folder, also of a station that runs.
+
+The database is copied by SQLite's own means, which give one consistent moment whatever is
+written meanwhile; the files follow, so that every file which that moment knows of is there.
+The copy is a data folder itself: a station starts from it with ``--data``.
+"""
+
+import json
+import os
+import shutil
+import sqlite3
+from collections.abc import Callable, Iterator
+from dataclasses import asdict, dataclass
+from datetime import UTC, datetime
+from pathlib import Path
+
+from app.files.atomic import write_atomically
+from app.files.failures import files_refused, refusal_of
+from app.files.software import SOFTWARE
+from app.metrology.refusal import Refusal
+from app.store.database import utc_now
+
+DATABASE = "station.db"
+NOTE = "backup.json"
+"""In a backup: what it is of. In a data folder: where its last backup is."""
+LAST = "last_backup.json"
+LEFT_OUT = {"station.lock", LAST, "backups", "logs", ".compiled"}
+DATABASE_PARTS = {DATABASE, f"{DATABASE}-wal", f"{DATABASE}-shm"}
+ROOM_BYTES = 200_000_000
+"""Left free on the disk of the copy."""
+
+
+@dataclass(frozen=True)
+class BackupMade:
+    """A backup that is whole."""
+
+    folder: str
+    at: str
+    files: int
+    bytes: int
+
+
+def backup(
+    data: Path, output: Path, progress: Callable[[float, str], None] = lambda share, text: None
+) -> BackupMade:
+    """Copies a data folder into a new one.
+
+    Args:
+        output: must not exist yet, or be an empty folder.
+
+    Raises:
+        Refusal: there is no data folder, the output is taken or within it, or its disk has no
+            room. Nothing is then left behind.
+    """
+    data, output = data.resolve(), output.absolute()
+    _check(data, output)
+    part = output.with_name(f".{output.name}.part")
+    with files_refused(output):
+        output.parent.mkdir(parents=True, exist_ok=True)
+        shutil.rmtree(part, ignore_errors=True)
+        part.mkdir(mode=0o700)
+    try:
+        with files_refused(output):
+            made = _copy(data, part, output, progress)
+            if output.is_dir():
+                output.rmdir()
+            part.rename(output)
+    except BaseException:
+        shutil.rmtree(part, ignore_errors=True)
+        raise
+    write_atomically(data / LAST, _json(asdict(made)))
+    return made
+
+
+def last_backup(data: Path) -> BackupMade | None:
+    """The last backup of a data folder that is still where it was put."""
+    try:
+        made = BackupMade(**json.loads((data / LAST).read_text()))
+    except (OSError, ValueError, TypeError):
+        return None
+    return made if (Path(made.folder) / NOTE).is_file() else None
+
+
+def stamped_name() -> str:
+    """A name for a backup made now."""
+    return f"crenel-{datetime.now(UTC):%Y%m%d-%H%M%S}"
+
+
+def _check(data: Path, output: Path) -> None:
+    if not (data / DATABASE).is_file():
+        raise Refusal(
+            "no-data-folder",
+            f"{data} is no station's data folder",
+            f"there is no {DATABASE}",
+            "Give the folder that the station was started with",
+        )
+    inside = output.resolve().is_relative_to(data)
+    if inside and not output.resolve().is_relative_to(data / "backups"):
+        raise Refusal(
+            "output-inside",
+            f"{output} is inside the data folder",
+            "the next backup would hold this one",
+            "Choose a folder elsewhere, best on another disk",
+        )
+    if output.exists() and (not output.is_dir() or any(output.iterdir())):
+        raise Refusal(
+            "output-taken",
+            f"{output} is there already",
+            "a backup replaces nothing",
+            "Name a folder that is not there yet",
+        )
+
+
+def _copy(
+    data: Path, part: Path, output: Path, progress: Callable[[float, str], None]
+) -> BackupMade:
+    at = utc_now()
+    _copy_database(data / DATABASE, part / DATABASE)
+    files = list(_files(data))
+    total = sum(size for _, size in files)
+    free = shutil.disk_usage(part).free
+    if total + ROOM_BYTES > free:
+        raise Refusal(
+            "disk-full",
+            f"The backup needs {total / 1e9:.2f} GB",
+            f"{free / 1e9:.2f} GB are free on the disk of {output}",
+            "Free some space, or choose another disk",
+        )
+    done = 0
+    for path, size in files:
+        target = part / path.relative_to(data)
+        target.parent.mkdir(parents=True, exist_ok=True)
+        try:
+            shutil.copy2(path, target)
+        except FileNotFoundError:
+            continue  # deleted since it was listed
+        done += size
+        progress(done / max(total, 1), path.name)
+    made = BackupMade(str(output), at, len(files) + 1, total)
+    note = {**asdict(made), "of": str(data), "version": SOFTWARE.version}
+    write_atomically(part / NOTE, _json(note))
+    return made
+
+
+def _copy_database(source: Path, target: Path) -> None:
+    try:
+        reading = sqlite3.connect(f"{source.as_uri()}?mode=ro", uri=True, timeout=10.0)
+        writing = sqlite3.connect(target)
+        try:
+            reading.backup(writing)
+            found = str(writing.execute("PRAGMA quick_check").fetchone()[0])
+        finally:
+            writing.close()
+            reading.close()
+    except sqlite3.DatabaseError as error:
+        found = str(error)
+    os.chmod(target, 0o600)
+    if found != "ok":
+        raise Refusal(
+            "database-unreadable",
+            f"{source} cannot be copied",
+            found,
+            "Keep the data folder as it is, and start from an earlier backup",
+        )
+
+
+def _files(data: Path) -> Iterator[tuple[Path, int]]:
+    """Every file with its size, but for what belongs to the running server alone."""
+    for folder, folders, names in os.walk(data, onerror=_raise):
+        top = Path(folder) == data
+        folders[:] = sorted(name for name in folders if not (top and name in LEFT_OUT))
+        for name in sorted(names):
+            path = Path(folder) / name
+            unwanted = top and (name in LEFT_OUT or name in DATABASE_PARTS)
+            if unwanted or name.endswith(".part") or not path.is_file() or path.is_symlink():
+                continue
+            try:
+                yield path, path.stat().st_size
+            except FileNotFoundError:
+                continue
+
+
+def _raise(error: OSError) -> None:
+    raise refusal_of(error) from error
+
+
+def _json(fields: dict[str, object]) -> bytes:
+    return (json.dumps(fields, indent=1) + "\n").encode()

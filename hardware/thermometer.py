@@ -1,0 +1,33 @@
+"""The temperature of the room, from a file that Linux' own drivers keep up to date.
+
+Such are ``/sys/bus/w1/devices/28-*/temperature`` of a DS18B20 and
+``/sys/class/hwmon/hwmon*/temp1_input`` of many others.
+"""
+
+from pathlib import Path
+
+from hardware.errors import DeviceError
+
+LOWEST_C, HIGHEST_C = -40.0, 85.0
+"""Beyond, the sensor is broken or gone: a DS18B20 reports 85 °C until its first reading."""
+
+
+class FileThermometer:
+    """Reads thousandths of a degree Celsius; a reading may take a second."""
+
+    def __init__(self, path: Path) -> None:
+        self._path = path
+
+    def read_c(self) -> float:
+        """The temperature now; raises ``DeviceError`` where there is none."""
+        try:
+            celsius = int(self._path.read_text()) / 1000.0
+        except (OSError, ValueError) as error:
+            raise DeviceError(
+                f"The thermometer {self._path} cannot be read: {error}", "Check its connection."
+            ) from error
+        if not LOWEST_C < celsius < HIGHEST_C:
+            raise DeviceError(
+                f"The thermometer {self._path} reads {celsius:.1f} °C", "Check its connection."
+            )
+        return celsius

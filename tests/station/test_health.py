@@ -1,0 +1,185 @@
+"""What the station tells of its own health: the loop's watchdog, the log, losses, checks."""
+
+import asyncio
+import json
+import logging
+import threading
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from app.station import health
+from app.station.host import Memory, WallClock, memory, writable
+from app.station.log_book import FILE, FILE_BYTES, LogBook
+from app.station.losses import Losses, LossWindow
+from app.station.temperature import Temperature, TemperatureWatch
+from app.station.watchdog import LoopWatchdog, Stalls
+from hardware.thermometer import FileThermometer
+from hardware.twin.room import RoomThermometer
+
+
+def hold_up(seconds: float) -> None:
+    time.sleep(seconds)
+
+
+def test_a_loop_that_is_held_up_is_counted_with_the_stack_of_what_does_it(
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    watchdog = LoopWatchdog(0.1)
+
+    async def run() -> None:
+        watchdog.start(asyncio.get_running_loop())
+        await asyncio.sleep(0.3)
+        assert watchdog.stalls.count == 0
+        hold_up(0.5)
+        await asyncio.sleep(0.3)
+
+    asyncio.run(run())
+    watchdog.stop()
+    stalls = watchdog.stalls
+    assert stalls.count == 1
+    assert 0.4 < stalls.longest_s == stalls.last_s
+    assert "hold_up" in stalls.last_stack
+    assert "hold_up" in caplog.text
+    assert health.event_loop(stalls, 0.1).quality == "neutral"
+    assert health.event_loop(Stalls(1, 3.0), 0.1).quality == "attention"
+    assert health.event_loop(Stalls(), 0.1).quality == "good"
+
+
+@pytest.fixture
+def book(tmp_path: Path) -> Iterator[LogBook]:
+    opened = LogBook(tmp_path)
+    yield opened
+    opened.close()
+
+
+def test_what_is_logged_is_read_by_level_and_words(book: LogBook) -> None:
+    log = logging.getLogger("app.test_health")
+    began = time.time()
+    log.debug("too small")
+    log.info("the arm %s", "came back")
+    log.warning("the camera is slow")
+    logging.getLogger("other").info("not ours")
+    try:
+        raise RuntimeError("three")
+    except RuntimeError:
+        log.exception("the camera failed")
+    written(book, 3)
+    assert [line.text for line in book.read("info", "", 10)] == [
+        "the camera failed",
+        "the camera is slow",
+        "the arm came back",
+    ]
+    assert [line.level for line in book.read("warning", "CAMERA", 10)] == ["error", "warning"]
+    (failure,) = book.read("error", "runtimeerror", 10)
+    assert "RuntimeError: three" in failure.trace
+    assert book.read("info", "", 1)[0].text == "the camera failed"
+    assert book.errors_since(began - 1) == 1
+    assert book.errors_since(time.time() + 1) == 0
+    for text in (book.folder / FILE).read_text().splitlines():
+        assert set(json.loads(text)) >= {"at", "level", "logger", "thread", "text"}
+
+
+def written(book: LogBook, count: int) -> None:
+    deadline = time.monotonic() + 5.0
+    while len(book.read("info", "", 1000)) < count:
+        assert time.monotonic() < deadline
+        time.sleep(0.01)
+
+
+def test_a_log_is_rotated_and_a_line_cut_off_by_a_kill_is_left_out(book: LogBook) -> None:
+    log = logging.getLogger("app.test_health")
+    log.info("first")
+    written(book, 1)
+    with (book.folder / FILE).open("a") as file:
+        file.write("x" * (FILE_BYTES - 200) + "\n")
+    for number in range(3):
+        log.info("after %d", number)
+    written(book, 4)
+    assert len(book.files()) == 2
+    texts = [line.text for line in book.read("info", "", 100)]
+    assert texts == ["after 2", "after 1", "after 0", "first"]
+
+
+def test_a_closed_log_leaves_nothing_behind(tmp_path: Path) -> None:
+    before = logging.getLogger().handlers[:], threading.active_count()
+    opened = LogBook(tmp_path)
+    opened.close()
+    opened.close()
+    assert (logging.getLogger().handlers, threading.active_count()) == before
+
+
+def test_losses_are_of_the_last_minutes() -> None:
+    now_s = 0.0
+    window = LossWindow(lambda: now_s)
+    assert window.over(0, 0, 0) == Losses(0, 0, 0)
+    for second in range(0, 2000, 5):
+        now_s = float(second)
+        window.note(100 * second, 1000 if second > 300 else 0, 0)
+    assert window.over(100 * 1995, 1000, 0).lost == 0, "those were long ago"
+    lately = window.over(100 * 1995, 1060, 60)
+    assert (lately.lost, lately.corrupt) == (60, 60)
+    assert 0.001 < lately.share < 0.01
+    assert health.losses("Arm", lately).quality == "attention"
+    assert health.losses("Arm", Losses(100, 5, 0)).quality == "bad"
+    assert health.losses("Arm", Losses(100_000, 5, 0)).quality == "good"
+
+
+def test_thermometers(tmp_path: Path) -> None:
+    file = tmp_path / "temperature"
+    file.write_text("21375\n")
+    kept: list[float] = []
+    watch = TemperatureWatch(FileThermometer(file), kept.append)
+    watch.read()
+    watch.read()
+    assert watch.now == Temperature(21.375)
+    assert kept == [21.375]
+    file.write_text("85000")
+    watch.read()
+    assert watch.now.celsius is None
+    assert health.room(watch.now, None).quality == "attention"
+    assert 20 < RoomThermometer().read_c() < 23
+    assert health.room(Temperature(21.0), -2.5).quality == "attention"
+    assert health.room(Temperature(21.0), 0.3).quality == "good"
+    nothing = TemperatureWatch(None, kept.append)
+    nothing.read()
+    assert (nothing.there, nothing.now.celsius) == (False, None)
+
+
+def test_the_host(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert memory().own > 10_000_000
+    assert writable(tmp_path) == ""
+    assert list(tmp_path.iterdir()) == []
+    assert writable(tmp_path / "none") != ""
+    clock = WallClock()
+    clock.look()
+    assert clock.jumps == 0
+    real = time.time
+    monkeypatch.setattr(time, "time", lambda: real() + 3600)
+    clock.look()
+    assert clock.jumps == 1
+    assert 3599 < clock.last_jump_s < 3601
+
+
+def test_the_worst_comes_first_and_is_what_the_station_is() -> None:
+    items = [
+        health.disk(100.0, None),
+        health.disk(0.5, 20.0),
+        health.memory_use(Memory(100, 4_000_000_000)),
+        health.backup(None, "", False, ""),
+    ]
+    whole = health.health_of(items, "now")
+    assert whole.quality == "bad"
+    assert [item.quality for item in whole.items] == ["bad", "attention", "good", "good"]
+    for item in whole.items:
+        assert item.what
+        assert item.why
+        assert bool(item.remedy) == (item.quality in ("bad", "attention"))
+    assert health.backup(1.0, "x", True, "").quality == "attention"
+    assert health.backup(1.0, "x", False, "").quality == "good"
+    assert health.clock(0, 0.0, 2.0).quality == "bad"
+    assert health.clock(1, 9.0, 0.0).quality == "attention"
+    assert health.broker("b", False, "refused", 5.0, False).quality == "attention"
+    assert health.broker("b", True, "", 5.0, True).quality == "bad"

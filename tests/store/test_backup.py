@@ -1,0 +1,135 @@
+"""Copies of data folders, also while they are written; tokens and temperatures."""
+
+import json
+import sqlite3
+import threading
+from collections.abc import Iterator
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+
+import pytest
+
+from app.metrology.refusal import Refusal
+from app.store.accounts import Role
+from app.store.backup import LAST, NOTE, backup, last_backup
+from app.store.database import ACCESS, FIRST, Database
+from app.store.store import Store
+
+
+@pytest.fixture
+def store(tmp_path: Path) -> Iterator[Store]:
+    opened = Store(tmp_path / "data")
+    yield opened
+    opened.close()
+
+
+def test_a_backup_of_a_folder_that_is_written_is_of_one_moment(store: Store) -> None:
+    store.accounts.add("Ada", Role.admin, "three unrelated words")
+    (store.folder / "arms/arm.json").write_text("{}")
+    (store.folder / "logs").mkdir()
+    (store.folder / "logs/station.jsonl").write_text("{}")
+    store.journal.begin_session("s", "calibration")
+    stopping, written = threading.Event(), 0
+
+    def write() -> None:
+        nonlocal written
+        while not stopping.is_set():
+            store.journal.append("s", "point_taken", {"n": written})
+            (store.folder / "sessions" / f"{written}.csv").write_text("x")
+            written += 1
+
+    writer = threading.Thread(target=write)
+    writer.start()
+    try:
+        while written < 20:
+            continue
+        made = backup(store.folder, store.folder.parent / "copies/one")
+        before = written
+    finally:
+        stopping.set()
+        writer.join()
+    copy = Path(made.folder)
+    assert last_backup(store.folder) == made
+    assert json.loads((copy / NOTE).read_text())["of"] == str(store.folder)
+    assert not (copy / "station.lock").exists()
+    assert not (copy / "logs").exists()
+    assert copy.stat().st_mode & 0o077 == 0
+    again = Store(copy)
+    rows = again.journal.rows("s")
+    assert 20 <= len(rows) <= before
+    assert [row.payload["n"] for row in rows] == list(range(len(rows)))
+    for number in range(len(rows) - 1):
+        assert (copy / f"sessions/{number}.csv").is_file()
+    assert again.accounts.matching("Ada", "three unrelated words")
+    assert again.check() == ""
+    again.close()
+
+
+def test_what_cannot_be_backed_up_is_refused_and_leaves_nothing(
+    store: Store, tmp_path: Path
+) -> None:
+    taken = tmp_path / "taken"
+    taken.mkdir()
+    (taken / "file").write_text("x")
+    for data, output, code in (
+        (tmp_path, tmp_path / "out", "no-data-folder"),
+        (store.folder, taken, "output-taken"),
+        (store.folder, store.folder / "sessions/copy", "output-inside"),
+        (store.folder, taken / "file/copy", "file-is-no-folder"),
+    ):
+        with pytest.raises(Refusal) as refused:
+            backup(data, output)
+        assert refused.value.code in (code, "file-error"), refused.value
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["data", "taken"]
+    assert not (store.folder / LAST).exists()
+    assert last_backup(store.folder) is None
+
+
+def test_backups_beside_the_data_do_not_hold_one_another(store: Store) -> None:
+    first = backup(store.folder, store.folder / "backups/first")
+    second = backup(store.folder, store.folder / "backups/second")
+    assert first.files == second.files
+    assert not (Path(second.folder) / "backups").exists()
+
+
+def test_a_damaged_database_is_told(store: Store, tmp_path: Path) -> None:
+    assert store.check() == ""
+    store.close()
+    file = store.folder / "station.db"
+    raw = bytearray(file.read_bytes())
+    raw[4096:12288] = b"\xff" * 8192
+    file.write_bytes(raw)
+    with pytest.raises(Refusal, match="cannot be copied"):
+        backup(store.folder, tmp_path / "out")
+
+
+def test_a_database_of_the_version_before_gets_the_new_tables(tmp_path: Path) -> None:
+    path = tmp_path / "station.db"
+    old = sqlite3.connect(path)
+    old.executescript(f"{FIRST} {ACCESS} PRAGMA user_version = 2;")
+    old.execute("INSERT INTO account VALUES ('Ada', 'admin', '!', '2026-01-01')")
+    old.commit()
+    old.close()
+    database = Database(path)
+    assert database.read("SELECT name FROM account")[0]["name"] == "Ada"
+    assert database.read("SELECT * FROM scraper") == []
+    assert database.read("SELECT * FROM temperature") == []
+    database.close()
+
+
+def test_a_scrapers_token_is_told_once_and_can_be_ended(store: Store) -> None:
+    scraper, token = store.scrapers.add("Prometheus", "Ada")
+    assert store.scrapers.all() == [scraper]
+    assert store.scrapers.good(token)
+    assert not store.scrapers.good("")
+    assert not store.scrapers.good(f"{token}x")
+    assert store.sign_ins.visitor(token) is None, "it opens nothing else"
+    store.scrapers.remove(scraper.id)
+    assert not store.scrapers.good(token)
+
+
+def test_the_temperature_of_a_moment(store: Store) -> None:
+    store.temperatures.note(21.5)
+    now = datetime.now(UTC)
+    assert store.temperatures.near(now.isoformat()) == 21.5
+    assert store.temperatures.near((now - timedelta(hours=2)).isoformat()) is None
