@@ -102,11 +102,6 @@ CREATE TABLE scraper (
     made_by TEXT NOT NULL,
     made_at TEXT NOT NULL
 ) STRICT;
-
-CREATE TABLE temperature (
-    at TEXT PRIMARY KEY,
-    celsius REAL NOT NULL
-) STRICT;
 """
 SCHEMAS = (FIRST, ACCESS, SUPERVISION)
 """What each version of the database adds to the one before."""

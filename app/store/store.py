@@ -13,7 +13,6 @@ from app.store.scan_settings import SettingsStore
 from app.store.scans import ScanStore
 from app.store.scrapers import ScraperStore
 from app.store.sign_ins import SignInStore
-from app.store.temperatures import TemperatureStore
 
 
 class Store:
@@ -50,7 +49,6 @@ class Store:
         self.sign_ins = SignInStore(self._database)
         self.audit = AuditLog(self._database)
         self.scrapers = ScraperStore(self._database)
-        self.temperatures = TemperatureStore(self._database)
 
     def check(self) -> str:
         """What is wrong with the database; empty where nothing is. It may take seconds."""

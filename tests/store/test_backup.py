@@ -1,10 +1,9 @@
-"""Copies of data folders, also while they are written; tokens and temperatures."""
+"""Copies of data folders, also while they are written; and scrapers' tokens."""
 
 import json
 import sqlite3
 import threading
 from collections.abc import Iterator
-from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
 import pytest
@@ -113,7 +112,6 @@ def test_a_database_of_the_version_before_gets_the_new_tables(tmp_path: Path) ->
     database = Database(path)
     assert database.read("SELECT name FROM account")[0]["name"] == "Ada"
     assert database.read("SELECT * FROM scraper") == []
-    assert database.read("SELECT * FROM temperature") == []
     database.close()
 
 
@@ -126,10 +124,3 @@ def test_a_scrapers_token_is_told_once_and_can_be_ended(store: Store) -> None:
     assert store.sign_ins.visitor(token) is None, "it opens nothing else"
     store.scrapers.remove(scraper.id)
     assert not store.scrapers.good(token)
-
-
-def test_the_temperature_of_a_moment(store: Store) -> None:
-    store.temperatures.note(21.5)
-    now = datetime.now(UTC)
-    assert store.temperatures.near(now.isoformat()) == 21.5
-    assert store.temperatures.near((now - timedelta(hours=2)).isoformat()) is None
