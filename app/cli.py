@@ -11,6 +11,7 @@ import typer
 
 from app.cli_arm import articulation, identify
 from app.cli_bench import bench
+from app.cli_report import report
 from app.cli_scan import reconstruct, replay, study, sync
 from app.cli_station import mqtt_schema
 from app.console import (
@@ -279,5 +280,6 @@ cli.command()(study)
 cli.command()(replay)
 cli.command()(identify)
 cli.command()(articulation)
+cli.command()(report)
 cli.command()(mqtt_schema)
 cli.add_typer(bench, name="bench")

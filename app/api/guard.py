@@ -12,6 +12,7 @@ from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app.api.problems import problem
+from app.report.page import POLICY
 
 LOCAL_NAMES = ("localhost", "127.0.0.1", "::1")
 SAFE_METHODS = ("GET", "HEAD", "OPTIONS")
@@ -26,6 +27,9 @@ VIEWER = (
     "connect-src 'self' data: blob:; worker-src 'self' blob:; "
     "frame-ancestors 'self'; object-src 'none'; base-uri 'none'; form-action 'none'"
 )
+
+# A report is read and printed; whatever stands in it, nothing of it is run or fetched.
+REPORT = f"{POLICY}; sandbox; frame-ancestors 'self'; base-uri 'none'; form-action 'none'"
 
 
 class Guard:
@@ -47,8 +51,7 @@ class Guard:
         if refusal:
             await _refuse(refusal, scope, receive, send)
             return
-        policy = VIEWER if scope["path"].startswith("/viewer") else PAGES
-        await self._app(scope, receive, _with_headers(send, policy))
+        await self._app(scope, receive, _with_headers(send, _policy(scope["path"])))
 
     def _refusal(self, scope: Scope) -> str:
         headers = Headers(scope=scope)
@@ -64,6 +67,12 @@ class Guard:
         if origin is not None and urlsplit(origin).netloc.lower() != host:
             return "Only the station's own pages may do this."
         return ""
+
+
+def _policy(path: str) -> str:
+    if path.startswith("/viewer"):
+        return VIEWER
+    return REPORT if path.endswith("/report.html") else PAGES
 
 
 def _name(host: str) -> str:

@@ -20,6 +20,7 @@ from app.guide.guide import Guide
 from app.guide.guide import Station as GuidedStation
 from app.guide.hand import Hand
 from app.guide.scan_hand import ScanHand
+from app.guide.signing import Signing
 from app.metrology.findings import LIMITS, Limits
 from app.metrology.refusal import Refusal
 from app.station.bus import Bus
@@ -77,6 +78,15 @@ def open_context(parts: Parts) -> Context:
     if store.settings.trouble is not None:
         bus.event("refused", f"The settings are lost: {store.settings.trouble.line}", "attention")
 
+    lease = Lease(bus)
+    simulated = parts.hand is not None
+
+    def in_control() -> str:
+        holder = lease.control.holder
+        return holder.name if holder else ""
+
+    signing = Signing(parts.name, simulated, in_control)
+
     def use_active() -> None:
         _use(store.calibrations.active(), store, rig, preview, scanner, bus)
 
@@ -87,14 +97,15 @@ def open_context(parts: Parts) -> Context:
         store.folder,
         use_active,
         parts.limits,
+        signing,
     )
     if not guide.running:
         use_active()
     scan_hand = ScanHand(parts.hand, jobs, bus, lambda: bus.publish("scan", scanner.state()))
     scanner.on_finished = lambda result: store.scans.add(_record(result))
-    arm_guide = ArmGuide(ArmStation(bus, rig, jobs, parts.hand), store.journal, store.folder)
+    arm_station = ArmStation(bus, rig, jobs, parts.hand)
+    arm_guide = ArmGuide(arm_station, store.journal, store.folder, signing)
     rig.arm.on_button = _buttons(guide, arm_guide)
-    simulated = parts.hand is not None
     station = Station(parts.name, SOFTWARE.version, has_hand=simulated, simulated=simulated)
     return Context(
         station,
@@ -110,7 +121,7 @@ def open_context(parts: Parts) -> Context:
         scan_hand,
         arm_guide,
         settings,
-        Lease(bus),
+        lease,
         Entrance(store.accounts, store.sign_ins, parts.guest),
     )
 

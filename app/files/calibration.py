@@ -168,6 +168,10 @@ class PosePart(Part):
     """How far the arm's noise had to move the object for the pose to agree."""
     corners_px: dict[str, tuple[Number, Number]] = Field(default_factory=dict)
     """Found minus computed (u, v) of each corner."""
+    corners_at_px: dict[str, tuple[Number, Number]] = Field(default_factory=dict)
+    """Where each was found."""
+    stripe_off_px: tuple[Vector3, ...] = ()
+    """u, v of some of the stripe's points, and how far each lies off the adjusted line."""
 
 
 class ScalesPart(Part):

@@ -204,7 +204,11 @@ def _sheet_of_all(
             "residuals": _all_residuals(result, contacts),
             "poses": tuple(
                 PosePart.model_validate(
-                    asdict(pose) | {"corners_px": {name: (u, v) for name, u, v in pose.corners_px}}
+                    asdict(pose)
+                    | {
+                        "corners_px": {name: (u, v) for name, u, v in pose.corners_px},
+                        "corners_at_px": {name: (u, v) for name, u, v in pose.corners_at_px},
+                    }
                 )
                 for pose in result.poses
             ),

@@ -20,6 +20,7 @@ from app.guide.permissions import why_not
 from app.guide.seen_poses import SeenPoses
 from app.guide.session_folder import SessionFolder
 from app.guide.sheets import CHOOSING, Sheets, best_guess
+from app.guide.signing import UNSIGNED, Signing
 from app.guide.state import ENDS, FIELDS, KINDS, CalibrationState, after
 from app.guide.touching import sentence
 from app.guide.view import Busy, CalibrationResult, FlowView
@@ -74,8 +75,10 @@ class Guide:
         data_folder: Path,
         on_closed: Callable[[], None],
         limits: Limits = LIMITS,
+        signing: Signing = UNSIGNED,
     ) -> None:
         self.station = station
+        self.signing = signing
         self.limits = limits
         """What a calibration's verdict goes by."""
         self.seen_poses = SeenPoses()
@@ -275,6 +278,7 @@ class Guide:
             }
             name = f"Calibration {datetime.now(UTC):%Y-%m-%d %H:%M} UTC"
             file = self.folder.calibration
+            self.folder.keep_acceptance(name, result, self.signing)
             row = self.calibrations.accept(self.state.session_id, name, file, figures, key)
             self.state = after(self.state, row)
             self.station.bus.event("accepted", f"{name} is in use.", "good")

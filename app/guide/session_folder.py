@@ -1,12 +1,15 @@
 """A guided session's folder, as FORMATS.md has it, so that it can be rebuilt without us."""
 
 from collections.abc import Sequence
+from datetime import UTC, datetime
 from pathlib import Path
 
 import numpy as np
 
+from app.files.acceptance import ACCEPTANCE, Acceptance, ComparisonPart
 from app.files.arm import read_arm
 from app.files.atomic import write_atomically
+from app.files.documents import sha256_of
 from app.files.failures import files_refused
 from app.files.images import write_png
 from app.files.objects import read_block
@@ -25,8 +28,10 @@ from app.files.session import (
 )
 from app.guide.library import Library
 from app.guide.live import Chosen
+from app.guide.signing import Signing
 from app.guide.state import CalibrationState, Contact
 from app.guide.state import Capture as Captured
+from app.guide.view import CalibrationResult
 from app.metrology.refusal import Refusal
 from app.station.capture import Capture
 
@@ -100,6 +105,26 @@ class SessionFolder:
             write_images(self.path / IMAGES, rows)
         else:
             (self.path / IMAGES).unlink(missing_ok=True)
+
+    def keep_acceptance(self, name: str, result: CalibrationResult, signing: Signing) -> None:
+        """Writes who puts the session's calibration to use, and by which limits."""
+        moved = result.comparison
+        compared = (
+            ComparisonPart(name=moved.with_name, rms_um=moved.rms_um, max_um=moved.max_um)
+            if moved is not None
+            else None
+        )
+        Acceptance(
+            name=name,
+            accepted_at=datetime.now(UTC).isoformat(timespec="seconds"),
+            operator=signing.operator(),
+            station=signing.station,
+            simulated=signing.simulated,
+            calibration_sha256=sha256_of(self.calibration),
+            good_um=result.good_um,
+            usable_um=result.usable_um,
+            compared=compared,
+        ).write(self.path / ACCEPTANCE)
 
     def image(self, name: str) -> Path | None:
         """The path of one of the session's pictures by its bare name."""

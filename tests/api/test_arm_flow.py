@@ -73,6 +73,9 @@ def test_a_check_by_the_hand_is_judged_and_recorded(
     view = wait(server, lambda view: view["step"] == "result" and view["busy"] is None)
     assert view["number"]["quality"] == "good"
     newest, *others = server.http.get("/api/arm/checks").json()
+    report = server.http.get(f"/api/arm/checks/{newest['id']}/report.html").text
+    assert "Within the limit" in report
+    assert "Operator: Demo" in report
     assert len(others) == before
     assert newest["verdict"] == "good"
     assert newest["points"] >= 30

@@ -8,7 +8,9 @@ from typing import Any
 
 import httpx
 
+from app.files.acceptance import read_acceptance
 from app.files.calibrate import calibrate_session
+from app.report.reports import report_as
 from hardware.clock import now_ns
 from hardware.interfaces import Button
 from tests.api.conftest import Server, enabled
@@ -159,10 +161,24 @@ def test_a_whole_calibration_by_the_hand(server: Server, tmp_path: Path) -> None
     assert home["next"]["page"] == "scan"
     file = http.get(f"/api/calibrations/{summary['id']}/calibration.json")
     assert file.json() == kept
+    assert_reported(http, f"/api/calibrations/{summary['id']}", folder)
     scan_with_it(http, server)
 
     # what is compiled now has held somebody up
     assert loops() == server.loops
+
+
+def assert_reported(http: httpx.Client, record: str, folder: Path) -> None:
+    """The report is served as the folder alone gives it, and can run no script."""
+    for form, kind in (("html", "text/html"), ("pdf", "application/pdf")):
+        served = http.get(f"{record}/report.{form}")
+        assert served.headers["content-type"].startswith(kind)
+        assert served.content == report_as(folder, f".{form}")
+    policy = http.get(f"{record}/report.html").headers["content-security-policy"]
+    assert "default-src 'none'" in policy
+    assert "sandbox" in policy
+    assert http.get(f"{record}/report.doc").status_code == 422
+    assert read_acceptance(folder).operator == "Demo"  # type: ignore[union-attr]
 
 
 def step_by_step_to_the_review(server: Server) -> dict[str, Any]:

@@ -12,9 +12,13 @@ from typing import Protocol
 import numpy as np
 
 from app.files.arm import read_arm
-from app.files.arm_identification import ARM, write_observations
+from app.files.arm_check import ARM_CHECK, ArmCheckFile
+from app.files.arm_identification import ARM, ARTICULATION, write_observations
 from app.files.atomic import write_atomically
+from app.files.calibration import Input
+from app.files.documents import sha256_of
 from app.files.failures import files_refused
+from app.files.software import SOFTWARE
 from app.guide.arm.flow import quality_of, view_of
 from app.guide.arm.live import ArmLive
 from app.guide.arm.rules import why_not
@@ -24,14 +28,15 @@ from app.guide.arm.view import ArmCheckSummary, ArmView
 from app.guide.hand import Hand
 from app.guide.journal import Journal, Row, fold
 from app.guide.library import Library, read_library
+from app.guide.signing import UNSIGNED, Signing
 from app.guide.touching import sentence
 from app.guide.view import Busy
 from app.metrology.arm import Arm
-from app.metrology.arm_model.articulation import check_articulation
+from app.metrology.arm_model.articulation import Articulation, check_articulation
 from app.metrology.arm_model.observations import Bar, Observations, Seat, Sphere
 from app.metrology.refusal import Refusal
 from app.station.bus import Bus
-from app.station.findings import Finding
+from app.station.findings import Finding, Quality
 from app.station.jobs import Jobs
 from app.station.rig import Rig
 
@@ -60,8 +65,15 @@ class ArmStation:
 class ArmGuide:
     """All methods may be called from any thread."""
 
-    def __init__(self, station: ArmStation, journal: ArmJournal, data_folder: Path) -> None:
+    def __init__(
+        self,
+        station: ArmStation,
+        journal: ArmJournal,
+        data_folder: Path,
+        signing: Signing = UNSIGNED,
+    ) -> None:
         self.station = station
+        self.signing = signing
         self.lock = threading.RLock()
         self.hand_running = False
         self.data_folder = data_folder
@@ -298,6 +310,7 @@ class ArmGuide:
         assert arm is not None
         found = check_articulation(arm, np.array(seat.q_rad), label=seat.name)
         quality = quality_of(found.half_range_um, self.state.limit_um)
+        self._keep_check(arm, found, quality)
         self.append(
             "checked",
             {
@@ -316,6 +329,31 @@ class ArmGuide:
         self.station.bus.event("step_done", f"The arm is checked: {worst}.")
 
     # -- the session's folder -------------------------------------------------
+
+    def _keep_check(self, arm: Arm, found: Articulation, verdict: Quality) -> None:
+        """What the check found, and what from, so that its report can be made of the folder."""
+        folder, signing = self.folder, self.signing
+        ArmCheckFile.model_validate(
+            {
+                "checked_at": datetime.now(UTC).isoformat(timespec="seconds"),
+                "operator": signing.operator(),
+                "station": signing.station,
+                "simulated": signing.simulated,
+                "arm_name": arm.name,
+                "arm_serial": arm.serial_number,
+                "points": found.points,
+                "half_range_um": found.half_range_um.tolist(),
+                "two_sigma_um": found.two_sigma_um.tolist(),
+                "encoders_two_sigma_um": found.encoders_two_sigma_um.tolist(),
+                "limit_um": self.state.limit_um,
+                "verdict": verdict,
+                "inputs": tuple(
+                    Input(file=name, sha256=sha256_of(folder / name))
+                    for name in (ARM, ARTICULATION)
+                ),
+                "software": SOFTWARE,
+            }
+        ).write(folder / ARM_CHECK)
 
     def _keep_arm(self) -> None:
         entry = self.library().arms[self.state.arm]

@@ -7,7 +7,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.adjustment.board_start import SeenBoard
-from app.metrology.adjustment.pose_results import PoseResult, off_um, rms, worst_in_pictures
+from app.metrology.adjustment.pose_results import (
+    PoseResult,
+    off_um,
+    rms,
+    stripe_off,
+    worst_in_pictures,
+)
 from app.metrology.adjustment.sheet import corners_at
 from app.metrology.adjustment.solve import Adjusted
 from app.metrology.adjustment.state import pose_scene
@@ -50,6 +56,8 @@ def board_pose_results(
                 int(kept_stripe.sum()),
                 off_um(found, p),
                 _corners(found, p, by_number[number], board),
+                _measured(by_number[number], board),
+                stripe_off(stripe, kept_stripe),
             )
         )
     return results
@@ -62,10 +70,20 @@ def _corners(
     scene = pose_scene(found.state, found.problem, found.layout, pose)
     at = corners_at(board, found.state.coordinates)[seen.detection.number]
     off = seen.detection.uv_px - project(scene.camera, at)
+    return _named(seen, board, off)
+
+
+def _measured(seen: SeenBoard, board: Chessboard) -> tuple[tuple[str, float, float], ...]:
+    return _named(seen, board, seen.detection.uv_px)
+
+
+def _named(
+    seen: SeenBoard, board: Chessboard, values: Floats
+) -> tuple[tuple[str, float, float], ...]:
     places = grid(board)[seen.detection.number]
     return tuple(
         (f"corner {column},{row}", float(u), float(v))
-        for (column, row), (u, v) in zip(places.tolist(), off, strict=True)
+        for (column, row), (u, v) in zip(places.tolist(), values, strict=True)
     )
 
 

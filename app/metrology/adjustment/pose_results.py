@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from app.metrology.adjustment.block_start import SeenPose
 from app.metrology.adjustment.mounting import Mounting
@@ -14,11 +15,12 @@ from app.metrology.camera import project
 from app.metrology.crenellated import Crenellated, corners
 from app.metrology.findings import WORST_OF_A_KIND, WorstPoint
 from app.metrology.frames import Floats, inverse
-from app.metrology.scene import with_coordinates
+from app.metrology.scene import Rows, with_coordinates
 
 # A pose that contradicts the others fits another's readings if it then lies so near: this
 # many times what is usual among all poses, and this.
 FITS_TIMES, FITS_MM = 5.0, 1.0
+SHOWN_STRIPE_POINTS = 60
 
 
 @dataclass(frozen=True)
@@ -26,7 +28,9 @@ class PoseResult:
     """One pose: residuals where it was used, ``reason`` where it was left out.
 
     ``off_um`` is how far the arm's noise had to move the object for this pose to agree;
-    ``corners_px`` are measured minus projected, by name.
+    ``corners_px`` are measured minus projected, by name, and ``corners_at_px`` where each was
+    measured; ``stripe_off_px`` are points of the stripe (u, v), evenly taken, and how far each
+    lies off the adjusted line.
     """
 
     number: int
@@ -38,6 +42,8 @@ class PoseResult:
     stripe_points: int = 0
     off_um: float = 0.0
     corners_px: tuple[tuple[str, float, float], ...] = ()
+    corners_at_px: tuple[tuple[str, float, float], ...] = ()
+    stripe_off_px: tuple[tuple[float, float, float], ...] = ()
 
 
 def pose_results(found: Adjusted, seen: Sequence[SeenPose], block: Crenellated) -> list[PoseResult]:
@@ -59,9 +65,21 @@ def pose_results(found: Adjusted, seen: Sequence[SeenPose], block: Crenellated) 
                 int(kept_stripe.sum()),
                 off_um(found, p),
                 _corners(found, p, by_number[number], block),
+                tuple((c.name, c.u, c.v) for c in by_number[number].detection.corners),
+                stripe_off(stripe, kept_stripe),
             )
         )
     return results
+
+
+def stripe_off(rows: Rows, kept: NDArray[np.bool_]) -> tuple[tuple[float, float, float], ...]:
+    """Some of a stripe's points that counted, from one end to the other, and their residuals."""
+    own = np.flatnonzero(kept)
+    own = own[:: max(1, -(-len(own) // SHOWN_STRIPE_POINTS))]
+    return tuple(
+        (round(float(u), 2), round(float(v), 2), round(float(off), 4))
+        for (u, v), off in zip(rows.places[own], rows.residuals[own], strict=True)
+    )
 
 
 def left_out(

@@ -1,0 +1,81 @@
+"""A figure on a sheet of PDF."""
+
+import io
+
+from reportlab.lib.colors import HexColor
+from reportlab.lib.utils import ImageReader
+from reportlab.pdfgen.canvas import Canvas
+from reportlab.platypus import Flowable
+
+from app.report.figure import Dot, Figure, Photograph, Shape, Words
+
+PLAIN, BOLD = "Crenel", "Crenel-Bold"
+
+
+class Drawing(Flowable):  # type: ignore[misc]  # the library tells no types
+    """A figure at a given width."""
+
+    def __init__(self, figure: Figure, width: float) -> None:
+        super().__init__()
+        self.figure = figure
+        self.scale = width / figure.width
+        self.width, self.height = width, figure.height * self.scale
+
+    def wrap(self, _width: float, _height: float) -> tuple[float, float]:
+        return self.width, self.height
+
+    def draw(self) -> None:
+        canvas = self.canv
+        canvas.saveState()
+        canvas.scale(self.scale, self.scale)
+        for item in self.figure.items:
+            if isinstance(item, Shape):
+                self._shape(canvas, item)
+            elif isinstance(item, Dot):
+                filled = _paint(canvas, item)
+                canvas.circle(*self._up(item.at), item.radius, int(bool(item.stroke)), filled)
+            elif isinstance(item, Photograph):
+                x, y = self._up(item.at)
+                picture = ImageReader(io.BytesIO(item.jpeg))
+                canvas.drawImage(picture, x, y - item.height, item.width, item.height)
+            else:
+                self._words(canvas, item)
+        canvas.restoreState()
+
+    def _up(self, at: tuple[float, float]) -> tuple[float, float]:
+        """On paper y grows upward."""
+        return at[0], self.figure.height - at[1]
+
+    def _shape(self, canvas: Canvas, shape: Shape) -> None:
+        filled = _paint(canvas, shape)
+        canvas.setDash(list(shape.dash or ()))
+        path = canvas.beginPath()
+        path.moveTo(*self._up(shape.points[0]))
+        for point in shape.points[1:]:
+            path.lineTo(*self._up(point))
+        if shape.closed:
+            path.close()
+        canvas.drawPath(path, int(bool(shape.stroke)), filled)
+        canvas.setDash([])
+
+    def _words(self, canvas: Canvas, words: Words) -> None:
+        canvas.setFont(BOLD if words.bold else PLAIN, words.size)
+        canvas.setFillColor(HexColor(words.colour))
+        draw = {
+            "start": canvas.drawString,
+            "middle": canvas.drawCentredString,
+            "end": canvas.drawRightString,
+        }[words.anchor]
+        draw(*self._up(words.at), words.text)
+
+
+def _paint(canvas: Canvas, item: Shape | Dot) -> int:
+    """Sets line and filling; whether there is a filling."""
+    if item.stroke:
+        canvas.setStrokeColor(HexColor(item.stroke))
+        canvas.setLineWidth(item.width)
+        canvas.setLineJoin(1)
+        canvas.setLineCap(1)
+    if item.fill:
+        canvas.setFillColor(HexColor(item.fill))
+    return int(bool(item.fill))

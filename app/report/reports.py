@@ -1,0 +1,55 @@
+"""Which report a folder has, and its two forms."""
+
+from pathlib import Path
+
+from app.files.arm_check import ARM_CHECK
+from app.files.verification import VERIFICATION
+from app.metrology.refusal import Refusal
+from app.report.arm_check import arm_check_report
+from app.report.calibration import CALIBRATION, calibration_report
+from app.report.content import Report
+from app.report.page import page
+from app.report.paper import paper
+from app.report.verification import verification_report
+
+KINDS = (
+    (VERIFICATION, verification_report),
+    (ARM_CHECK, arm_check_report),
+    (CALIBRATION, calibration_report),
+)
+FORMS = {".html": page, ".pdf": paper}
+
+
+def report_of(folder: Path) -> Report:
+    """The report on whatever a folder records.
+
+    Raises:
+        Refusal: it records nothing that has a report, or a file of it is missing or damaged.
+    """
+    for name, report in KINDS:
+        if (folder / name).is_file():
+            return report(folder)
+    there = "it holds no record of one" if folder.is_dir() else "there is no such folder"
+    raise Refusal(
+        "no-record",
+        str(folder),
+        there,
+        f"Name the folder of a calibration, an arm check or a verification: it has one of "
+        f"{', '.join(name for name, _ in KINDS)}",
+    )
+
+
+def report_as(folder: Path, suffix: str) -> bytes:
+    """The report on a folder as ``.html`` or ``.pdf``, the same bytes for the same files.
+
+    Raises:
+        Refusal: as ``report_of``, or for another ``suffix``.
+    """
+    form = FORMS.get(suffix.lower())
+    if form is None:
+        raise Refusal(
+            "report-form",
+            f"a report cannot be written as '{suffix}'",
+            remedy=f"End the name with {' or '.join(FORMS)}",
+        )
+    return form(report_of(folder))

@@ -1,0 +1,43 @@
+"""A figure as SVG within a page."""
+
+import base64
+from html import escape
+
+from app.report.figure import Dot, Figure, Item, Photograph, Shape
+
+
+def svg(figure: Figure) -> str:
+    """One ``svg`` element; all texts escaped."""
+    size = f'viewBox="0 0 {figure.width:g} {figure.height:g}" width="{figure.width:g}"'
+    inner = "".join(_item(item) for item in figure.items)
+    return f'<svg {size} role="img" aria-label="{escape(figure.title)}">{inner}</svg>'
+
+
+def _item(item: Item) -> str:
+    if isinstance(item, Shape):
+        return _shape(item)
+    if isinstance(item, Dot):
+        x, y = item.at
+        return f'<circle cx="{x:.2f}" cy="{y:.2f}" r="{item.radius:g}"{_paint(item)}/>'
+    x, y = item.at
+    if isinstance(item, Photograph):
+        data = base64.b64encode(item.jpeg).decode()
+        place = f'x="{x:.2f}" y="{y:.2f}" width="{item.width:.2f}" height="{item.height:.2f}"'
+        return f'<image {place} href="data:image/jpeg;base64,{data}"/>'
+    weight = ' font-weight="600"' if item.bold else ""
+    look = f'font-size="{item.size:g}" fill="{item.colour}" text-anchor="{item.anchor}"{weight}'
+    return f'<text x="{x:.2f}" y="{y:.2f}" {look}>{escape(item.text)}</text>'
+
+
+def _shape(shape: Shape) -> str:
+    points = " ".join(f"{x:.2f},{y:.2f}" for x, y in shape.points)
+    dash = f' stroke-dasharray="{shape.dash[0]:g} {shape.dash[1]:g}"' if shape.dash else ""
+    name = "polygon" if shape.closed else "polyline"
+    return f'<{name} points="{points}"{_paint(shape)}{dash}/>'
+
+
+def _paint(item: Shape | Dot) -> str:
+    fill = f' fill="{item.fill or "none"}"'
+    if not item.stroke:
+        return fill
+    return f'{fill} stroke="{item.stroke}" stroke-width="{item.width:g}"'

@@ -1,0 +1,43 @@
+"""How reports print numbers, names and times."""
+
+import re
+from datetime import UTC, datetime
+
+_UNITS = re.compile(r"(?<=\d) (?=(?:µm|mm|px|nm|%|°C|°)(?:\W|$))")
+_MINUS = re.compile(r"(?<![\w-])-(?=\d)")
+UNKNOWN = "not stated"
+
+
+def named(name: str, serial: str) -> str:
+    """A device by its name and serial number."""
+    return f"{name or UNKNOWN}, serial number {serial or UNKNOWN}"
+
+
+def moment(text: str | None) -> str:
+    """An ISO time as people read it, in UTC."""
+    if not text:
+        return UNKNOWN
+    try:
+        when = datetime.fromisoformat(text)
+    except ValueError:
+        return text
+    when = when.replace(tzinfo=UTC) if when.tzinfo is None else when.astimezone(UTC)
+    return f"{when:%Y-%m-%d %H:%M} UTC"
+
+
+def micrometres(value_um: float) -> str:
+    return f"{value_um:.1f} µm"
+
+
+def millimetres(value_um: float) -> str:
+    """Micrometres in millimetres, to a tenth of a micrometre."""
+    return f"{value_um / 1e3:.4f} mm"
+
+
+def temperature(value_c: float | None) -> str:
+    return "not measured" if value_c is None else f"{value_c:.1f} °C"
+
+
+def tied(text: str) -> str:
+    """The text with numbers not parted from their units, and minus signs as printed."""
+    return _MINUS.sub("−", _UNITS.sub("\u00a0", text))

@@ -1,0 +1,213 @@
+"""Reports from folders alone: what they say, that they are safe, and the same bytes again."""
+
+import html
+import json
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pypdfium2
+import pytest
+from typer.testing import CliRunner
+
+from app.cli import cli
+from app.files.acceptance import ACCEPTANCE, Acceptance, ComparisonPart
+from app.files.arm import write_arm
+from app.files.arm_check import ARM_CHECK, ArmCheckFile
+from app.files.arm_identification import write_observations
+from app.files.calibrate import calibrate_session
+from app.files.calibration import CalibrationFile, Input
+from app.files.documents import sha256_of
+from app.files.software import SOFTWARE
+from app.files.verification import VerificationFile, write_verification
+from app.metrology.arm_model.observations import Observations, Seat
+from app.metrology.refusal import Refusal
+from app.report.calibration import calibration_report
+from app.report.figure import magnification
+from app.report.page import page
+from app.report.reports import report_as
+from app.report.words import moment, tied
+from hardware.twin.session import SessionPlan, render_session
+from tests.files.builders import ARM
+from tests.files.test_verification import SHEET
+
+HOSTILE = '<script>alert(1)</script>"><img src=x onerror=alert(1)> & 井上'
+
+
+def accept(folder: Path, operator: str) -> None:
+    Acceptance(
+        name="Calibration 1",
+        accepted_at="2026-11-21T10:00:00+00:00",
+        operator=operator,
+        station="Room 2",
+        calibration_sha256=sha256_of(folder / "calibration.json"),
+        good_um=50,
+        usable_um=150,
+        temperature_c=20.4,
+        compared=ComparisonPart(name="Calibration 0", rms_um=4.2, max_um=9.1),
+    ).write(folder / ACCEPTANCE)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """An accepted calibration of two poses."""
+    path = tmp_path_factory.mktemp("reports") / "session-7"
+    path.mkdir()
+    render_session(path, 11, SessionPlan(contacts_per_face=9, poses=2))
+    calibrate_session(path, path / "calibration.json")
+    accept(path, "Anna")
+    return path
+
+
+def text_of(pdf: bytes) -> str:
+    document = pypdfium2.PdfDocument(pdf)
+    try:
+        text = "\n".join(sheet.get_textpage().get_text_range() for sheet in document)
+    finally:
+        document.close()
+    return " ".join(text.replace("\u00a0", " ").split())
+
+
+def test_a_calibrations_report_says_what_a_certificate_does(folder: Path) -> None:
+    sheet = CalibrationFile.read(folder / "calibration.json")
+    assert sheet.uncertainty is not None
+    total_um = sheet.uncertainty.total_um
+    shown = html.unescape(report_as(folder, ".html").decode()).replace("\u00a0", " ")
+    printed = text_of(report_as(folder, ".pdf"))
+    for text in (shown, printed):
+        for told in (
+            "Anna",
+            "Room 2",
+            "session-7",
+            "20.4 °C",
+            "2026-11-21 10:00 UTC",
+            *(number for number in sheet.serial_numbers.model_dump().values()),
+            f"{total_um:.1f} µm",
+            f"{total_um / 1e3:.4f} mm",
+            f"{2 * total_um:.1f} µm",
+            "good ≤ 50 µm",
+            "ISO 14253-1",
+            "Calibration 0",
+            "4.2 µm",
+            "Operator: Anna",
+            "Approved",
+            "Every file has the content that the result was made from.",
+        ):
+            assert told in text, told
+    assert all(one.sha256 in shown and one.file in shown for one in sheet.inputs)
+    assert all(
+        finding.text in shown for finding in (sheet.verdict.findings if sheet.verdict else ())
+    )
+
+
+def test_its_pictures_are_in_both_forms(folder: Path) -> None:
+    shown = report_as(folder, ".html").decode()
+    for title in (
+        "Residuals of the contacts on the object",
+        "Residuals of pose 0 on its picture",
+        "Residuals of pose 1 on its picture",
+        "Uncertainty over the measuring volume",
+        "Error budget",
+    ):
+        assert f'aria-label="{title}"' in shown
+    assert shown.count("data:image/jpeg;base64,") == 2
+    document = pypdfium2.PdfDocument(report_as(folder, ".pdf"))
+    kinds = [item.type for sheet in document for item in sheet.get_objects()]
+    document.close()
+    assert kinds.count(pypdfium2.raw.FPDF_PAGEOBJ_IMAGE) == 2
+
+
+def test_the_same_folder_gives_the_same_bytes(folder: Path, tmp_path: Path) -> None:
+    for name in ("report.pdf", "report.html"):
+        result = CliRunner().invoke(cli, ["report", str(folder), "-o", str(tmp_path / name)])
+        assert result.exit_code == 0, result.output
+        assert (tmp_path / name).read_bytes() == report_as(folder, Path(name).suffix)
+
+
+def test_a_page_needs_nothing_and_runs_nothing(folder: Path, tmp_path: Path) -> None:
+    own = tmp_path / "hostile"
+    shutil.copytree(folder, own)
+    accept(own, HOSTILE)
+    for name in ("object.json", "arm.json", "sensor.json"):
+        fields = json.loads((own / name).read_text())
+        fields["name"] = fields["serial_number"] = HOSTILE
+        (own / name).write_text(json.dumps(fields))
+    shown = report_as(own, ".html").decode()
+    assert "<script" not in shown
+    assert "<img" not in shown
+    assert html.escape(HOSTILE) in shown
+    assert "http" not in shown.replace("http-equiv", "")
+    assert "default-src 'none'" in shown
+    # a face without these letters shows boxes, and nothing fails
+    assert "<script>" in text_of(report_as(own, ".pdf"))
+
+
+def test_changed_inputs_are_told(folder: Path, tmp_path: Path) -> None:
+    own = tmp_path / "changed"
+    shutil.copytree(folder, own)
+    with open(own / "probing.csv", "a") as table:
+        table.write("\n")
+    shown = page(calibration_report(own)).decode()
+    assert "1 of these files are not what the result was made from" in shown
+    (own / ACCEPTANCE).unlink()
+    assert "was not accepted at a station" in page(calibration_report(own)).decode()
+
+
+def test_an_arm_checks_report(tmp_path: Path) -> None:
+    swing = np.random.default_rng(3).normal(0.2, 0.4, (40, 6))
+    write_arm(tmp_path / "arm.json", ARM)
+    write_observations(tmp_path, Observations((Seat("Seat 1", swing),), (), ()))
+    ArmCheckFile.model_validate(
+        {
+            "checked_at": "2026-11-21T07:30:00+00:00",
+            "operator": "Ben",
+            "arm_name": ARM.name,
+            "arm_serial": ARM.serial_number,
+            "points": 40,
+            "half_range_um": (20.0, 71.0, 30.0),
+            "two_sigma_um": (15.0, 40.0, 20.0),
+            "encoders_two_sigma_um": (10.0, 10.0, 10.0),
+            "limit_um": 60.0,
+            "verdict": "bad",
+            "inputs": [
+                Input(file=name, sha256=sha256_of(tmp_path / name))
+                for name in ("arm.json", "articulation.csv")
+            ],
+            "software": SOFTWARE,
+        }
+    ).write(tmp_path / ARM_CHECK)
+    printed = text_of(report_as(tmp_path, ".pdf"))
+    for told in ("Beyond the limit", "71.0 µm", "0.0710 mm", "≤ 60 µm", "Ben", "Not to standard"):
+        assert told in printed, told
+    assert report_as(tmp_path, ".pdf") == report_as(tmp_path, ".pdf")
+
+
+def test_a_verifications_report(tmp_path: Path) -> None:
+    more = [{**SHEET["clouds"][0], "name": f"Cloud {n}"} for n in (1, 2)]  # type: ignore[index]
+    write_verification(tmp_path, VerificationFile.model_validate({**SHEET, "clouds": more}))
+    printed = text_of(report_as(tmp_path, ".pdf"))
+    shown = html.unescape(report_as(tmp_path, ".html").decode())
+    for told in ("Pass", "Error of the radius", "−20.0 µm", "± 6.0 µm", "Not to standard"):
+        assert told in printed, told
+    assert "Verification on a gauge sphere" in shown
+    assert "cloud by cloud" in shown
+
+
+def test_a_folder_without_a_record_has_no_report(tmp_path: Path) -> None:
+    with pytest.raises(Refusal, match="holds no record"):
+        report_as(tmp_path, ".pdf")
+    with pytest.raises(Refusal, match="no such folder"):
+        report_as(tmp_path / "nowhere", ".pdf")
+    with pytest.raises(Refusal, match="cannot be written"):
+        report_as(tmp_path, ".doc")
+
+
+@pytest.mark.parametrize(("largest", "factor"), [(0.021, 200), (1.0, 5), (0.0, 1), (30.0, 0.1)])
+def test_magnification_is_round(largest: float, factor: float) -> None:
+    assert magnification(largest, 5.0) == pytest.approx(factor)
+
+
+def test_words_are_printed_as_read() -> None:
+    assert tied("-3 µm at 20261121-2026") == "−3\u00a0µm at 20261121-2026"
+    assert moment("2026-11-21T12:00:00+02:00") == "2026-11-21 10:00 UTC"
+    assert moment("yesterday") == "yesterday"
