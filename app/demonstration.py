@@ -5,12 +5,14 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from app.api.watch import Watching
 from app.api.wiring import Parts
 from app.files.arm import ArmFile
 from app.files.atomic import write_atomically
 from app.files.failures import files_refused
 from app.metrology.refusal import Refusal
 from hardware.registry import arm_driver
+from hardware.twin.room import RoomThermometer
 from hardware.twin.station import Twin
 
 FOLDERS = {"arm.json": "arms", "object.json": "objects", "sensor.json": "sensors"}
@@ -40,6 +42,10 @@ def parts_of(twin: Twin, data: Path, hosts: tuple[str, ...] = ()) -> Parts:
         hosts=hosts,
         hand=twin.hand,
         guest="Demo",
+        watching=Watching(
+            thermometer=RoomThermometer(),
+            told={"drivers": {"arm": "serial-encoder", "sensor": "simulated"}},
+        ),
     )
 
 

@@ -10,6 +10,7 @@ import tempfile
 import webbrowser
 from collections.abc import AsyncIterator, Callable
 from contextlib import AbstractAsyncContextManager, asynccontextmanager
+from dataclasses import asdict
 from pathlib import Path
 
 import uvicorn
@@ -19,29 +20,35 @@ from app.api import (
     arm,
     client,
     flow,
+    health,
     live,
     machine,
+    metrics,
     people,
     problems,
     records,
     reports,
     session,
     settings,
+    telling,
     view,
     viewer,
 )
 from app.api.access import authorise
 from app.api.context import Context
 from app.api.guard import Guard
+from app.api.observer import observe
 from app.api.ticker import tick
+from app.api.watch import Watching
 from app.api.wiring import Parts, close_context, open_context
 from app.files.software import SOFTWARE
 from app.metrology.refusal import Refusal
 from app.replay import Replay
-from app.settings import Serving, read_settings, user_data_folder
+from app.settings import Serving, Settings, read_settings, user_data_folder
 from app.station.warm_up import warm_up
 from hardware.errors import DeviceError
 from hardware.registry import arm_driver, sensor_driver
+from hardware.thermometer import FileThermometer
 
 PORTS_TRIED = 20
 FIRST_START = "the first start compiles for a minute or two"
@@ -78,6 +85,9 @@ def build_app(parts: Parts) -> FastAPI:
         settings,
         records,
         reports,
+        health,
+        telling,
+        metrics,
         view,
         live,
         viewer,
@@ -98,15 +108,19 @@ def _lifespan(context: Context) -> Callable[[FastAPI], AbstractAsyncContextManag
         gc.collect()
         gc.freeze()
         ticking = asyncio.create_task(tick(context))
+        observing = asyncio.create_task(observe(context))
         try:
             yield
         finally:
             ticking.cancel()
+            observing.cancel()
+            await asyncio.wait([observing])
             await asyncio.to_thread(close_context, context)
             # callbacks of what has just ended are waiting on this loop
             await asyncio.sleep(0)
             context.bus.detach()
             context.store.close()
+            context.watch.close()
 
     return lifespan
 
@@ -132,9 +146,35 @@ def serve(config: Path | None, data: Path | None, host: str, port: int, open_bro
         sensor=lambda: sensor_driver(sensor.driver, sensor.options),
         hosts=(*settings.hosts, host),
         limits=settings.limits,
+        watching=_watching(settings),
     )
     print(f"Starting the station; {FIRST_START}.", flush=True)
     _run(parts, listening, host, open_browser, serving=settings.serving)
+
+
+def _watching(settings: Settings) -> Watching:
+    """What the settings have of it, and the settings themselves as they may be looked at."""
+    mqtt = settings.mqtt
+    file = settings.temperature
+    told = {
+        "drivers": {"arm": settings.arm.driver, "sensor": settings.sensor.driver},
+        "name": settings.name,
+        "data": str(settings.data),
+        "hosts": list(settings.hosts),
+        "limits": asdict(settings.limits),
+        "tls": settings.serving.tls_certificate is not None,
+        "arm": dict(settings.arm.options),
+        "sensor": dict(settings.sensor.options),
+        "mqtt": None if mqtt is None else {k: str(v) for k, v in asdict(mqtt).items()},
+        "temperature": None if file is None else str(file),
+    }
+    return Watching(
+        address=settings.address,
+        backups=settings.backups,
+        mqtt=mqtt,
+        thermometer=None if file is None else FileThermometer(file),
+        told=told,
+    )
 
 
 def demo(data: Path | None, host: str, port: int, open_browser: bool) -> None:
@@ -253,7 +293,10 @@ def _run(
     warm_up()
     shown = "127.0.0.1" if host in ("0.0.0.0", "::") else host
     bracketed = f"[{shown}]" if ":" in shown else shown
-    logging.basicConfig(level=logging.WARNING, format="%(asctime)s %(name)s: %(message)s")
+    console = logging.StreamHandler()
+    console.setLevel(logging.WARNING)  # the rest is in the log of the Health page
+    console.setFormatter(logging.Formatter("%(asctime)s %(name)s: %(message)s"))
+    logging.getLogger().addHandler(console)
     scheme = "https" if serving.tls_certificate else "http"
     server.address = f"{scheme}://{bracketed}:{listening.getsockname()[1]}/"
     entrance = app.state.context.entrance

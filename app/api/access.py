@@ -34,7 +34,7 @@ def authorise(connection: HTTPConnection) -> Iterator[None]:
         Refusal: somebody else has control.
     """
     context, rule = context_of(connection), _rule(connection)
-    if rule.right is Right.enter:
+    if rule.right is Right.enter or (rule.right is Right.scrape and _scraper(connection)):
         yield
         return
     visitor = visitor_of(connection)
@@ -106,6 +106,18 @@ def _let_in(connection: HTTPConnection, rule: Rule, visitor: Visitor | None) -> 
     if connection.scope["type"] == "websocket":
         raise WebSocketException(POLICY_VIOLATION, denied.detail)
     raise denied
+
+
+def _scraper(connection: HTTPConnection) -> bool:
+    """Whether a program comes with a good token; a wrong one is slowed down as passwords are.
+
+    Raises:
+        TooManyTries: from this address.
+    """
+    kind, _, token = connection.headers.get("authorization", "").partition(" ")
+    if kind.lower() != "bearer":
+        return False
+    return context_of(connection).entrance.scraper(token.strip(), address_of(connection))
 
 
 def token_of(connection: HTTPConnection) -> str:

@@ -8,6 +8,7 @@ from starlette.requests import HTTPConnection
 
 from app.api.entrance import Entrance
 from app.api.schema import ScanState, Station
+from app.api.watch import Watch
 from app.guide.arm.guide import ArmGuide
 from app.guide.guide import Guide
 from app.guide.scan_hand import ScanHand
@@ -43,6 +44,7 @@ class Context:
     settings: OperatorSettings
     lease: Lease
     entrance: Entrance
+    watch: Watch
 
     def scan_state(self, state: RoomScanState | None = None) -> ScanState:
         """The scan as the browser shows it."""

@@ -8,6 +8,7 @@ from app.api.denied import TooManyTries
 from app.api.throttle import Throttle
 from app.metrology.refusal import Refusal
 from app.store.accounts import Account, AccountStore, Role
+from app.store.scrapers import ScraperStore
 from app.store.sign_ins import SignInStore, Visitor
 
 LETTERS = "ABCDEFGHJKLMNPQRSTUVWXYZ23456789"
@@ -23,8 +24,15 @@ class Entrance:
     code lets in as long as it runs.
     """
 
-    def __init__(self, accounts: AccountStore, sign_ins: SignInStore, guest: str | None) -> None:
+    def __init__(
+        self,
+        accounts: AccountStore,
+        sign_ins: SignInStore,
+        scrapers: ScraperStore,
+        guest: str | None,
+    ) -> None:
         self._accounts, self._sign_ins, self._guest = accounts, sign_ins, guest
+        self._scrapers = scrapers
         self._throttle = Throttle()
         self._lock = threading.Lock()
         self._code = "".join(secrets.choice(LETTERS) for _ in range(CODE_LENGTH))
@@ -90,6 +98,15 @@ class Entrance:
             found = visitor if visitor is not None and visitor.wall else None
             self._note(found is not None, key)
         return found
+
+    def scraper(self, token: str, address: str) -> bool:
+        """Whether a program may read the metrics by this token."""
+        key = f"scraper {address}"
+        with self._lock:
+            self._let_try(key)
+            good = self._scrapers.good(token)
+            self._note(good, key)
+        return good
 
     def _matches(self, code: str, address: str) -> bool:
         key = f"address {address}"

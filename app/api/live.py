@@ -37,9 +37,11 @@ async def live(socket: WebSocket) -> None:
     await socket.accept()
     with context.bus.subscribe(without={"preview"}) as subscription:
         tab = _Tab(context, socket, subscription, signed_in(socket))
+        context.watch.tabs += 1
         try:
             await tab.run()
         finally:
+            context.watch.tabs -= 1
             tab.close()
 
 

@@ -13,6 +13,8 @@ class Right(Enum):
     """Nothing: the pages themselves, and the ways to sign in."""
     look = auto()
     """Signed in, or a wall screen."""
+    scrape = auto()
+    """A program by its own token, or whoever may look."""
     be = auto()
     """Signed in as a person, whatever the role."""
     operate = auto()
@@ -25,6 +27,7 @@ class Right(Enum):
 
 ROLE = {
     Right.look: Role.viewer,
+    Right.scrape: Role.viewer,
     Right.be: Role.viewer,
     Right.operate: Role.operator,
     Right.act: Role.operator,
@@ -113,6 +116,17 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ("POST", "/api/walls"): Rule(Right.administer, "made a wall-screen link"),
     ("DELETE", "/api/walls/{wall_id}"): Rule(Right.administer, "removed a wall-screen link"),
     ("GET", "/api/audit"): Rule(Right.administer),
+    ("GET", "/metrics"): Rule(Right.scrape),
+    ("GET", "/api/health"): LOOK,
+    ("GET", "/api/logs"): Rule(Right.operate),
+    ("GET", "/api/support.zip"): Rule(Right.operate, "took the support bundle"),
+    ("POST", "/api/backup"): Rule(Right.administer, "began a backup"),
+    ("GET", "/api/notifications"): Rule(Right.administer),
+    ("POST", "/api/notifications"): Rule(Right.administer, "changed the notifications"),
+    ("POST", "/api/notifications/test"): Rule(Right.administer, "tried the notifications"),
+    ("GET", "/api/scrapers"): Rule(Right.administer),
+    ("POST", "/api/scrapers"): Rule(Right.administer, "made a token for metrics"),
+    ("DELETE", "/api/scrapers/{scraper_id}"): Rule(Right.administer, "ended a token for metrics"),
 } | {(method, "/api/{path:path}"): ENTER for method in ("GET", "POST", "PUT", "PATCH", "DELETE")}
 
 MESSAGES: dict[str, Right] = {
@@ -127,6 +141,6 @@ def allowed(right: Right, role: Role | None, wall: bool) -> bool:
     """Whether a visitor has a right, leaving control aside; ``role`` is None for nobody."""
     if right is Right.enter:
         return True
-    if role is None or (wall and right is not Right.look):
+    if role is None or (wall and right not in (Right.look, Right.scrape)):
         return False
     return role >= ROLE[right]

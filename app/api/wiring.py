@@ -2,13 +2,14 @@
 
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from app.api.context import Context
 from app.api.entrance import Entrance
 from app.api.machine import stop_everything
 from app.api.schema import Station
+from app.api.watch import Watch, Watching
 from app.files.arm import read_arm
 from app.files.calibration import CalibrationFile, calibration_in
 from app.files.session import ARM
@@ -56,6 +57,8 @@ class Parts:
     """What the verdict on a calibration goes by."""
     guest: str | None = None
     """The account that a link on the console enters, of a demonstration or a replay."""
+    watching: Watching = field(default_factory=Watching)
+    """Who is told of the station, and what else is looked at."""
 
 
 def open_context(parts: Parts) -> Context:
@@ -72,6 +75,7 @@ def open_context(parts: Parts) -> Context:
     viewing = Viewing(bus, scene, store.folder / "scans", scanner.distance)
     preview = Preview(bus, rig.arm, rig.sensor)
     jobs = Jobs(bus)
+    watch = Watch(parts.watching, parts.name, bus, store, jobs)
     settings = OperatorSettings(
         bus, rig, scanner, preview, store.settings.read(), store.settings.keep
     )
@@ -102,7 +106,7 @@ def open_context(parts: Parts) -> Context:
     if not guide.running:
         use_active()
     scan_hand = ScanHand(parts.hand, jobs, bus, lambda: bus.publish("scan", scanner.state()))
-    scanner.on_finished = lambda result: store.scans.add(_record(result))
+    scanner.on_finished = lambda result: _finished(result, store, watch)
     arm_station = ArmStation(bus, rig, jobs, parts.hand)
     arm_guide = ArmGuide(arm_station, store.journal, store.folder, signing)
     rig.arm.on_button = _buttons(guide, arm_guide)
@@ -122,7 +126,8 @@ def open_context(parts: Parts) -> Context:
         arm_guide,
         settings,
         lease,
-        Entrance(store.accounts, store.sign_ins, parts.guest),
+        Entrance(store.accounts, store.sign_ins, store.scrapers, parts.guest),
+        watch,
     )
 
 
@@ -151,6 +156,11 @@ def _buttons(guide: Guide, arm_guide: ArmGuide) -> Callable[[ButtonEvent], None]
             press_arm(arm_guide, event)
 
     return lambda event: (worker.submit(pressed, event), None)[1]
+
+
+def _finished(result: ScanResult, store: Store, watch: Watch) -> None:
+    store.scans.add(_record(result))
+    watch.note_scan(result)
 
 
 def _record(result: ScanResult) -> ScanRecord:

@@ -244,6 +244,8 @@ def backup(days: float | None, place: str, same_disk: bool, trouble: str) -> Hea
 def room(now: Temperature, change_c: float | None) -> HealthItem:
     """Whether it is as warm as it was when the station was calibrated."""
     why = "Everything grows with it, a metre of aluminium by 23 µm a degree."
+    if now.celsius is None and not now.trouble:
+        return HealthItem("room", "Temperature", "neutral", "Not read yet.", why, "")
     if now.celsius is None:
         return HealthItem("room", "Temperature", "attention", now.trouble, why, "Check the sensor.")
     what = f"{now.celsius:.1f} °C"

@@ -2,6 +2,7 @@
 
 import logging
 import threading
+import time
 from collections.abc import Callable
 from typing import Generic, TypeVar
 
@@ -39,6 +40,8 @@ class Jobs:
         self._lock = threading.Lock()
         self._current: Job[object] | None = None
         self._thread: threading.Thread | None = None
+        self.on_ended: Callable[[str, float], None] = lambda title, seconds: None
+        """Called with each job's title and how long it took."""
 
     @property
     def current(self) -> Job[object] | None:
@@ -79,6 +82,7 @@ class Jobs:
     def _run(
         self, job: Job[T], work: Callable[[Progress], T], done: Callable[[Job[T]], None]
     ) -> None:
+        began_s = time.monotonic()
         try:
             job.result = work(job.progress)
         except Refusal as refusal:
@@ -95,4 +99,5 @@ class Jobs:
             job.finished = True
             with self._lock:
                 self._current = None
+            self.on_ended(job.title, time.monotonic() - began_s)
         self._bus.call(done, job)

@@ -123,6 +123,11 @@ class ScanPipeline:
             thread.start()
 
     @property
+    def bytes_written(self) -> int:
+        """Of the recording."""
+        return self._recorder.bytes_written
+
+    @property
     def lost_frames(self) -> int:
         """Frames that the sensor lost, and those that found no room here."""
         return self._tap.dropped + self._sensor.reader.link().lost - self._lost_before

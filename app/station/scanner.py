@@ -72,6 +72,18 @@ class ScanResult:
     frames: int
     seconds: float
     calibration_id: str
+    lost_frames: int = 0
+
+
+@dataclass(frozen=True)
+class ScanLoad:
+    """What a scan asks of the machine."""
+
+    backlog: float
+    """How full its fullest queue is, 0 to 1."""
+    bytes_written: int
+    """Of the recording."""
+    seconds: float
 
 
 @dataclass
@@ -152,6 +164,14 @@ class Scanner:
             self._settings = settings
             if self._scan is not None and self._scan.ended_s is None:
                 self._scan.pipeline.apply(settings)
+
+    def load(self) -> ScanLoad | None:
+        """What the running scan asks of the machine; None while none runs."""
+        with self._lock:
+            scan = self._scan
+            if scan is None or not self._is_running():
+                return None
+        return ScanLoad(scan.pipeline.backlog, scan.pipeline.bytes_written, scan.seconds)
 
     def why_not(self) -> Refusal | None:
         """Why a scan cannot start now; None when it can."""
@@ -310,6 +330,7 @@ class Scanner:
             counts.frames,
             scan.seconds,
             scan.calibration.id,
+            scan.pipeline.lost_frames,
         )
 
     def _watch(self) -> None:

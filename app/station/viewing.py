@@ -108,6 +108,11 @@ class Viewing:
         if self._cameras.get(key) is camera:
             del self._cameras[key]
 
+    @property
+    def pages(self) -> int:
+        """Pages that are looking, as far as they have told where from."""
+        return len(self._cameras)
+
     def state(self) -> ViewState:
         """The view as of now."""
         with self._lock:

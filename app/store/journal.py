@@ -106,6 +106,24 @@ class JournalStore:
             )
         ]
 
+    def newest(self, count: int) -> Sequence[JournalRow]:
+        """The last rows of all sessions, oldest first."""
+        rows = self._database.read(
+            "SELECT number, session_id, at, kind, payload FROM journal"
+            " ORDER BY number DESC LIMIT ?",
+            count,
+        )
+        return [
+            JournalRow(
+                row["number"],
+                row["session_id"],
+                row["at"],
+                row["kind"],
+                json.loads(row["payload"]),
+            )
+            for row in reversed(rows)
+        ]
+
     def last_number(self) -> int:
         """Number of the newest row of all sessions; 0 before the first."""
         return int(self._database.read("SELECT COALESCE(MAX(number), 0) FROM journal")[0][0])

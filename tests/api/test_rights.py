@@ -19,6 +19,7 @@ WHO = ("nobody", "wall", "viewer", "operator", "admin")
 MAY = {
     Right.enter: {"nobody", "wall", "viewer", "operator", "admin"},
     Right.look: {"wall", "viewer", "operator", "admin"},
+    Right.scrape: {"wall", "viewer", "operator", "admin"},
     Right.be: {"viewer", "operator", "admin"},
     Right.operate: {"operator", "admin"},
     Right.act: {"operator", "admin"},

@@ -1,0 +1,129 @@
+"""Brings the health checks and the station together."""
+
+import shutil
+import sys
+import time
+from datetime import UTC, datetime
+from importlib.metadata import PackageNotFoundError, version
+from urllib.parse import urlsplit
+
+from app.api.context import Context
+from app.files.software import SOFTWARE
+from app.station import health
+from app.station.health import Health, HealthItem
+from app.station.host import memory, versions, writable
+from app.station.moments import utc_now
+
+DATABASE_EVERY_S = 600.0
+AN_HOUR_S = 3600.0
+PACKAGES = ("numpy", "scipy", "numba", "opencv-python-headless", "fastapi", "uvicorn", "viser")
+
+
+class Examiner:
+    """Looks at everything; called every few seconds away from the event loop."""
+
+    def __init__(self, context: Context) -> None:
+        self._context = context
+        self._database = ""
+        self._database_looked_s: float | None = None
+
+    def look(self) -> Health:
+        """All checks as of now."""
+        watch = self._context.watch
+        watch.clock.look()
+        watch.backups.look()
+        items = [*self._devices(), *self._records(), *self._program(), *self._others()]
+        return health.health_of(items, utc_now())
+
+    def _devices(self) -> list[HealthItem]:
+        rig, items = self._context.rig, []
+        for name, side in (("arm", rig.arm), ("sensor", rig.sensor)):
+            state = side.link()
+            counts = (state.received, state.lost, state.corrupt)
+            window = self._context.watch.losses[name]
+            window.note(*counts)
+            items += [health.device(state), health.losses(state.title, window.over(*counts))]
+        temperature = self._context.watch.temperature
+        if temperature.there:
+            items.append(health.room(temperature.now, None))
+        return items
+
+    def _records(self) -> list[HealthItem]:
+        store, watch = self._context.store, self._context.watch
+        free_gb = shutil.disk_usage(store.folder).free / 1e9
+        now_s = time.monotonic()
+        if self._database_looked_s is None or now_s - self._database_looked_s > DATABASE_EVERY_S:
+            self._database, self._database_looked_s = store.check(), now_s
+        size_mb = (store.folder / "station.db").stat().st_size / 1e6
+        last, load = watch.backups.last, self._context.scanner.load()
+        pace = load.bytes_written / 1e6 / max(load.seconds, 1.0) if load else None
+        return [
+            health.disk(free_gb, pace),
+            health.folder(str(store.folder), writable(store.folder / "scans")),
+            health.database(size_mb, self._database),
+            health.backup(
+                None if last is None else max(_days_since(last.at), 0.0),
+                "" if last is None else last.folder,
+                watch.backups.same_disk,
+                watch.backups.trouble,
+            ),
+            health.clock(watch.clock.jumps, watch.clock.last_jump_s, self._ahead_days()),
+        ]
+
+    def _ahead_days(self) -> float:
+        """By how much the newest record is later than now."""
+        store = self._context.store
+        newest = [record.accepted_at for record in store.calibrations.all()[:1]]
+        newest += [scan.started_at for scan in store.scans.all()[:1]]
+        ahead = max((-_days_since(at) for at in newest), default=0.0)
+        return ahead if ahead > 1 / 1440 else 0.0
+
+    def _program(self) -> list[HealthItem]:
+        watch = self._context.watch
+        stalls = watch.watchdog.stalls
+        return [
+            health.event_loop(stalls, watch.watchdog.limit_s),
+            health.memory_use(memory()),
+            health.log_errors(watch.logs.errors_since(time.time() - AN_HOUR_S)),
+            health.software(software(self._context)),
+        ]
+
+    def _others(self) -> list[HealthItem]:
+        watch, items = self._context.watch, []
+        if watch.broker is not None:
+            state, doubled_at_s = watch.broker.state, watch.broker.doubled_at_s
+            items.append(
+                health.broker(
+                    watch.broker.settings.host,
+                    state.connected,
+                    state.text,
+                    time.monotonic() - state.since_s,
+                    doubled_at_s is not None and time.monotonic() - doubled_at_s < 10.0,
+                )
+            )
+        if watch.webhook.settings.url:
+            host = urlsplit(watch.webhook.settings.url).hostname or ""
+            items.append(health.webhook(host, watch.webhook.failed, watch.webhook.trouble))
+        return items
+
+
+def software(context: Context) -> dict[str, str]:
+    """Versions of what runs, and the drivers in use."""
+    drivers = context.watch.settings.told.get("drivers", {})
+    told = {str(k): str(v) for k, v in drivers.items()} if isinstance(drivers, dict) else {}
+    return {"Crenel": SOFTWARE.version, **versions(), **told}
+
+
+def packages() -> dict[str, str]:
+    """Versions of the packages that matter most."""
+    found = {"python": sys.version.split()[0]}
+    for name in PACKAGES:
+        try:
+            found[name] = version(name)
+        except PackageNotFoundError:
+            continue
+    return found
+
+
+def _days_since(at: str) -> float:
+    return (datetime.now(UTC) - datetime.fromisoformat(at)).total_seconds() / 86400

@@ -1,0 +1,73 @@
+"""The station's health, its log, the support bundle and backups."""
+
+from dataclasses import dataclass
+from typing import Annotated
+
+from fastapi import APIRouter, Query
+from starlette.responses import Response
+
+from app.api.context import Context, TheContext
+from app.api.examining import Examiner
+from app.api.support import bundle
+from app.station.health import Health
+from app.station.log_book import Level, LogLine
+from app.station.moments import utc_now
+from app.store.backup import BackupMade
+
+router = APIRouter(prefix="/api")
+LINES = 300
+
+
+@dataclass(frozen=True)
+class BackupState:
+    """``share``: done of the one that is being made; null while none is."""
+
+    share: float | None
+    folder: str
+    last: BackupMade | None
+    trouble: str
+
+
+@dataclass(frozen=True)
+class HealthView:
+    """The Health page's findings."""
+
+    health: Health
+    backup: BackupState
+
+
+@router.get("/health")
+def health(context: TheContext) -> HealthView:
+    """Every check with what was found, why it matters, and what to do."""
+    looked = context.watch.health or Examiner(context).look()
+    return HealthView(looked, _backup(context))
+
+
+@router.get("/logs")
+def logs(
+    context: TheContext,
+    level: Level = "info",
+    words: Annotated[str, Query(max_length=100)] = "",
+) -> list[LogLine]:
+    """The newest lines of a level or above that contain all the words, newest first."""
+    return context.watch.logs.read(level, words, LINES)
+
+
+@router.get("/support.zip")
+def support(context: TheContext) -> Response:
+    """What somebody who helps needs to know; no secrets, no people."""
+    name = f"crenel-support-{utc_now()[:19].replace(':', '')}.zip"
+    headers = {"Content-Disposition": f'attachment; filename="{name}"', "Cache-Control": "no-store"}
+    return Response(bundle(context), media_type="application/zip", headers=headers)
+
+
+@router.post("/backup")
+def start_backup(context: TheContext) -> BackupState:
+    """Begins a copy of everything, while the station runs on."""
+    context.watch.backups.start()
+    return _backup(context)
+
+
+def _backup(context: Context) -> BackupState:
+    backups = context.watch.backups
+    return BackupState(backups.share, str(backups.folder), backups.last, backups.trouble)

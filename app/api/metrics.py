@@ -1,0 +1,193 @@
+"""``/metrics`` for Prometheus, collected anew at each scrape in a registry of its own."""
+
+import shutil
+import time
+from collections.abc import Iterator
+from typing import TypeVar
+
+from fastapi import APIRouter
+from prometheus_client import CollectorRegistry, ProcessCollector, generate_latest
+from prometheus_client.core import (
+    CounterMetricFamily,
+    GaugeMetricFamily,
+    HistogramMetricFamily,
+    InfoMetricFamily,
+)
+from prometheus_client.exposition import CONTENT_TYPE_LATEST
+from prometheus_client.metrics_core import Metric
+from prometheus_client.registry import Collector
+from starlette.responses import Response
+
+from app.api.context import Context, TheContext
+from app.api.records import summary_of
+from app.api.watch import BUCKETS_S
+
+router = APIRouter()
+VERDICTS = ("good", "attention", "bad")
+SECONDS_A_DAY = 86400.0
+F = TypeVar("F", GaugeMetricFamily, CounterMetricFamily)
+
+
+@router.get("/metrics")
+def metrics(context: TheContext) -> Response:
+    """What Prometheus scrapes, by a token of its own."""
+    registry = CollectorRegistry(auto_describe=False)
+    ProcessCollector(registry=registry)
+    registry.register(_Station(context))
+    return Response(generate_latest(registry), media_type=CONTENT_TYPE_LATEST)
+
+
+class _Station(Collector):
+    """One station's numbers as of now. Names and base units are as Prometheus wants them."""
+
+    def __init__(self, context: Context) -> None:
+        self._context = context
+
+    def describe(self) -> Iterator[Metric]:
+        """Nothing is collected when it is registered."""
+        return iter(())
+
+    def collect(self) -> Iterator[Metric]:
+        context = self._context
+        yield InfoMetricFamily(
+            "crenel_build", "What runs here", value={"version": context.station.version}
+        )
+        yield _gauge("start_time_seconds", "When the station was started", self._started())
+        yield from self._devices()
+        yield from self._scans()
+        yield from self._calibration()
+        yield from self._program()
+        yield from self._jobs()
+        yield from self._others()
+
+    def _started(self) -> float:
+        return time.time() - (time.monotonic() - self._context.watch.started_s)
+
+    def _devices(self) -> Iterator[Metric]:
+        rig = self._context.rig
+        up = _family(GaugeMetricFamily, "device_up", "Whether the device sends", "device")
+        age = _family(
+            GaugeMetricFamily, "device_data_age_seconds", "Age of the newest data", "device"
+        )
+        counters = {
+            name: _family(CounterMetricFamily, f"device_records_{name}", text, "device")
+            for name, text in (
+                ("received", "Samples or frames that arrived"),
+                ("lost", "Samples or frames that the device counted and that did not arrive"),
+                ("corrupt", "Samples or frames that arrived garbled"),
+            )
+        }
+        for name, side in (("arm", rig.arm), ("camera", rig.sensor)):
+            state = side.link()
+            up.add_metric([name], float(state.state == "connected"))
+            if state.age_s is not None:
+                age.add_metric([name], state.age_s)
+            counters["received"].add_metric([name], state.received)
+            counters["lost"].add_metric([name], state.lost)
+            counters["corrupt"].add_metric([name], state.corrupt)
+        yield from (up, age, *counters.values())
+        yield _gauge("laser_on", "Whether the laser is on", rig.sensor.laser_on)
+
+    def _scans(self) -> Iterator[Metric]:
+        watch, scan = self._context.watch, self._context.scanner.state()
+        load = self._context.scanner.load()
+        running = load is not None
+        now = (scan.points, scan.frames, scan.lost_frames) if running else (0, 0, 0)
+        yield _gauge("scan_running", "Whether a scan runs", running)
+        yield _counter("scans", "Scans that have ended", watch.scans)
+        yield _counter("scan_points", "Points scanned", watch.points + now[0])
+        yield _counter("scan_frames", "Frames taken into scans", watch.frames + now[1])
+        yield _counter(
+            "scan_frames_lost", "Frames that scans have lost", watch.frames_lost + now[2]
+        )
+        yield _gauge(
+            "scan_queue_ratio",
+            "How full the fullest queue of the running scan is; frames are lost at 1",
+            load.backlog if load else 0.0,
+        )
+
+    def _calibration(self) -> Iterator[Metric]:
+        record = self._context.store.calibrations.active()
+        verdict = _family(
+            GaugeMetricFamily,
+            "calibration_verdict",
+            "1 for the verdict on the calibration in use",
+            "verdict",
+        )
+        for name in VERDICTS:
+            verdict.add_metric([name], float(record is not None and record.figures.verdict == name))
+        yield verdict
+        if record is None:
+            return
+        summary = summary_of(record)
+        yield _gauge(
+            "calibration_age_seconds",
+            "Age of the calibration in use",
+            summary.age_days * SECONDS_A_DAY,
+        )
+        yield _gauge(
+            "calibration_point_uncertainty_meters",
+            "Standard uncertainty of a scanned point, k = 1",
+            summary.total_um * 1e-6,
+        )
+
+    def _program(self) -> Iterator[Metric]:
+        context, watch = self._context, self._context.watch
+        disk = shutil.disk_usage(context.store.folder)
+        stalls = watch.watchdog.stalls
+        yield _gauge("disk_free_bytes", "Free on the disk of the data folder", disk.free)
+        yield _gauge("disk_size_bytes", "Size of the disk of the data folder", disk.total)
+        yield _counter("event_loop_stalls", "Times that the event loop was held up", stalls.count)
+        yield _gauge("event_loop_stall_longest_seconds", "The longest of them", stalls.longest_s)
+        yield _counter("program_pauses", "Times that the whole program stood", stalls.pauses)
+        yield _counter("events", "Events told to the browsers", watch.events)
+        clients = _family(GaugeMetricFamily, "clients", "Open connections of browsers", "kind")
+        clients.add_metric(["live"], watch.tabs)
+        clients.add_metric(["view"], context.viewing.pages)
+        yield clients
+        yield _gauge("control_held", "Whether somebody has control", _held(context))
+        findings = _family(GaugeMetricFamily, "health_checks", "Health checks", "quality")
+        items = watch.health.items if watch.health else ()
+        for quality in ("good", "neutral", "attention", "bad"):
+            findings.add_metric([quality], sum(item.quality == quality for item in items))
+        yield findings
+
+    def _jobs(self) -> Iterator[Metric]:
+        family = HistogramMetricFamily(
+            "crenel_job_duration_seconds", "How long jobs took", labels=["job"]
+        )
+        for title, times in sorted(self._context.watch.job_times.items()):
+            buckets, total = [], 0
+            for bound, count in zip((*BUCKETS_S, None), times.buckets, strict=True):
+                total += count
+                buckets.append(("+Inf" if bound is None else f"{bound:g}", total))
+            family.add_metric([title], buckets, times.total_s)
+        yield family
+
+    def _others(self) -> Iterator[Metric]:
+        watch = self._context.watch
+        celsius = watch.temperature.now.celsius
+        if celsius is not None:
+            yield _gauge("temperature_celsius", "Of the room", celsius)
+        if watch.broker is not None:
+            connected = watch.broker.state.connected
+            yield _gauge("broker_connected", "Whether the MQTT broker is there", connected)
+        yield _counter("notifications_sent", "Notifications received", watch.webhook.sent)
+        yield _counter("notifications_failed", "Notifications given up", watch.webhook.failed)
+        yield _gauge("notifications_waiting", "Notifications not sent yet", watch.webhook.waiting)
+
+
+def _held(context: Context) -> bool:
+    return context.lease.control.holder is not None
+
+
+def _gauge(name: str, text: str, value: float) -> Metric:
+    return GaugeMetricFamily(f"crenel_{name}", text, value=float(value))
+
+
+def _counter(name: str, text: str, value: float) -> Metric:
+    return CounterMetricFamily(f"crenel_{name}", text, value=float(value))
+
+
+def _family(kind: type[F], name: str, text: str, label: str) -> F:
+    return kind(f"crenel_{name}", text, labels=[label])

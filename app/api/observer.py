@@ -1,0 +1,131 @@
+"""Keeps what is told of the station fresh, and passes on what happens."""
+
+import asyncio
+import logging
+from collections.abc import Coroutine
+
+from app.api.context import Context
+from app.api.examining import Examiner
+from app.api.reporting import report_of
+from app.station.bus import Event
+from app.station.moments import utc_now
+from app.supervise.messages import StationEvent, StationReport
+from app.supervise.notices import kind_of
+
+log = logging.getLogger(__name__)
+REPORT_S = 0.5
+STATIONS_S = 1.0
+HEALTH_S = 3.0
+TEMPERATURE_S = 5.0
+END_S = 1.5
+
+
+async def observe(context: Context) -> None:
+    """Runs until cancelled; then other stations are told that this one has ended."""
+    watch = context.watch
+    watch.watchdog.start(asyncio.get_running_loop())
+    works: list[Coroutine[object, object, None]] = [
+        _reports(context),
+        _stations(context),
+        _events(context),
+        _health(context),
+        _temperature(context),
+        watch.webhook.run(),
+    ]
+    if watch.broker is not None:
+        works.append(watch.broker.run())
+    tasks = [asyncio.create_task(work) for work in works]
+    try:
+        await asyncio.gather(*tasks)
+    finally:
+        for task in tasks:
+            task.cancel()
+        await asyncio.wait(tasks, timeout=END_S)
+
+
+async def _reports(context: Context) -> None:
+    due: str | None = None
+    while True:
+        try:
+            report = await asyncio.to_thread(report_of, context)
+            context.bus.publish("report", report)
+            if context.watch.broker is not None:
+                context.watch.broker.report(report)
+            due = _tell_due(context, report, due)
+        except Exception:  # the station lives on, and the next may succeed
+            log.exception("the station's report could not be made")
+        await asyncio.sleep(REPORT_S)
+
+
+def _tell_due(context: Context, report: StationReport, told: str | None) -> str | None:
+    """Tells once that a calibration has come due."""
+    calibration = report.calibration
+    if calibration is None or not calibration.due:
+        return None
+    if told != calibration.accepted_at:
+        days = f"{calibration.age_days:.0f} days"
+        context.watch.tell("due", f"{report.name}: the calibration is {days} old. Calibrate again.")
+    return calibration.accepted_at
+
+
+async def _stations(context: Context) -> None:
+    """The other stations, as fresh as they are."""
+    while True:
+        context.bus.publish("stations", context.watch.fleet.shown())
+        await asyncio.sleep(STATIONS_S)
+
+
+async def _events(context: Context) -> None:
+    with context.bus.subscribe(without=_topics(context)) as subscription:
+        while True:
+            updates = await subscription.next()
+            for topic in updates.topics:
+                subscription.want(topic, False)
+            for event in updates.events:
+                _pass_on(context, event)
+
+
+def _topics(context: Context) -> set[str]:
+    return {"devices", "report", "stations", "flow", "scan", "preview", "view", "home", "arm"}
+
+
+def _pass_on(context: Context, event: Event) -> None:
+    watch = context.watch
+    watch.events += 1
+    # an error is a fault of the program; a lost device and a refusal are none
+    told = logging.WARNING if event.quality in ("bad", "attention") else logging.INFO
+    log.log(told, "%s: %s", event.kind, event.text)
+    if watch.broker is not None:
+        watch.broker.event(
+            StationEvent(
+                station=watch.station,
+                instance=watch.instance,
+                number=event.id,
+                at=utc_now(),
+                kind=event.kind[:80],
+                quality=event.quality,
+                text=event.text[:400],
+            )
+        )
+    kind = kind_of(event)
+    if kind is not None:
+        watch.tell(kind, event.text[:400])
+
+
+async def _health(context: Context) -> None:
+    examiner = Examiner(context)
+    while True:
+        try:
+            context.watch.health = await asyncio.to_thread(examiner.look)
+        except Exception:
+            log.exception("the station's health could not be looked at")
+        await asyncio.sleep(HEALTH_S)
+
+
+async def _temperature(context: Context) -> None:
+    while context.watch.temperature.there:
+        try:
+            await asyncio.to_thread(context.watch.temperature.read)
+        except Exception:
+            log.exception("the temperature could not be read")
+        await asyncio.sleep(TEMPERATURE_S)

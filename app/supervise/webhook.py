@@ -1,0 +1,188 @@
+"""Notices by HTTP to an address of the administrator's choice.
+
+Each is one POST of a JSON ``Notice`` with the headers
+
+    Crenel-Delivery: INSTANCE-NUMBER, the same at each try
+    Crenel-Timestamp: seconds since 1970
+    Crenel-Signature: sha256=HEX, where there is a secret
+
+the signature being the HMAC-SHA256 of ``TIMESTAMP.BODY`` by the secret. Any answer of 200 to
+299 is taken for received; 408, 425, 429, 5xx and no answer are tried again.
+"""
+
+import asyncio
+import hashlib
+import hmac
+import logging
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Annotated
+from urllib.parse import urlsplit
+
+import httpx
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from app.files.atomic import atomic_path
+from app.metrology.refusal import Refusal
+from app.supervise.notices import Notice
+
+log = logging.getLogger(__name__)
+FILE = "notifications.json"
+ANSWER_S = 10.0
+PAUSES_S = (1.0, 2.0, 5.0, 15.0, 30.0, 60.0)
+WAITING = 100
+AGAIN = {408, 425, 429}
+
+
+class WebhookSettings(BaseModel):
+    """What is told, and where to; without an address nothing is sent."""
+
+    model_config = ConfigDict(frozen=True, extra="ignore")
+
+    url: Annotated[str, Field(max_length=500)] = ""
+    secret: Annotated[str, Field(max_length=200)] = ""
+    done: bool = True
+    fault: bool = True
+    due: bool = True
+
+    @property
+    def host(self) -> str:
+        """Of the address; the rest of it may be a secret."""
+        return urlsplit(self.url).hostname or ""
+
+
+def checked(url: str) -> str:
+    """The address, without spaces about it.
+
+    Raises:
+        Refusal: it is none of http or https.
+    """
+    url = url.strip()
+    try:
+        parts = urlsplit(url)
+        good = parts.scheme in ("http", "https") and bool(parts.hostname) and parts.port != 0
+    except ValueError:
+        good = False
+    if url and not good:
+        raise Refusal(
+            "webhook-url",
+            "The address is none that a message can be sent to",
+            "it must begin with http:// or https:// and name a machine",
+            "Copy it whole from the service that receives",
+        )
+    return url
+
+
+class WebhookStore:
+    """One file in the data folder, which only its owner can read."""
+
+    def __init__(self, folder: Path) -> None:
+        self._path = folder / FILE
+
+    def read(self) -> WebhookSettings:
+        """What was kept; nothing where the file is missing or no such."""
+        try:
+            return WebhookSettings.model_validate_json(self._path.read_bytes())
+        except (OSError, ValidationError):
+            return WebhookSettings()
+
+    def keep(self, settings: WebhookSettings) -> None:
+        """Raises ``Refusal`` where the disk does not take it."""
+        with atomic_path(self._path) as part:
+            part.touch(mode=0o600)
+            part.write_text(settings.model_dump_json(indent=1) + "\n")
+
+
+class Webhook:
+    """Sends one notice after another on the event loop; whoever offers one never waits."""
+
+    def __init__(self, settings: WebhookSettings, pauses_s: tuple[float, ...] = PAUSES_S) -> None:
+        self.settings = settings
+        self._pauses_s = pauses_s
+        self._waiting: asyncio.Queue[Notice] = asyncio.Queue(WAITING)
+        self.sent = self.failed = 0
+        """Received there; given up."""
+        self.trouble = ""
+        """Of the last try; empty once one was received."""
+        self.on_change: Callable[[], None] = lambda: None
+
+    @property
+    def waiting(self) -> int:
+        return self._waiting.qsize()
+
+    def offer(self, notice: Notice) -> None:
+        """Sends it if its kind is wanted; where too many wait, the oldest is given up."""
+        if not self.settings.url:
+            return
+        if not (notice.kind == "test" or getattr(self.settings, notice.kind)):
+            return
+        if self._waiting.full():
+            self._waiting.get_nowait()
+            self.failed += 1
+        self._waiting.put_nowait(notice)
+
+    async def run(self) -> None:
+        """Until cancelled."""
+        async with httpx.AsyncClient(
+            timeout=ANSWER_S, trust_env=False, follow_redirects=False
+        ) as client:
+            while True:
+                notice = await self._waiting.get()
+                if await self._deliver(client, notice):
+                    self.sent, self.trouble = self.sent + 1, ""
+                else:
+                    self.failed += 1
+                    log.warning("a notification was given up: %s", self.trouble)
+                self.on_change()
+
+    async def _deliver(self, client: httpx.AsyncClient, notice: Notice) -> bool:
+        for pause_s in (*self._pauses_s, None):
+            settings = self.settings
+            if not settings.url:
+                return False
+            again, self.trouble = await self._try(client, settings, notice)
+            if not self.trouble:
+                return True
+            self.on_change()
+            if not again or pause_s is None:
+                return False
+            await asyncio.sleep(pause_s)
+        return False
+
+    async def _try(
+        self, client: httpx.AsyncClient, settings: WebhookSettings, notice: Notice
+    ) -> tuple[bool, str]:
+        """Whether another try may help, and what went wrong; empty where nothing did."""
+        body = notice.model_dump_json().encode()
+        headers = {
+            "Content-Type": "application/json",
+            "User-Agent": "Crenel",
+            "Crenel-Delivery": f"{notice.instance}-{notice.number}",
+            **signature(settings.secret, body, int(time.time())),
+        }
+        try:
+            answer = await client.post(settings.url, content=body, headers=headers)
+        except (httpx.HTTPError, httpx.InvalidURL, ValueError) as error:
+            return True, _words(error)
+        if answer.is_success:
+            return False, ""
+        return answer.status_code in AGAIN or answer.is_server_error, f"status {answer.status_code}"
+
+
+def signature(secret: str, body: bytes, at: int) -> dict[str, str]:
+    """The headers by which the receiver knows that it was this station, and when."""
+    headers = {"Crenel-Timestamp": str(at)}
+    if secret:
+        signed = hmac.new(secret.encode(), f"{at}.".encode() + body, hashlib.sha256)
+        headers["Crenel-Signature"] = f"sha256={signed.hexdigest()}"
+    return headers
+
+
+def _words(error: Exception) -> str:
+    """Without the address, which may hold a secret."""
+    if isinstance(error, httpx.TimeoutException):
+        return f"no answer within {ANSWER_S:.0f} s"
+    if isinstance(error, httpx.ConnectError):
+        return "no connection"
+    return "the request failed"

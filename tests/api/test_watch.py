@@ -1,0 +1,307 @@
+"""What watches over the station: its report, metrics, health, log, support bundle, backups."""
+
+import io
+import json
+import logging
+import re
+import time
+import zipfile
+from collections.abc import Callable
+from pathlib import Path
+
+import httpx
+import pytest
+from jsonschema import Draft202012Validator
+from prometheus_client import REGISTRY
+from prometheus_client.parser import text_string_to_metric_families
+from websockets.sync.client import connect
+
+from app.api.access import cookie_for
+from app.api.watch import Watching
+from app.station.health import ORDER
+from app.store.accounts import Role
+from app.store.store import Store
+from app.supervise.broker import BrokerSettings
+from app.supervise.messages import schema
+from tests.api.conftest import Server
+from tests.supervise.test_webhook import Receiver, receiver
+
+__all__ = ["receiver"]
+PATIENCE_S = 20.0
+
+
+def until(ready: Callable[[], object]) -> None:
+    deadline = time.monotonic() + PATIENCE_S
+    while not ready():
+        assert time.monotonic() < deadline
+        time.sleep(0.05)
+
+
+def as_role(server: Server, role: Role) -> httpx.Client:
+    """A browser of somebody of that role."""
+    store, name = server.context.store, f"the watching {role.name}"
+    if store.accounts.get(name) is None:
+        store.accounts.add(name, role, "three unrelated words")
+    token = store.sign_ins.begin(name, "test")
+    cookies = {cookie_for(server.port): token}
+    return httpx.Client(base_url=server.address, cookies=cookies, timeout=20.0)
+
+
+def topics(server: Server, wanted: set[str]) -> dict[str, object]:
+    found: dict[str, object] = {}
+    with connect(server.live, additional_headers=server.cookie) as socket:
+        while set(found) != wanted:
+            message = json.loads(socket.recv(PATIENCE_S))
+            if message["type"] == "topic" and message["name"] in wanted:
+                found[message["name"]] = message["value"]
+    return found
+
+
+def test_the_report_is_as_the_schema_says(server: Server) -> None:
+    until(lambda: server.context.watch.temperature.now.celsius)
+    time.sleep(0.6)
+    report = topics(server, {"report", "stations"})["report"]
+    assert isinstance(report, dict)
+    document = json.loads(json.dumps(schema()))
+    Draft202012Validator({**document, "$ref": "#/$defs/StationReport"}).validate(report)
+    assert report["name"] == "Demonstration"
+    assert [device["name"] for device in report["devices"]] == ["arm", "camera"]
+    assert report["devices"][0]["state"] == "connected"
+    assert 20 < report["temperature_c"] < 23
+    assert report["disk_free_gb"] > 0
+
+
+def test_what_runs_is_told_step_by_step(touching: Server) -> None:
+    def activity() -> dict[str, object]:
+        report = topics(touching, {"report"})["report"]
+        assert isinstance(report, dict)
+        return dict(report["activity"])
+
+    until(lambda: activity()["kind"] == "calibrating")
+    told = activity()
+    assert told["step"] == 3
+    assert told["steps"] == 7
+    assert told["title"] == touching.flow()["title"]
+
+
+def test_metrics_are_for_those_who_have_a_token(server: Server) -> None:
+    made = server.http.post("/api/scrapers", json={"name": "Prometheus"}).json()
+    token = made["token"]
+    assert "token" in made
+    listed = server.http.get("/api/scrapers").json()
+    assert token not in json.dumps(listed)
+    with httpx.Client(base_url=server.address) as http:
+        assert http.get("/metrics").status_code == 401, "loopback is no right"
+        wrong = http.get("/metrics", headers={"Authorization": f"Bearer {token}x"})
+        assert wrong.status_code == 401
+        good = {"Authorization": f"Bearer {token}"}
+        assert http.get("/metrics", headers=good).status_code == 200
+        for path in ("/api/home", "/api/health", "/api/audit"):
+            assert http.get(path, headers=good).status_code == 401, "it opens nothing else"
+        assert server.http.delete(f"/api/scrapers/{made['id']}").status_code == 204
+        assert http.get("/metrics", headers=good).status_code == 401
+    assert server.http.delete(f"/api/scrapers/{made['id']}").status_code == 404
+
+
+def test_metrics_are_named_and_counted_as_prometheus_wants_them(server: Server) -> None:
+    before = set(REGISTRY._names_to_collectors)
+    answer = server.http.get("/metrics")
+    assert answer.headers["content-type"].startswith("text/plain; version=")
+    families = {one.name: one for one in text_string_to_metric_families(answer.text)}
+    assert set(REGISTRY._names_to_collectors) == before
+    for name, family in families.items():
+        assert name.startswith(("crenel_", "process_")), name
+        assert family.documentation, name
+        units = re.search(r"_(ms|us|um|mm|gb|mb|minutes|hours|days|percent)(_|$)", name)
+        assert not units, f"{name}: base units only"
+
+    def value(name: str, **labels: str) -> float:
+        family = name.removesuffix("_total")
+        (found,) = (
+            sample.value
+            for sample in families[family].samples
+            if sample.name == name and sample.labels == labels
+        )
+        return float(found)
+
+    assert value("crenel_device_up", device="arm") in (0.0, 1.0)
+    assert 0 <= value("crenel_device_data_age_seconds", device="camera") < 60
+    assert value("crenel_device_records_received_total", device="arm") > 100
+    assert value("crenel_disk_free_bytes") > 0
+    assert value("crenel_scan_running") == 0.0
+    assert value("crenel_event_loop_stalls_total") >= 0
+    assert 20 < value("crenel_temperature_celsius") < 23
+    assert value("process_resident_memory_bytes") > 1e7
+    assert families["crenel_device_records_received"].type == "counter"
+    assert families["crenel_job_duration_seconds"].type == "histogram"
+    assert "crenel_clients" in families
+
+
+def test_jobs_are_timed(server: Server) -> None:
+    server.wait(lambda view: view["busy"] is None)
+    server.context.jobs.start("A test's job", lambda progress: time.sleep(0.6), lambda job: None)
+    until(lambda: "A test's job" in server.context.watch.job_times)
+    text = server.http.get("/metrics").text
+    bucket = 'crenel_job_duration_seconds_bucket{job="A test\'s job",le="%s"}'
+    assert f"{bucket % '0.5'} 0.0" in text
+    assert f"{bucket % '1'} 1.0" in text
+    assert f"{bucket % '+Inf'} 1.0" in text
+
+
+def test_health_says_what_why_and_what_to_do(server: Server) -> None:
+    until(lambda: server.context.watch.health)
+    view = server.http.get("/api/health").json()
+    items = view["health"]["items"]
+    found = {item["id"]: item for item in items}
+    assert set(found) >= {
+        *("device-arm", "device-sensor", "losses-arm", "losses-sensor", "room", "disk"),
+        *("folder", "database", "backup", "clock", "loop", "memory", "log", "software"),
+    }
+    ranks = [ORDER[item["quality"]] for item in items]
+    assert ranks == sorted(ranks)
+    for item in items:
+        assert item["what"]
+        assert item["why"]
+        assert item["remedy"] or item["quality"] in ("good", "neutral"), item
+    assert found["database"]["quality"] == "good"
+
+
+def test_the_log_is_for_operators(server: Server) -> None:
+    logging.getLogger("app.test").warning("a strange noise of the gearbox")
+    until(lambda: server.http.get("/api/logs", params={"words": "gearbox"}).json())
+    (line,) = server.http.get("/api/logs", params={"level": "warning", "words": "GEARBOX"}).json()
+    assert (line["level"], line["logger"]) == ("warning", "app.test")
+    assert server.http.get("/api/logs", params={"level": "error", "words": "gearbox"}).json() == []
+    assert server.http.get("/api/logs", params={"level": "loud"}).status_code == 422
+    with as_role(server, Role.viewer) as viewer:
+        assert viewer.get("/api/logs").status_code == 403
+        assert viewer.get("/api/support.zip").status_code == 403
+        assert viewer.get("/api/health").status_code == 200
+
+
+PLANTED = {
+    "a webhook's secret": "wh-s3cret-of-the-hook",
+    "its address": "k3y-in-the-address",
+    "an MQTT password": 'broker "pass" wörd',
+    "a camera password": "camera-pa55",
+    "a driver's key": "key-of-a-driver",
+    "a private key": "MIIEvgIBADANBgkqhkiG9w0BAQEFAASCBKgwggSkAgEAAoIBAQC7VJTUt9Us8cKj",
+    "a person": "Philippa Nobody",
+    "a remote address": "10.20.30.40",
+}
+
+
+def test_the_support_bundle_holds_no_secret_and_nobody(
+    server: Server, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Planted wherever they might be, and said into the log, too."""
+    context, store = server.context, server.context.store
+    person = PLANTED["a person"]
+    store.accounts.add(person, Role.operator, "three unrelated words")
+    cookie = store.sign_ins.begin(person, "a browser")
+    _, wall = store.sign_ins.add_wall("Hall", person)
+    _, scraper = store.scrapers.add("Prometheus", person)
+    store.audit.note(person, PLANTED["a remote address"], f"hello from {person}")
+    (tmp_path / "password").write_text(PLANTED["an MQTT password"])
+    told = {
+        **context.watch.settings.told,
+        "sensor": {
+            "url": f"rtsp://admin:{PLANTED['a camera password']}@{PLANTED['a remote address']}/1",
+            "nested": [{"api_key": PLANTED["a driver's key"]}],
+        },
+    }
+    watching = Watching(
+        mqtt=BrokerSettings("broker.local", password_file=tmp_path / "password"), told=told
+    )
+    monkeypatch.setattr(context.watch, "settings", watching)
+    change = {"done": True, "fault": True, "due": True}
+    url = f"http://127.0.0.1:9/{PLANTED['its address']}"
+    secret = PLANTED["a webhook's secret"]
+    answer = server.http.post("/api/notifications", json={"url": url, "secret": secret, **change})
+    answer.raise_for_status()
+    log = logging.getLogger("app.test")
+    code = context.entrance.code or ""
+    hashed = store._database.read("SELECT password FROM account WHERE name = ?", person)
+    key = f"-----BEGIN PRIVATE KEY-----\n{PLANTED['a private key']}\n-----END PRIVATE KEY-----"
+    more = {"cookie": cookie, "wall": wall, "scraper": scraper, "code": code}
+    for words in (*PLANTED.values(), *more.values(), key, hashed[0]["password"]):
+        log.warning("somebody said %s to %s", words, person)
+    log.warning("password=%s", "another-one-nobody-knows")
+    log.warning("open http://station/#wall=%s", wall)
+    until(lambda: server.http.get("/api/logs", params={"words": "#wall="}).json())
+
+    answer = server.http.get("/api/support.zip")
+    assert answer.headers["content-type"] == "application/zip"
+    with zipfile.ZipFile(io.BytesIO(answer.content)) as archive:
+        files = {name: archive.read(name).decode() for name in archive.namelist()}
+    assert set(files) >= {"README.txt", "health.json", "settings.json", "logs/station.jsonl"}
+    whole = "\n".join([*files, *files.values()])
+    secrets = {**PLANTED, **more, "a hash": hashed[0]["password"], "unknown": "another-one-nobody"}
+    for what, words in secrets.items():
+        assert words, what
+        for spelled in (words, json.dumps(words)[1:-1]):
+            assert spelled not in whole, what
+    assert str(store.folder) not in whole
+    for name, text in files.items():
+        if name.endswith(".json"):
+            json.loads(text)
+        elif name.endswith(".jsonl"):
+            for line in text.splitlines():
+                json.loads(line)
+    assert "somebody said" in files["logs/station.jsonl"]
+    assert '"kind": "started"' in files["journal.jsonl"] or not store.journal.last_number()
+    server.http.post("/api/notifications", json={"url": "", "secret": "", **change})
+
+
+def test_notifications_go_where_the_administrator_says(server: Server, receiver: Receiver) -> None:
+    secret = "never shown again"
+    change = {"url": receiver.url, "secret": secret, "done": True, "fault": True, "due": False}
+    answer = server.http.post("/api/notifications", json=change)
+    assert answer.json()["has_secret"]
+    assert secret not in answer.text
+    assert secret not in server.http.get("/api/notifications").text
+    server.http.post("/api/notifications/test").raise_for_status()
+    until(lambda: receiver.taken)
+    headers, body = receiver.taken[0]
+    assert json.loads(body)["kind"] == "test"
+    assert headers["Crenel-Signature"].startswith("sha256=")
+    server.context.bus.event("arm-lost", "The arm is lost, says a test", "bad")
+    server.context.bus.event("arm-lost", "The arm is lost, says a test", "bad")
+    server.context.bus.event("scan-saved", "A scan of a test is saved", "good")
+    until(lambda: len(receiver.taken) == 3)
+    kinds = [json.loads(body)["kind"] for _, body in receiver.taken]
+    assert kinds == ["test", "fault", "done"]
+    assert topics(server, {"notice"})["notice"]["text"] == "A scan of a test is saved"  # type: ignore[index]
+
+    kept = server.http.post("/api/notifications", json={**change, "secret": None}).json()
+    assert kept["has_secret"]
+    moved = {**change, "url": f"{receiver.url}&more", "secret": None}
+    assert not server.http.post("/api/notifications", json=moved).json()["has_secret"], (
+        "a secret goes to no address that it was not given for"
+    )
+    wrong = server.http.post("/api/notifications", json={**change, "url": "file:///etc/passwd"})
+    assert wrong.json()["code"] == "webhook-url"
+    server.http.post("/api/notifications", json={**change, "url": "", "secret": ""})
+    assert server.http.post("/api/notifications/test").json()["code"] == "no-webhook"
+
+
+def test_a_backup_of_the_running_station_is_a_station(server: Server) -> None:
+    began = server.http.post("/api/backup")
+    assert began.status_code == 200, began.text
+    until(lambda: server.http.get("/api/health").json()["backup"]["share"] is None)
+    state = server.http.get("/api/health").json()["backup"]
+    assert state["trouble"] == ""
+    copy = Store(Path(state["last"]["folder"]))
+    assert copy.check() == ""
+    kept = {account.name for account in copy.accounts.all()}
+    assert kept == {account.name for account in server.context.store.accounts.all()}
+    assert copy.journal.last_number() <= server.context.store.journal.last_number()
+    assert (copy.folder / "arms/simulated.json").is_file()
+    assert (copy.folder / "notifications.json").is_file()
+    copy.close()
+    until(
+        lambda: any(
+            item["id"] == "backup" and "same disk" in item["what"]
+            for item in server.http.get("/api/health").json()["health"]["items"]
+        )
+    )
