@@ -69,6 +69,11 @@ def check_plane(points_mm: Floats, nominal: NominalPlane | None = None) -> Plane
         fit = PlaneFit(
             -fit.normal, -fit.offset_mm, fit.centre_mm, fit.rms_mm, fit.form_mm, fit.used
         )
+    return compare_plane(fit, nominal)
+
+
+def compare_plane(fit: PlaneFit, nominal: NominalPlane) -> PlaneCheck:
+    """A fitted plane against its nominal (Eq. 10-12); the normals' senses do not matter."""
     return PlaneCheck(
         fit=fit,
         angle_arcsec=angle_between_rad(fit.normal, nominal.normal) * ARCSEC_PER_RAD,

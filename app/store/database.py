@@ -103,7 +103,25 @@ CREATE TABLE scraper (
     made_at TEXT NOT NULL
 ) STRICT;
 """
-SCHEMAS = (FIRST, ACCESS, SUPERVISION)
+VERIFICATIONS = """
+CREATE TABLE verification (
+    id TEXT PRIMARY KEY REFERENCES session (id),
+    calibration_id TEXT NOT NULL REFERENCES calibration (id),
+    folder TEXT NOT NULL,
+    accepted_at TEXT NOT NULL,
+    figures TEXT NOT NULL
+) STRICT;
+CREATE INDEX verification_of_a_calibration ON verification (calibration_id, accepted_at);
+
+CREATE TABLE temperature (
+    number INTEGER PRIMARY KEY AUTOINCREMENT,
+    at TEXT NOT NULL,
+    celsius REAL NOT NULL,
+    source TEXT NOT NULL
+) STRICT;
+CREATE INDEX temperature_in_time ON temperature (at);
+"""
+SCHEMAS = (FIRST, ACCESS, SUPERVISION, VERIFICATIONS)
 """What each version of the database adds to the one before."""
 SCHEMA_VERSION = len(SCHEMAS)
 

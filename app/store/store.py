@@ -13,6 +13,10 @@ from app.store.scan_settings import SettingsStore
 from app.store.scans import ScanStore
 from app.store.scrapers import ScraperStore
 from app.store.sign_ins import SignInStore
+from app.store.temperatures import TemperatureStore
+from app.store.verifications import VerificationStore
+
+FOLDERS = ("arms", "objects", "sensors", "gauges", "sessions", "scans", "verifications")
 
 
 class Store:
@@ -26,7 +30,7 @@ class Store:
     def __init__(self, folder: Path) -> None:
         self.folder = folder.absolute()
         try:
-            for name in ("arms", "objects", "sensors", "sessions", "scans"):
+            for name in FOLDERS:
                 (self.folder / name).mkdir(parents=True, exist_ok=True)
             self._lock = FolderLock(self.folder)
         except OSError as error:
@@ -43,6 +47,8 @@ class Store:
             raise
         self.journal = JournalStore(self._database)
         self.calibrations = CalibrationStore(self._database, self.folder)
+        self.verifications = VerificationStore(self._database, self.folder)
+        self.temperatures = TemperatureStore(self._database)
         self.scans = ScanStore(self._database, self.folder)
         self.settings = SettingsStore(self.folder)
         self.accounts = AccountStore(self._database)

@@ -1,0 +1,194 @@
+"""Where a gauge stands by the touch probe: the plane or sphere through its contact points.
+
+What a scan of the same gauge is compared with, as ISO 10360-9 compares two probing systems.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.special import stdtrit
+
+from app.metrology.arm import Arm, flange_poses, tip_centres, tip_covariances
+from app.metrology.cylinder import across
+from app.metrology.frames import Floats
+from app.metrology.gauges import NominalPlane, NominalSphere
+from app.metrology.refusal import Refusal
+
+PLANE_LEAST, SPHERE_LEAST = 4, 5
+LEAST_SPREAD_MM = 5.0
+"""Rms of a plane's touches along the shorter side of their field, about their middle."""
+LEAST_SPREAD_SHARE = 0.2
+"""The same of a sphere's, in any direction, as a share of its radius with the tip's."""
+STEPS = 30
+TWO_SIGMA = 0.97725
+
+
+@dataclass(frozen=True)
+class TouchedPlane:
+    """A plane, outward to where the probe came from, that N contacts fix."""
+
+    nominal: NominalPlane
+    """Its point is in the contacts' middle."""
+    residuals_mm: Floats
+    """(N,) of the contacts, outward."""
+    covariance: Floats
+    """(3, 3) of the height in the middle (mm) and of the tilts (rad) along ``across``."""
+
+    @property
+    def rms_mm(self) -> float:
+        return _rms(self.residuals_mm)
+
+    @property
+    def angle_sd_rad(self) -> float:
+        """Of the normal in its worst direction, k = 1."""
+        return _worst(self.covariance[1:, 1:])
+
+    def height_sd_mm(self, point_mm: Floats) -> float:
+        """Of the plane at a point (3,) of it, k = 1."""
+        a, b = across(self.nominal.normal)
+        away = point_mm - self.nominal.point_mm
+        g = np.array([1.0, away @ a, away @ b])
+        return float(np.sqrt(g @ self.covariance @ g))
+
+
+@dataclass(frozen=True)
+class TouchedSphere:
+    """A sphere of known size that N contacts fix."""
+
+    nominal: NominalSphere
+    residuals_mm: Floats
+    """(N,) of the contacts, outward."""
+    covariance: Floats
+    """(3, 3) of the centre, mm²."""
+    radius_mm: float
+    """As the contacts alone have it, not its paper."""
+    radius_sd_mm: float
+
+    @property
+    def rms_mm(self) -> float:
+        return _rms(self.residuals_mm)
+
+    @property
+    def centre_sd_mm(self) -> float:
+        """In the worst direction, k = 1."""
+        return _worst(self.covariance)
+
+
+def touched_plane(arm: Arm, q_rad: Floats) -> TouchedPlane:
+    """The plane that the tip touched at encoder angles (N, n).
+
+    Raises:
+        Refusal: fewer than ``PLANE_LEAST`` touches, or all about one line.
+    """
+    tips = _tips(arm, q_rad, PLANE_LEAST, "plane")
+    middle = tips.mean(axis=0)
+    values, vectors = np.linalg.eigh((tips - middle).T @ (tips - middle) / len(tips))
+    if np.sqrt(values[1]) < LEAST_SPREAD_MM:
+        raise Refusal(
+            "touches-on-a-line",
+            f"The touches lie within {2 * np.sqrt(values[1]):.1f} mm of one line",
+            "they fix no plane",
+            "Touch it near its corners, too",
+        )
+    normal = vectors[:, 0]
+    if float(np.mean((_flanges(arm, q_rad) - tips) @ normal)) < 0:
+        normal = -normal
+    off = (tips - middle) @ normal
+    a, b = across(normal)
+    J = np.column_stack([np.ones(len(tips)), (tips - middle) @ a, (tips - middle) @ b])
+    sd = _touch_sd(arm, q_rad, off, np.tile(normal, (len(tips), 1)), 3)
+    nominal = NominalPlane(middle - arm.tip.radius_mm * normal, normal)
+    return TouchedPlane(nominal, off, sd**2 * np.linalg.inv(J.T @ J))
+
+
+def touched_sphere(arm: Arm, q_rad: Floats, radius_mm: float) -> TouchedSphere:
+    """The sphere of a known radius that the tip touched at encoder angles (N, n).
+
+    Raises:
+        Refusal: fewer than ``SPHERE_LEAST`` touches, or all about one circle or place.
+    """
+    tips = _tips(arm, q_rad, SPHERE_LEAST, "sphere")
+    reach_mm = radius_mm + arm.tip.radius_mm
+    spread = np.sqrt(max(float(np.linalg.eigvalsh(np.cov(tips.T, bias=True))[0]), 0.0))
+    if spread < LEAST_SPREAD_SHARE * reach_mm:
+        raise Refusal(
+            "touches-too-close",
+            "The touches lie on one circle of the sphere, or too near together",
+            "they fix no centre",
+            "Touch its top and all around its side",
+        )
+    centre, free_mm, J = _sphere_through(tips)
+    free_sd = _touch_sd(arm, q_rad, np.linalg.norm(tips - centre, axis=1) - free_mm, J[:, :3], 4)
+    cofactors = np.linalg.inv(J.T @ J)
+    fixed = _centre_of(tips, reach_mm, centre)
+    away = tips - fixed
+    far = np.linalg.norm(away, axis=1)
+    outward = away / far[:, None]
+    sd = _touch_sd(arm, q_rad, far - reach_mm, outward, 3)
+    return TouchedSphere(
+        NominalSphere(fixed, radius_mm),
+        far - reach_mm,
+        sd**2 * np.linalg.inv(outward.T @ outward),
+        free_mm - arm.tip.radius_mm,
+        float(free_sd * np.sqrt(cofactors[3, 3])),
+    )
+
+
+def _tips(arm: Arm, q_rad: Floats, least: int, shape: str) -> Floats:
+    if len(q_rad) < least:
+        raise Refusal(
+            "too-few-touches",
+            f"The {shape} has {len(q_rad)} touches",
+            f"at least {least} are needed",
+            "Touch it in more places",
+        )
+    return tip_centres(arm, q_rad)
+
+
+def _flanges(arm: Arm, q_rad: Floats) -> Floats:
+    return np.asarray(flange_poses(arm, q_rad)[:, :3, 3])
+
+
+def _touch_sd(arm: Arm, q_rad: Floats, off: Floats, outward: Floats, parameters: int) -> float:
+    """Of one touch, k = 1: by how they scatter, allowing for how few there are, and no
+    better than the encoders are."""
+    of_encoders = np.einsum("ni,nij,nj->n", outward, tip_covariances(arm, q_rad), outward)
+    encoders = float(np.sqrt(np.mean(of_encoders)))
+    freedom = len(off) - parameters
+    if freedom < 1:
+        return encoders
+    scatter = float(np.sqrt(off @ off / freedom)) * float(stdtrit(freedom, TWO_SIGMA)) / 2
+    return max(scatter, encoders)
+
+
+def _sphere_through(tips: Floats) -> tuple[Floats, float, Floats]:
+    """Centre (3,), radius and the residuals' Jacobian (N, 4), by Gauss-Newton."""
+    system = np.column_stack([2 * tips, np.ones(len(tips))])
+    start = np.linalg.lstsq(system, np.sum(tips**2, axis=1), rcond=None)[0]
+    centre: Floats = start[:3]
+    radius = float(np.sqrt(max(start[3] + centre @ centre, 1e-9)))
+    for _ in range(STEPS):
+        away = tips - centre
+        far = np.linalg.norm(away, axis=1)
+        J = np.column_stack([away / far[:, None], np.ones(len(tips))])
+        change = np.linalg.lstsq(J, far - radius, rcond=None)[0]
+        centre, radius = centre + change[:3], radius + float(change[3])
+    return centre, radius, J
+
+
+def _centre_of(tips: Floats, radius_mm: float, start: Floats) -> Floats:
+    """(3,) of the sphere of a known radius nearest to the tips, by Gauss-Newton."""
+    centre = start
+    for _ in range(STEPS):
+        away = tips - centre
+        far = np.linalg.norm(away, axis=1)
+        centre = centre + np.linalg.lstsq(away / far[:, None], far - radius_mm, rcond=None)[0]
+    return centre
+
+
+def _rms(residuals: Floats) -> float:
+    return float(np.sqrt(np.mean(residuals**2)))
+
+
+def _worst(covariance: Floats) -> float:
+    return float(np.sqrt(np.linalg.eigvalsh(covariance)[-1]))

@@ -1,0 +1,55 @@
+"""What the temperature at the station was, whenever somebody or something told it."""
+
+from dataclasses import dataclass
+from datetime import datetime, timedelta
+
+from app.store.database import Database, utc_now
+
+NEAR = timedelta(hours=3)
+"""A reading says nothing of a time further away than this."""
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """One temperature."""
+
+    at: str
+    celsius: float
+    source: str
+
+
+class TemperatureStore:
+    """Readings, only ever added."""
+
+    def __init__(self, database: Database) -> None:
+        self._database = database
+
+    def add(self, celsius: float, source: str) -> Reading:
+        reading = Reading(utc_now(), celsius, source)
+        with self._database.writing() as connection:
+            connection.execute(
+                "INSERT INTO temperature (at, celsius, source) VALUES (?, ?, ?)",
+                (reading.at, reading.celsius, reading.source),
+            )
+        return reading
+
+    def near(self, at: str) -> Reading | None:
+        """The reading nearest to a time (ISO 8601), if one is near enough."""
+        before = self._read("at <= ? ORDER BY at DESC LIMIT 1", at)
+        after = self._read("at > ? ORDER BY at LIMIT 1", at)
+        moment = datetime.fromisoformat(at)
+        found = [(abs(datetime.fromisoformat(r.at) - moment), r) for r in before + after]
+        best = min(found, key=lambda pair: pair[0], default=None)
+        return best[1] if best is not None and best[0] <= NEAR else None
+
+    def newest(self) -> Reading | None:
+        """The last reading, unless it is too old to say what it is now."""
+        return self.near(utc_now())
+
+    def _read(self, clause: str, at: str) -> list[Reading]:
+        return [
+            Reading(row["at"], row["celsius"], row["source"])
+            for row in self._database.read(
+                f"SELECT at, celsius, source FROM temperature WHERE {clause}", at
+            )
+        ]
