@@ -31,6 +31,7 @@ from app.api import (
     session,
     settings,
     telling,
+    verify,
     view,
     viewer,
 )
@@ -81,6 +82,7 @@ def build_app(parts: Parts) -> FastAPI:
         people,
         flow,
         arm,
+        verify,
         machine,
         settings,
         records,

@@ -12,6 +12,7 @@ from app.api.watch import Watch
 from app.guide.arm.guide import ArmGuide
 from app.guide.guide import Guide
 from app.guide.scan_hand import ScanHand
+from app.guide.verify.guide import VerifyGuide
 from app.station.bus import Bus
 from app.station.jobs import Jobs
 from app.station.lease import Lease
@@ -41,6 +42,7 @@ class Context:
     guide: Guide
     scan_hand: ScanHand
     arm_guide: ArmGuide
+    verify_guide: VerifyGuide
     settings: OperatorSettings
     lease: Lease
     entrance: Entrance

@@ -7,6 +7,7 @@ from app.api.context import Context, TheContext
 from app.api.schema import Exposure, ScanStart, ScanState, Switch
 from app.guide.arm.commands import stop_hand as stop_arm_hand
 from app.guide.commands import stop_hand
+from app.guide.verify.commands import stop_hand as stop_verify_hand
 from app.metrology.refusal import Refusal
 from app.station.rig import Devices
 
@@ -81,5 +82,6 @@ def stop_everything(context: Context) -> None:
     context.scan_hand.stop()
     stop_hand(context.guide)
     stop_arm_hand(context.arm_guide)
+    stop_verify_hand(context.verify_guide)
     context.scanner.stop()
     context.rig.sensor.laser_off()

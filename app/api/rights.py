@@ -89,6 +89,17 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ("GET", "/api/arm/checks"): LOOK,
     ("POST", "/api/arm/start"): Rule(Right.act, "began or resumed an arm check"),
     ("POST", "/api/arm/command"): Rule(Right.act, "arm check"),
+    ("GET", "/api/verify"): LOOK,
+    ("POST", "/api/verify/start"): Rule(Right.act, "began or resumed a verification"),
+    ("POST", "/api/verify/command"): Rule(Right.act, "verification"),
+    ("GET", "/api/verifications"): LOOK,
+    ("GET", "/api/verifications/{verification_id}"): LOOK,
+    ("GET", "/api/verifications/{verification_id}/cloud/{number}/map"): LOOK,
+    ("GET", "/api/verifications/{verification_id}/study"): LOOK,
+    ("POST", "/api/verifications/{verification_id}/study"): Rule(
+        Right.act, "rebuilt a verification with every calibration"
+    ),
+    ("POST", "/api/temperature"): Rule(Right.act, "told the temperature"),
     ("GET", "/api/scan"): LOOK,
     ("POST", "/api/scan/start"): Rule(Right.act, "started a scan"),
     ("POST", "/api/scan/stop"): Rule(Right.act, "stopped a scan"),

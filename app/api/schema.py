@@ -44,6 +44,10 @@ class Exposure(Request):
     exposure_us: Annotated[float, Field(gt=0, allow_inf_nan=False, strict=False)]
 
 
+class Temperature(Request):
+    celsius: Annotated[float, Field(ge=-20, le=60, allow_inf_nan=False, strict=False)]
+
+
 class Rename(Request):
     name: Annotated[str, Field(min_length=1, max_length=120)]
 

@@ -5,6 +5,7 @@ import logging
 
 from app.api.context import Context
 from app.api.records import home_of
+from app.guide.verify.commands import measure_waiting
 
 log = logging.getLogger(__name__)
 PERIOD_S = 0.2
@@ -19,6 +20,8 @@ async def tick(context: Context) -> None:
         try:
             await asyncio.to_thread(context.guide.refresh)
             await asyncio.to_thread(context.arm_guide.refresh)
+            await asyncio.to_thread(measure_waiting, context.verify_guide)
+            await asyncio.to_thread(context.verify_guide.refresh)
             if count % HOME_EVERY == 0:
                 found = await asyncio.to_thread(home_of, context)
                 if found != home:

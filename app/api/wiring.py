@@ -12,6 +12,7 @@ from app.api.schema import Station
 from app.api.watch import Watch, Watching
 from app.files.arm import read_arm
 from app.files.calibration import CalibrationFile, calibration_in
+from app.files.gauge import DEFAULT_LIMITS, VerificationLimits
 from app.files.session import ARM
 from app.files.software import SOFTWARE
 from app.guide.arm.commands import press as press_arm
@@ -22,6 +23,9 @@ from app.guide.guide import Station as GuidedStation
 from app.guide.hand import Hand
 from app.guide.scan_hand import ScanHand
 from app.guide.signing import Signing
+from app.guide.verify.commands import button_of as verify_button
+from app.guide.verify.commands import press as press_verify
+from app.guide.verify.guide import VerifyGuide, VerifyStation
 from app.metrology.findings import LIMITS, Limits
 from app.metrology.refusal import Refusal
 from app.station.bus import Bus
@@ -55,6 +59,8 @@ class Parts:
     """Of the simulated station."""
     limits: Limits = LIMITS
     """What the verdict on a calibration goes by."""
+    verification: VerificationLimits = DEFAULT_LIMITS
+    """What a verification is judged by, where its gauge's paper has no limits."""
     guest: str | None = None
     """The account that a link on the console enters, of a demonstration or a replay."""
     watching: Watching = field(default_factory=Watching)
@@ -109,7 +115,15 @@ def open_context(parts: Parts) -> Context:
     scanner.on_finished = lambda result: _finished(result, store, watch)
     arm_station = ArmStation(bus, rig, jobs, parts.hand)
     arm_guide = ArmGuide(arm_station, store.journal, store.folder, signing)
-    rig.arm.on_button = _buttons(guide, arm_guide)
+    verify_guide = VerifyGuide(
+        VerifyStation(bus, rig, jobs, scanner, scene, parts.hand, parts.name),
+        store.journal,
+        store.calibrations,
+        store.verifications,
+        store.folder,
+        parts.verification,
+    )
+    rig.arm.on_button = _buttons(guide, arm_guide, verify_guide)
     station = Station(parts.name, SOFTWARE.version, has_hand=simulated, simulated=simulated)
     return Context(
         station,
@@ -124,6 +138,7 @@ def open_context(parts: Parts) -> Context:
         guide,
         scan_hand,
         arm_guide,
+        verify_guide,
         settings,
         lease,
         Entrance(store.accounts, store.sign_ins, store.scrapers, parts.guest),
@@ -142,25 +157,36 @@ def close_context(context: Context) -> None:
     context.scene.close()
 
 
-def _buttons(guide: Guide, arm_guide: ArmGuide) -> Callable[[ButtonEvent], None]:
+def _buttons(
+    guide: Guide, arm_guide: ArmGuide, verify_guide: VerifyGuide
+) -> Callable[[ButtonEvent], None]:
     """Presses are worked off one after another, away from the event loop.
 
-    They belong to the calibration where it waits for them, else to the arm's own session.
+    They belong to whichever of the open sessions waits for them and was last gone on with.
     """
     worker = ThreadPoolExecutor(1, thread_name_prefix="buttons")
 
     def pressed(event: ButtonEvent) -> None:
+        waiting: list[tuple[int, Callable[[ButtonEvent], None]]] = []
         if guide.running and any(guide.state.step == step for step, _ in BUTTONS):
-            press(guide, event)
-        else:
-            press_arm(arm_guide, event)
+            waiting.append((guide.state.rev, lambda event: press(guide, event)))
+        if verify_button(verify_guide, "primary"):
+            waiting.append(
+                (verify_guide.state.rev, lambda event: press_verify(verify_guide, event))
+            )
+        if arm_guide.running:
+            waiting.append((arm_guide.state.rev, lambda event: press_arm(arm_guide, event)))
+        if waiting:
+            max(waiting, key=lambda one: one[0])[1](event)
 
     return lambda event: (worker.submit(pressed, event), None)[1]
 
 
 def _finished(result: ScanResult, store: Store, watch: Watch) -> None:
-    store.scans.add(_record(result))
-    watch.note_scan(result)
+    """A scan of its own is listed; a cloud of a verification belongs to that."""
+    if result.folder.parent == store.folder / "scans":
+        store.scans.add(_record(result))
+        watch.note_scan(result)
 
 
 def _record(result: ScanResult) -> ScanRecord:

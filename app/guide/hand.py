@@ -50,6 +50,10 @@ class Hand(Protocol):
     def touch_ball(self, ball: int, index: int) -> bool:
         """Touches the sphere in its ``ball``-th place and presses the primary button."""
 
+    def touch_gauge(self, name: str, index: int) -> bool:
+        """Touches the plate or the sphere on the table at its ``index``-th place, and presses
+        the primary button."""
+
     def swing_in_seat(self) -> bool:
         """Swings the arm about the tip, which stays where it is."""
 

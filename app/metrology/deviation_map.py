@@ -29,9 +29,7 @@ def deviation_map(fit: PlaneFit | SphereFit, points_mm: Floats) -> DeviationMap:
     points = points_mm[fit.used]
     off_um = 1e3 * distances_from(fit, points)
     if isinstance(fit, PlaneFit):
-        right, up = _axes(fit.normal)
-        away = points - fit.centre_mm
-        flat = np.column_stack([away @ right, away @ up])
+        flat = flat_places(points - fit.centre_mm, fit.normal)
     else:
         flat = _unrolled(fit, points)
     low = flat.min(axis=0)
@@ -48,6 +46,12 @@ def deviation_map(fit: PlaneFit | SphereFit, points_mm: Floats) -> DeviationMap:
         low[1] + (row + 0.5) * cell,
         total[filled] / count[filled],
     )
+
+
+def flat_places(away_mm: Floats, normal: Floats) -> Floats:
+    """(N, 2) of places (N, 3) as seen along a normal (3,) from outside."""
+    right, up = _axes(normal)
+    return np.column_stack([away_mm @ right, away_mm @ up])
 
 
 def _unrolled(fit: SphereFit, points: Floats) -> Floats:

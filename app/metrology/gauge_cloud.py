@@ -71,7 +71,10 @@ def gauge_sphere(points_mm: Floats, frame: NDArray[np.int64], radius_mm: float) 
     if int(near.sum()) < LEAST_POINTS:
         raise _no_such_sphere(radius_mm)
     points, frames = points[near], frames[near]
-    found = measure_shape("sphere", points, frames)
+    try:
+        found = measure_shape("sphere", points, frames)
+    except Refusal as refusal:
+        raise _no_such_sphere(radius_mm) from refusal
     fit = found.fit
     assert isinstance(fit, SphereFit)
     outward = points[fit.used] - fit.centre_mm

@@ -17,8 +17,10 @@ from app.metrology.refusal import Refusal
 PLANE_LEAST, SPHERE_LEAST = 4, 5
 LEAST_SPREAD_MM = 5.0
 """Rms of a plane's touches along the shorter side of their field, about their middle."""
-LEAST_SPREAD_SHARE = 0.2
-"""The same of a sphere's, in any direction, as a share of its radius with the tip's."""
+LEAST_FACING = 0.05
+"""Mean square of the sphere's outward directions, at the touches, along any direction."""
+FIXED_RADIUS = 1e-6
+"""Touches that are worse conditioned do not tell the sphere's radius."""
 STEPS = 30
 TWO_SIGMA = 0.97725
 
@@ -109,29 +111,39 @@ def touched_sphere(arm: Arm, q_rad: Floats, radius_mm: float) -> TouchedSphere:
     """
     tips = _tips(arm, q_rad, SPHERE_LEAST, "sphere")
     reach_mm = radius_mm + arm.tip.radius_mm
-    spread = np.sqrt(max(float(np.linalg.eigvalsh(np.cov(tips.T, bias=True))[0]), 0.0))
-    if spread < LEAST_SPREAD_SHARE * reach_mm:
+    free, free_mm, J = _sphere_through(tips)
+    centre = _centre_of(tips, reach_mm, free)
+    far, outward = _outward(tips, centre)
+    if float(np.linalg.eigvalsh(outward.T @ outward)[0]) < LEAST_FACING * len(tips):
         raise Refusal(
             "touches-too-close",
-            "The touches lie on one circle of the sphere, or too near together",
-            "they fix no centre",
+            "The touches lie too near together, or on one ring about the sphere",
+            "they do not fix its centre",
             "Touch its top and all around its side",
         )
-    centre, free_mm, J = _sphere_through(tips)
-    free_sd = _touch_sd(arm, q_rad, np.linalg.norm(tips - centre, axis=1) - free_mm, J[:, :3], 4)
-    cofactors = np.linalg.inv(J.T @ J)
-    fixed = _centre_of(tips, reach_mm, centre)
-    away = tips - fixed
-    far = np.linalg.norm(away, axis=1)
-    outward = away / far[:, None]
     sd = _touch_sd(arm, q_rad, far - reach_mm, outward, 3)
     return TouchedSphere(
-        NominalSphere(fixed, radius_mm),
+        NominalSphere(centre, radius_mm),
         far - reach_mm,
-        sd**2 * np.linalg.inv(outward.T @ outward),
+        np.asarray(sd**2 * np.linalg.inv(outward.T @ outward)),
         free_mm - arm.tip.radius_mm,
-        float(free_sd * np.sqrt(cofactors[3, 3])),
+        _radius_sd_mm(arm, q_rad, _outward(tips, free)[0] - free_mm, J),
     )
+
+
+def _radius_sd_mm(arm: Arm, q_rad: Floats, off: Floats, J: Floats) -> float:
+    values, vectors = np.linalg.eigh(J.T @ J)
+    if values[0] < FIXED_RADIUS * values[-1]:
+        return float("inf")
+    cofactor = float(np.sum(vectors[3] ** 2 / values))
+    return _touch_sd(arm, q_rad, off, J[:, :3], 4) * float(np.sqrt(cofactor))
+
+
+def _outward(tips: Floats, centre: Floats) -> tuple[Floats, Floats]:
+    """Distances (N,) from a centre, and directions (N, 3)."""
+    away = tips - centre
+    far = np.linalg.norm(away, axis=1)
+    return far, away / far[:, None]
 
 
 def _tips(arm: Arm, q_rad: Floats, least: int, shape: str) -> Floats:
@@ -168,9 +180,8 @@ def _sphere_through(tips: Floats) -> tuple[Floats, float, Floats]:
     centre: Floats = start[:3]
     radius = float(np.sqrt(max(start[3] + centre @ centre, 1e-9)))
     for _ in range(STEPS):
-        away = tips - centre
-        far = np.linalg.norm(away, axis=1)
-        J = np.column_stack([away / far[:, None], np.ones(len(tips))])
+        far, outward = _outward(tips, centre)
+        J = np.column_stack([outward, np.ones(len(tips))])
         change = np.linalg.lstsq(J, far - radius, rcond=None)[0]
         centre, radius = centre + change[:3], radius + float(change[3])
     return centre, radius, J
@@ -180,9 +191,8 @@ def _centre_of(tips: Floats, radius_mm: float, start: Floats) -> Floats:
     """(3,) of the sphere of a known radius nearest to the tips, by Gauss-Newton."""
     centre = start
     for _ in range(STEPS):
-        away = tips - centre
-        far = np.linalg.norm(away, axis=1)
-        centre = centre + np.linalg.lstsq(away / far[:, None], far - radius_mm, rcond=None)[0]
+        far, outward = _outward(tips, centre)
+        centre = centre + np.linalg.lstsq(outward, far - radius_mm, rcond=None)[0]
     return centre
 
 

@@ -173,6 +173,11 @@ class Scanner:
                 return None
         return ScanLoad(scan.pipeline.backlog, scan.pipeline.bytes_written, scan.seconds)
 
+    def recording(self) -> Path | None:
+        """The folder of the scan that runs, or is being written."""
+        with self._lock:
+            return self._scan.folder if self._scan is not None and self._is_running() else None
+
     def why_not(self) -> Refusal | None:
         """Why a scan cannot start now; None when it can."""
         with self._lock:
@@ -182,8 +187,11 @@ class Scanner:
                 )
             return blocked(self._calibration, self._rig)
 
-    def start(self, name: str) -> str:
+    def start(self, name: str, into: Path | None = None) -> str:
         """Starts a scan and switches the laser on; its id.
+
+        Args:
+            into: a new folder of the caller's to record in, not among the scans.
 
         Raises:
             Refusal: no valid calibration for these devices, a device lost, another
@@ -196,8 +204,9 @@ class Scanner:
             calibration = self._calibration
             assert calibration is not None
             started = datetime.now(UTC)
-            folder = self._new_folder(started)
-            self._scene.begin(folder.name)
+            folder = self._new_folder(started) if into is None else _made(into)
+            scan_id = folder.name if into is None else f"{into.parent.name}-{into.name}"
+            self._scene.begin(scan_id)
             info = self._rig.sensor.info
             if info is not None and info.has_laser_switch:
                 self._rig.sensor.set_laser(True)
@@ -216,7 +225,7 @@ class Scanner:
                 self._rig.sensor.laser_off()
                 raise
             self._scan = _Running(
-                folder.name,
+                scan_id,
                 name.strip() or f"Scan {started:%Y-%m-%d %H:%M}",
                 folder,
                 started.isoformat(timespec="seconds"),
@@ -225,7 +234,7 @@ class Scanner:
                 pipeline,
             )
         self._publish()
-        return folder.name
+        return scan_id
 
     def stop(self) -> ScanResult | None:
         """Laser off, what was taken finished and saved; None when no scan was running."""
@@ -361,3 +370,9 @@ class Scanner:
         if state != self._published:
             self._published = state
             self._bus.publish("scan", state)
+
+
+def _made(folder: Path) -> Path:
+    with files_refused(folder):
+        folder.mkdir(parents=True)
+    return folder

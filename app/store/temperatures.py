@@ -42,6 +42,11 @@ class TemperatureStore:
         best = min(found, key=lambda pair: pair[0], default=None)
         return best[1] if best is not None and best[0] <= NEAR else None
 
+    def celsius_near(self, at: str) -> float | None:
+        """The temperature at a time, where it is known."""
+        reading = self.near(at)
+        return None if reading is None else reading.celsius
+
     def newest(self) -> Reading | None:
         """The last reading, unless it is too old to say what it is now."""
         return self.near(utc_now())

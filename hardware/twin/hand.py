@@ -30,10 +30,12 @@ from hardware.twin.swinging import (
     LIFT_MM,
     LIFT_S,
     bar_end,
+    plate_spot,
     seat_centre,
     swing_path,
     way_into_seat,
     way_onto_ball,
+    way_onto_plate,
 )
 from hardware.twin.world import Ball, Box, Comb, Scene, Shell, Thing
 
@@ -46,6 +48,12 @@ HAND_MM_S, HAND_RAD_S = 260.0, 2.2
 SCAN_MM_S = 16.0
 TRIES = 12
 SWAY_RAD = 0.1
+GAUGE = "gauge"
+"""Instead of a face's name, after a gauge was touched."""
+WAYS = 8
+"""Of which the hand takes the shortest."""
+LEAST_HEIGHT = 0.15
+"""Over a sphere's middle, as a share of its radius, that is touched: its foot is below."""
 
 
 @dataclass(frozen=True)
@@ -225,26 +233,61 @@ class Hand:
     def touch_ball(self, ball: int, index: int) -> bool:
         """Touches the sphere in its ``ball``-th place and presses the primary button."""
         with self._move("touching the sphere"):
-            gap = self._arm.tip_diameter_mm / 2 + float(self._rng.normal(0.0, self._contact_sd_mm))
-            onto = way_onto_ball(
-                self._arm,
-                seat_centre(self._arm, ball),
-                BALL_MM / 2 + gap,
-                index,
-                self._now(),
-                self._rng,
-            )
-            self._run(self._turned_to(onto.q_rad[0]), 0.0, 0.5)
-            self._run(JointPath(onto.times_s / self._pace, onto.q_rad), 0.5, 0.6)
-            self._pause(SETTLE_S)
-            pressed_ns = now_ns()
-            self._press(Button.PRIMARY, True, pressed_ns)
-            self._press(Button.PRIMARY, False, pressed_ns + round(PRESS_S * 0.8e9))
-            self._pause(PRESS_S)
-            self._run(JointPath(onto.times_s / self._pace, onto.q_rad[::-1].copy()), 0.9, 1.0)
-            self._touched = None
+            centre = seat_centre(self._arm, ball)
+            self._tap(lambda q: self._onto_ball(centre, BALL_MM / 2, index, q))
             return True
         return False
+
+    def touch_gauge(self, name: str, index: int) -> bool:
+        """Touches the ``index``-th place of the plate or the sphere on the table and presses
+        the primary button; False when cancelled. Raises KeyError for any other name."""
+        thing = self._scene.thing(name)
+        shape, T = thing.shape, thing.T_arm_obj
+        if not isinstance(shape, Ball | Box):
+            raise KeyError(f"{name!r} is no gauge")
+        with self._move(f"touching the {name}"):
+            if isinstance(shape, Ball):
+                radius, centre = shape.radius_mm, T[:3, 3]
+                self._tap(lambda q: self._onto_ball(centre, radius, index, q, LEAST_HEIGHT, WAYS))
+            else:
+                low, high = np.array(shape.low_mm), np.array(shape.high_mm)
+                spot = plate_spot(low, high, index, self._rng)
+                self._tap(lambda q: way_onto_plate(self._arm, T, spot, self._gap(), q, self._rng))
+            return True
+        return False
+
+    def _gap(self) -> float:
+        """From the tip's centre to what it touches, with the error of this contact."""
+        return self._arm.tip_diameter_mm / 2 + float(self._rng.normal(0.0, self._contact_sd_mm))
+
+    def _onto_ball(
+        self,
+        centre: Floats,
+        radius_mm: float,
+        index: int,
+        q: Floats,
+        lowest: float = -0.1,
+        ways: int = 1,
+    ) -> JointPath:
+        reach_mm = radius_mm + self._gap()
+        return way_onto_ball(self._arm, centre, reach_mm, index, q, self._rng, lowest, ways)
+
+    def _tap(self, way: Callable[[Floats], JointPath]) -> None:
+        """Goes the way onto something from where the arm is, presses, and goes back off."""
+        onto = way(self._now())
+        up = translation(0.0, 0.0, LIFT_MM) @ flange_pose(self._arm, self._now())
+        if self._touched != GAUGE:
+            with suppress(UnreachableError):
+                self._run(self._straight(up, LIFT_S), 0.0, 0.1)
+        self._run(self._turned_to(onto.q_rad[0]), 0.1, 0.5)
+        self._run(JointPath(onto.times_s / self._pace, onto.q_rad), 0.5, 0.6)
+        self._pause(SETTLE_S)
+        pressed_ns = now_ns()
+        self._press(Button.PRIMARY, True, pressed_ns)
+        self._press(Button.PRIMARY, False, pressed_ns + round(PRESS_S * 0.8e9))
+        self._pause(PRESS_S)
+        self._run(JointPath(onto.times_s / self._pace, onto.q_rad[::-1].copy()), 0.9, 1.0)
+        self._touched = GAUGE
 
     def _go_into(self, name: str, centre_mm: Floats, posture: int) -> bool:
         with self._move(f"going to {name}"):
@@ -293,7 +336,7 @@ class Hand:
             lifts = (0.3 * clear, 0.3 * clear)
         else:
             leave = np.zeros(3)
-            if self._touched is not None:
+            if self._touched not in (None, GAUGE):
                 leave = 20.0 * (self._T_arm_block[:3, :3] @ outward(self._touched))
             lifts = (30.0 * up + leave, 30.0 * up + 5.0 * clear)
         gap = self._arm.tip_diameter_mm / 2 + float(self._rng.normal(0.0, self._contact_sd_mm))

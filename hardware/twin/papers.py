@@ -102,6 +102,11 @@ def plane_paper(point_mm: Floats, normal: Floats) -> Paper:
         "shape": "plane",
         "point_mm": [float(value) for value in point_mm],
         "normal": [float(value) for value in normal],
+        "name": "Simulated gauge plate",
+        "serial_number": "TWIN-P1",
+        "certificate": "simulated",
+        "standard_uncertainty_um": 0.5,
+        "form_um": 1.0,
     }
 
 
@@ -113,6 +118,11 @@ def sphere_paper(centre_mm: Floats, ball: Ball) -> Paper:
         "shape": "sphere",
         "centre_mm": [float(value) for value in centre_mm],
         "radius_mm": ball.radius_mm,
+        "name": "Simulated gauge sphere",
+        "serial_number": "TWIN-K1",
+        "certificate": "simulated",
+        "standard_uncertainty_um": 0.3,
+        "form_um": 1.0,
     }
 
 

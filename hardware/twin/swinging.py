@@ -4,6 +4,7 @@ from contextlib import suppress
 
 import numpy as np
 
+from hardware.twin.contact import contact_pose
 from hardware.twin.kinematics import (
     ArmModel,
     Floats,
@@ -32,6 +33,9 @@ BAR_MM = 300.0
 BALL_MM = 25.0
 """The simulated ball bar's length and the sphere's diameter, as their papers have them."""
 CLEAR_MM, TOUCH_S, TOUCH_STEP = 8.0, 0.4, 0.618
+SPOTS = ((-1, -1), (1, 1), (-1, 1), (1, -1), (0, 0), (-0.5, 0.1), (0.5, -0.1), (0, 0.7), (0, -0.7))
+"""Places on a plate, from its middle, in shares of what may be touched."""
+PLATE_SHARE, SWAY_RAD = 0.8, 0.12
 SWING_RAD, LEAN_RAD, TWIST_RAD = 0.75, 0.55, 1.5
 SWING_S = 11.0
 KNOTS = 300
@@ -94,21 +98,26 @@ def way_onto_ball(
     index: int,
     q_rad: Floats,
     rng: np.random.Generator,
+    lowest: float = -0.1,
+    ways: int = 1,
 ) -> JointPath:
     """From outside a ball straight onto it, at the ``index``-th of places all over its top.
 
     Args:
         radius_mm: of the ball and the tip together, with the error of this contact.
+        lowest: of the places, over the ball's middle as a share of its radius.
+        ways: of so many ways the one that turns the arm least from ``q_rad``.
 
     Raises:
         UnreachableError: the arm cannot do that with any posture tried.
     """
-    height = 1.0 - 1.1 * ((index * TOUCH_STEP) % 1.0)
+    height = 1.0 - (1.0 - lowest) * ((index * TOUCH_STEP) % 1.0)
     round_z = 2.4 * index
     flat = np.sqrt(1.0 - height**2)
     outward = np.array([flat * np.cos(round_z), flat * np.sin(round_z), height])
     still = np.zeros(3)
     tip = np.array(arm.tip_mm)
+    found: list[JointPath] = []
     for _ in range(TRIES):
         T = rotation_about("z", float(rng.uniform(-np.pi, np.pi)))
         T = T @ rotation_about("y", float(rng.uniform(1.6, np.pi)))
@@ -121,8 +130,63 @@ def way_onto_ball(
             goal = reach(arm, T, q_rad, rng, attempts=2)
             clear = translation(*(CLEAR_MM * outward).tolist()) @ flange_pose(arm, goal)
             outside = reach(arm, clear, goal, rng, attempts=1)
-            return reaching_path(arm, outside, flange_pose(arm, goal), tip, (still, still), TOUCH_S)
-    raise UnreachableError("the arm cannot touch the ball there")
+            onto = flange_pose(arm, goal)
+            found.append(reaching_path(arm, outside, onto, tip, (still, still), TOUCH_S))
+            if len(found) == ways:
+                break
+    if not found:
+        raise UnreachableError("the arm cannot touch the ball there")
+    return min(found, key=lambda path: _turn(path, q_rad))
+
+
+def plate_spot(low_mm: Floats, high_mm: Floats, index: int, rng: np.random.Generator) -> Floats:
+    """(3,) the ``index``-th place to touch on the top of a plate between two corners: corners
+    first, then its middle and between."""
+    across, along = SPOTS[index % len(SPOTS)]
+    half = PLATE_SHARE * (high_mm - low_mm) / 2
+    middle = (low_mm + high_mm) / 2
+    shift = rng.uniform(-1.0, 1.0, 2)
+    return np.array(
+        [
+            middle[0] + across * half[0] + shift[0],
+            middle[1] + along * half[1] + shift[1],
+            high_mm[2],
+        ]
+    )
+
+
+def way_onto_plate(
+    arm: ArmModel,
+    T_arm_plate: Floats,
+    spot_mm: Floats,
+    gap_mm: float,
+    q_rad: Floats,
+    rng: np.random.Generator,
+) -> JointPath:
+    """From above a place (3,) of a plate straight down onto it; of several ways the nearest.
+
+    Raises:
+        UnreachableError: the arm cannot do that with any posture tried.
+    """
+    tip, still = np.array(arm.tip_mm), np.zeros(3)
+    flange_x = flange_pose(arm, q_rad)[:3, 0]
+    best: JointPath | None = None
+    for _ in range(WAYS):
+        T = contact_pose(arm, T_arm_plate, "crest", spot_mm, gap_mm, rng, flange_x, SWAY_RAD)
+        with suppress(UnreachableError):
+            goal = reach(arm, T, q_rad, rng, attempts=2)
+            clear = translation(*(CLEAR_MM * T_arm_plate[:3, 2]).tolist()) @ T
+            above = reach(arm, clear, goal, rng, attempts=1)
+            path = reaching_path(arm, above, T, tip, (still, still), TOUCH_S)
+            if best is None or _turn(path, q_rad) < _turn(best, q_rad):
+                best = path
+    if best is None:
+        raise UnreachableError("the arm cannot touch the plate there")
+    return best
+
+
+def _turn(path: JointPath, q_rad: Floats) -> float:
+    return float(np.max(np.abs(path.q_rad[0] - q_rad)))
 
 
 def seated(arm: ArmModel, centre_mm: Floats, q_rad: Floats, rng: np.random.Generator) -> Floats:

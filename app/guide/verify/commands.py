@@ -1,0 +1,221 @@
+"""What the operator can tell a verification to do; each command leaves a row in the journal."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Protocol
+
+from app.guide.verify import works
+from app.guide.verify.guide import VerifyGuide
+from app.guide.verify.hand_work import hand_work
+from app.guide.verify.state import STEPS, Cloud
+from app.guide.verify.view import VerifyView
+from app.guide.verify.works import Temperatures
+from app.metrology.refusal import Refusal
+from app.station.jobs import Job, Progress
+
+Args = Mapping[str, object]
+AT_ANY_REV = ("stop_hand",)
+
+
+class Press(Protocol):
+    """A button of the arm going down or up."""
+
+    @property
+    def stamp_ns(self) -> int: ...
+    @property
+    def button(self) -> str: ...
+    @property
+    def pressed(self) -> bool: ...
+
+
+@dataclass(frozen=True)
+class Told:
+    """A command, and who gives it."""
+
+    args: Args
+    key: str | None = None
+    operator: str = ""
+    temperatures: Temperatures | None = None
+
+
+def command(
+    guide: VerifyGuide,
+    name: str,
+    args: Args,
+    rev: int,
+    key: str,
+    operator: str,
+    temperatures: Temperatures,
+) -> VerifyView:
+    """Does a command of the browser, once for each ``key``.
+
+    Raises:
+        Refusal: the command is not possible now, or was given on an old view.
+    """
+    with guide.lock:
+        if not guide.knows_key(key):
+            guide.refuse_unless_possible(name, args, None if name in AT_ANY_REV else rev)
+            ACTS[name](guide, Told(args, key, operator, temperatures))
+        return guide.refresh()
+
+
+def button_of(guide: VerifyGuide, button: str) -> str:
+    """The command that a button of the arm gives now; empty for none."""
+    if not guide.running:
+        return ""
+    if guide.state.step == "touch":
+        return {"primary": "touch", "undo": "undo"}.get(button, "")
+    if guide.state.step == "scan":
+        scanning = guide.state.open_cloud is not None
+        main = "finish_cloud" if scanning else "begin_cloud"
+        return {"primary": main, "undo": "undo"}.get(button, "")
+    return ""
+
+
+def press(guide: VerifyGuide, event: Press) -> None:
+    """The arm's buttons: primary takes a touch, begins and ends a cloud; undo takes back."""
+    with guide.lock:
+        name = button_of(guide, str(event.button))
+        if not name or not event.pressed:
+            return
+        try:
+            if name == "touch":
+                # whether the arm was still is judged as of the press, not as of now
+                if guide.hand_running or guide.station.jobs.current is None:
+                    guide.touch(event.stamp_ns, None)
+            else:
+                guide.refuse_unless_possible(name, {}, None)
+                ACTS[name](guide, Told({}))
+        except Refusal as refusal:
+            guide.decline(refusal)
+        guide.refresh()
+
+
+def stop_hand(guide: VerifyGuide) -> None:
+    """Ends the hand's work early; idempotent."""
+    if guide.hand_running and guide.station.hand is not None:
+        guide.hand_running = False
+        guide.station.hand.cancel()
+
+
+def measure_waiting(guide: VerifyGuide) -> None:
+    """Measures a cloud that waits for it, as after a restart, unless something is at work."""
+    if guide.station.jobs.current is not None:
+        return
+    cloud = guide.to_measure()
+    if cloud is not None:
+        _measure(guide, cloud)
+
+
+def _undo(guide: VerifyGuide, told: Told) -> None:
+    if guide.state.step == "touch":
+        index = guide.state.counted[-1].index
+        guide.append("touch_voided", {"index": index}, told.key)
+        guide.keep_touches()
+    else:
+        last = [cloud for cloud in guide.state.listed if not cloud.voided][-1]
+        guide.append("cloud_voided", {"number": last.number, "voided": True}, told.key)
+
+
+def _void_touch(guide: VerifyGuide, told: Told) -> None:
+    guide.append("touch_voided", {"index": told.args["index"]}, told.key)
+    guide.keep_touches()
+
+
+def _finish_cloud(guide: VerifyGuide, told: Told) -> None:
+    cloud = works.end_cloud(guide, "cloud_ended", told.key)
+    _measure(guide, cloud)
+
+
+def _measure(guide: VerifyGuide, cloud: Cloud) -> None:
+    def work(progress: Progress) -> None:
+        progress("Writing the cloud", 0.1)
+        works.measure(guide, cloud, works.end_scan(guide), progress)
+
+    _job(guide, "Measuring the cloud", work)
+
+
+def _drop_cloud(guide: VerifyGuide, told: Told) -> None:
+    works.end_cloud(guide, "cloud_voided", told.key)
+    _job(guide, "Dropping the cloud", lambda progress: (works.end_scan(guide), None)[1])
+
+
+def _with_number(kind: str, voided: bool) -> "Act":
+    def act(guide: VerifyGuide, told: Told) -> None:
+        payload = {"number": told.args["number"], "voided": voided}
+        guide.append(kind, payload, told.key)
+
+    return act
+
+
+def _just(kind: str) -> "Act":
+    return lambda guide, told: guide.append(kind, {}, told.key)
+
+
+def _back(guide: VerifyGuide, told: Told) -> None:
+    before = STEPS[STEPS.index(guide.state.step) - 1]
+    guide.append("went_back", {"to": told.args.get("to", before)}, told.key)
+
+
+def _accept(guide: VerifyGuide, told: Told) -> None:
+    assert told.temperatures is not None
+    works.accept(guide, told.operator, told.temperatures, told.key)
+
+
+def _again(guide: VerifyGuide, told: Told) -> None:
+    guide.append("abandoned", {})
+    guide.begin(told.key)
+
+
+def _let_hand(guide: VerifyGuide, told: Told) -> None:
+    hand = guide.station.hand
+    assert hand is not None
+    whole = told.args.get("all") is True
+    guide.append("hand_started", {"all": whole}, told.key)
+    guide.hand_running = True
+    try:
+        _job(guide, "The hand at work", hand_work(guide, hand, whole))
+    except Refusal:
+        guide.hand_running = False
+        raise
+
+
+def _stop_hand(guide: VerifyGuide, told: Told) -> None:
+    stop_hand(guide)
+    guide.append("hand_stopped", {}, told.key)
+
+
+Act = Callable[[VerifyGuide, Told], None]
+ACTS: dict[str, Act] = {
+    "choose_gauge": lambda guide, told: guide.append(
+        "gauge_chosen", {"id": told.args["id"]}, told.key
+    ),
+    "confirm_gauge": lambda guide, told: works.confirm_gauge(guide, told.key),
+    "touch": lambda guide, told: guide.touch(None, told.key),
+    "undo": _undo,
+    "void_touch": _void_touch,
+    "confirm_touch": _just("touch_confirmed"),
+    "skip_touch": _just("touch_skipped"),
+    "begin_cloud": lambda guide, told: works.begin_cloud(guide, told.key),
+    "finish_cloud": _finish_cloud,
+    "drop_cloud": _drop_cloud,
+    "void_cloud": _with_number("cloud_voided", True),
+    "restore_cloud": _with_number("cloud_restored", False),
+    "confirm_clouds": _just("clouds_confirmed"),
+    "more_clouds": lambda guide, told: guide.append("went_back", {"to": "scan"}, told.key),
+    "accept": _accept,
+    "back": _back,
+    "let_hand": _let_hand,
+    "stop_hand": _stop_hand,
+    "abandon": _just("abandoned"),
+    "again": _again,
+}
+
+
+def _job(guide: VerifyGuide, title: str, work: Callable[[Progress], None]) -> None:
+    def done(job: Job[None]) -> None:
+        if job.refusal is not None:
+            guide.decline(job.refusal)
+        guide.refresh()
+
+    guide.station.jobs.start(title, work, done)

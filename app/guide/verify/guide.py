@@ -1,0 +1,410 @@
+"""The one verification session of a station: its journal, its clouds, and what is shown of it."""
+
+import secrets
+import threading
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Protocol
+
+import numpy as np
+
+from app.files.arm import read_arm
+from app.files.atomic import write_atomically
+from app.files.calibration import Calibration, read_calibration
+from app.files.failures import files_refused
+from app.files.gauge import DEFAULT_LIMITS, GaugeFile, VerificationLimits, read_gauge
+from app.files.gauge_cloud import Fit
+from app.files.session import ARM, Contacts, write_contacts
+from app.files.verification import GAUGE, TOUCHES
+from app.files.verification_figures import Touched, errors_of, figures_of, verdict_of
+from app.guide.hand import Hand
+from app.guide.journal import Journal, Row, fold
+from app.guide.session_folder import CALIBRATION
+from app.guide.touching import sentence
+from app.guide.verify.flow import view_of
+from app.guide.verify.live import Gauges, Judged, VerifyLive
+from app.guide.verify.rules import why_not
+from app.guide.verify.state import ENDS, Cloud, VerifyState, after
+from app.guide.verify.view import VerifyView
+from app.guide.view import Busy
+from app.metrology.arm import Arm, tip_centres
+from app.metrology.refusal import Refusal
+from app.metrology.touched_gauge import touched_plane, touched_sphere
+from app.station.bus import Bus
+from app.station.findings import Finding
+from app.station.jobs import Jobs
+from app.station.rig import Rig
+from app.station.scanner import Scanner
+from app.station.scene import Scene
+
+KIND = "verify"
+FRESH_S = 2.0
+"""Gauges that were added to the data folder are seen after this time."""
+SAME_PLACE_MM = 0.3
+
+
+@dataclass(frozen=True)
+class VerifyStation:
+    """The parts of the machine room that a verification works with."""
+
+    bus: Bus
+    rig: Rig
+    jobs: Jobs
+    scanner: Scanner
+    scene: Scene
+    hand: Hand | None
+    name: str = ""
+
+
+class CalibratedWith(Protocol):
+    """An accepted calibration."""
+
+    @property
+    def id(self) -> str: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def file(self) -> Path: ...
+    @property
+    def accepted_at(self) -> str: ...
+
+
+class CalibrationsInUse(Protocol):
+    """Where the calibration in use is kept."""
+
+    def active(self) -> CalibratedWith | None: ...
+
+
+class Verifications(Protocol):
+    """Where accepted verifications are kept."""
+
+    def accept(
+        self,
+        session_id: str,
+        calibration_id: str,
+        folder: Path,
+        figures: Mapping[str, object],
+        key: str | None,
+    ) -> Row: ...
+
+
+class VerifyGuide:
+    """All methods may be called from any thread."""
+
+    def __init__(
+        self,
+        station: VerifyStation,
+        journal: Journal,
+        calibrations: CalibrationsInUse,
+        verifications: Verifications,
+        data_folder: Path,
+        limits: VerificationLimits = DEFAULT_LIMITS,
+    ) -> None:
+        self.station = station
+        self.calibrations, self.verifications = calibrations, verifications
+        self.lock = threading.RLock()
+        self.changed = threading.Condition(self.lock)
+        self.hand_running = False
+        self.declined = 0
+        """Counts what was asked for and declined."""
+        self._journal, self._data_folder, self._limits = journal, data_folder, limits
+        self._trouble: Finding | None = None
+        self._published: VerifyView | None = None
+        self._gauges: tuple[float, Gauges] | None = None
+        self._own: tuple[str, GaugeFile | None, Arm | None] = ("", None, None)
+        self._judged: tuple[VerifyState | None, Touched | Refusal | None, Judged] = (
+            None,
+            None,
+            Judged({}, {}, (), None),
+        )
+        self.state = VerifyState()
+        session = journal.latest_session(KIND)
+        if session is not None:
+            self.state = fold(journal.rows(session.id), self.state, after)
+
+    @property
+    def running(self) -> bool:
+        """Whether a session is open."""
+        return bool(self.state.session_id) and not self.state.ended
+
+    @property
+    def folder(self) -> Path:
+        """The present session's folder."""
+        return self._data_folder / "verifications" / self.state.session_id
+
+    # -- what is shown -------------------------------------------------------
+
+    def view(self) -> VerifyView:
+        """The session as of now."""
+        with self.lock:
+            return view_of(self.state, self.live())
+
+    def refresh(self) -> VerifyView:
+        """Publishes the view if it changed."""
+        with self.lock:
+            view = self.view()
+            if view != self._published:
+                self._published = view
+                self.station.bus.publish("verify", view)
+            return view
+
+    def live(self) -> VerifyLive:
+        """The station as the session sees it."""
+        station, state = self.station, self.state
+        side, job, active = station.rig.arm, station.jobs.current, self.calibrations.active()
+        gauges, (gauge, arm) = self.gauges(), self.sheets()
+        touched, judged = self._results(gauge, arm)
+        blocked = station.scanner.why_not() if state.step == "scan" else None
+        return VerifyLive(
+            active_id=active.id if active else "",
+            active_name=active.name if active else "",
+            gauges=gauges,
+            gauge=gauge,
+            limits=self.limits(gauge),
+            arm=arm,
+            touched=touched,
+            judged=judged,
+            arm_link=side.link(),
+            sensor_link=station.rig.sensor.link(),
+            still=side.stillness().still,
+            scan_why_not=sentence(blocked.line) if blocked else "",
+            scan_points=station.scanner.state().points if state.open_cloud else 0,
+            has_hand=station.hand is not None,
+            hand_running=self.hand_running,
+            busy=Busy(job.text or job.title, job.fraction) if job is not None else None,
+            trouble=self._trouble,
+        )
+
+    def limits(self, gauge: GaugeFile | None) -> VerificationLimits:
+        """The gauge's own, and the station's where its paper says nothing."""
+        return gauge.limits.over(self._limits) if gauge is not None else self._limits
+
+    def gauges(self) -> Gauges:
+        """The data folder's; read again only while one can be chosen."""
+        old = self._gauges is None or time.monotonic() - self._gauges[0] > FRESH_S
+        choosing = not self.running or self.state.step == "gauge"
+        if self._gauges is None or (choosing and old):
+            self._gauges = (time.monotonic(), read_gauges(self._data_folder / "gauges"))
+        return self._gauges[1]
+
+    def sheets(self) -> tuple[GaugeFile | None, Arm | None]:
+        """Gauge and arm: the session's own copies once the gauge was confirmed."""
+        state = self.state
+        if state.step == "gauge" or state.ended:
+            return self.gauges().known.get(state.gauge), None
+        named = f"{state.session_id}/{state.gauge}"
+        if self._own[0] != named:
+            try:
+                own = read_gauge(self.folder / GAUGE), read_arm(self.folder / ARM)
+                self._own = (named, *own)
+            except Refusal:
+                self._own = (named, None, None)
+        return self._own[1:]
+
+    def calibration(self) -> Calibration:
+        """The session's own copy; raises ``Refusal``."""
+        return read_calibration(self.folder / CALIBRATION)
+
+    def _results(
+        self, gauge: GaugeFile | None, arm: Arm | None
+    ) -> tuple[Touched | Refusal | None, Judged]:
+        """What touches and clouds show; worked out once for each state."""
+        if self._judged[0] is not self.state:
+            touched = self._touched(gauge, arm)
+            self._judged = (self.state, touched, self._judge(gauge, touched))
+        return self._judged[1:]
+
+    def _touched(self, gauge: GaugeFile | None, arm: Arm | None) -> Touched | Refusal | None:
+        q_rad = np.array([touch.q_rad for touch in self.state.counted])
+        if gauge is None or arm is None or not len(q_rad):
+            return None
+        try:
+            if gauge.shape == "plane":
+                return touched_plane(arm, q_rad)
+            assert gauge.radius_mm is not None
+            return touched_sphere(arm, q_rad, gauge.radius_mm)
+        except Refusal as refusal:
+            return refusal
+
+    def _judge(self, gauge: GaugeFile | None, touched: Touched | Refusal | None) -> Judged:
+        if gauge is None:
+            return Judged({}, {}, (), None)
+        state = self.state
+        probe = None if isinstance(touched, Refusal) or not state.by_probe else touched
+        fits = {c.number: Fit.model_validate(c.fit) for c in state.listed if c.fit is not None}
+        errors = {number: errors_of(fit, gauge, probe) for number, fit in fits.items()}
+        good = [fits[cloud.number] for cloud in state.good]
+        figures = figures_of(good, gauge, probe, self.limits(gauge))
+        verdict = verdict_of(figures, probe is not None) if figures else None
+        return Judged(fits, errors, figures, verdict)
+
+    # -- sessions ------------------------------------------------------------
+
+    def start(self) -> VerifyView:
+        """Begins a session; an open one is resumed instead.
+
+        Raises:
+            Refusal: there is no calibration in use.
+        """
+        with self.lock:
+            if not self.running:
+                self.begin(None)
+            return self.refresh()
+
+    def begin(self, key: str | None) -> None:
+        """A new session of the calibration in use, with the gauge of the last."""
+        active = self.calibrations.active()
+        if active is None:
+            raise Refusal(
+                "no-calibration",
+                "There is nothing to verify",
+                "no calibration is in use yet",
+                "Calibrate first",
+            )
+        stamp = datetime.now(UTC).strftime("%Y%m%d-%H%M%S")
+        session_id = f"{stamp}-{secrets.token_hex(2)}"
+        known = self.gauges().known
+        gauge = self.state.gauge if self.state.gauge in known else next(iter(known), "")
+        self.state = VerifyState(session_id=session_id)
+        self._journal.begin_session(session_id, KIND)
+        self.append("started", {"calibration_id": active.id, "gauge": gauge}, key)
+
+    def keep_sheets(self) -> None:
+        """Copies gauge, arm and calibration, which the session uses from now on."""
+        active = self.calibrations.active()
+        assert active is not None
+        with files_refused(self.folder):
+            self.folder.mkdir(parents=True, exist_ok=True)
+            gauge = gauge_path(self._data_folder / "gauges", self.state.gauge)
+            for source, name in (
+                (gauge, GAUGE),
+                (active.file.parent / ARM, ARM),
+                (active.file, CALIBRATION),
+            ):
+                write_atomically(self.folder / name, source.read_bytes())
+        self._own = ("", None, None)
+
+    # -- changes -------------------------------------------------------------
+
+    def append(self, kind: str, payload: Mapping[str, object], key: str | None = None) -> None:
+        """Writes a row, and brings the state in line with it."""
+        with self.lock:
+            row = self._journal.append(self.state.session_id, kind, payload, key)
+            self.take(row)
+            if kind in ENDS:
+                self._journal.end_session(self.state.session_id)
+            self.refresh()
+
+    def take(self, row: Row) -> None:
+        """The state follows a row that was written."""
+        self.state = after(self.state, row)
+        self._trouble = None
+        self.changed.notify_all()
+
+    def knows_key(self, key: str) -> bool:
+        """Whether a command with this idempotency key has acted already."""
+        return self._journal.knows_key(key)
+
+    def refuse_unless_possible(
+        self, name: str, args: Mapping[str, object], rev: int | None, by_hand: bool = False
+    ) -> None:
+        """Raises ``Refusal`` when a command cannot be done now; ``by_hand``: the hand gives it."""
+        live = self.live()
+        if by_hand:
+            live = replace(live, busy=None)
+        if rev is not None and rev != self.state.rev:
+            raise Refusal(
+                "stale-view",
+                "The verification went on meanwhile; nothing was done",
+                remedy="Look at the present step, and act on that",
+            )
+        if reason := why_not(self.state, live, name, args):
+            raise Refusal("not-now", reason)
+
+    def decline(self, refusal: Refusal) -> None:
+        """Shows why something was not done, until something is."""
+        with self.lock:
+            why = f": {refusal.why}" if refusal.why else ""
+            text = sentence(f"{refusal.what}{why}")
+            self._trouble = Finding("attention", text, sentence(refusal.remedy))
+            self.declined += 1
+            self.station.bus.event("refused", refusal.line, "attention")
+            self.changed.notify_all()
+            self.refresh()
+
+    def touch(self, until_ns: int | None, key: str | None) -> None:
+        """Takes the place that the tip touches, or touched at ``until_ns``.
+
+        Raises:
+            Refusal: the arm is lost or moves, or that place was touched before.
+        """
+        side, (_, arm) = self.station.rig.arm, self.sheets()
+        if arm is None:
+            raise Refusal(
+                "no-arm-model", "The session's arm cannot be read", remedy="Begin a new one"
+            )
+        side.set_model(arm)  # by which it is judged whether the arm is still
+        mean = side.average(until_ns=until_ns)
+        counted = self.state.counted
+        if counted:
+            tips = tip_centres(arm, np.array([*(t.q_rad for t in counted), mean.q_rad]))
+            apart = np.linalg.norm(tips[:-1] - tips[-1], axis=1)
+            if apart.min() < SAME_PLACE_MM:
+                number = int(np.argmin(apart)) + 1
+                raise Refusal(
+                    "same-place",
+                    f"That is the place of touch {number}",
+                    f"{1e3 * apart.min():.0f} µm away",
+                    "Touch it elsewhere",
+                )
+        self.append("touched", {"q_rad": mean.q_rad.tolist()}, key)
+        self.station.bus.event("point_taken", f"Touch {len(self.state.counted)} of the gauge.")
+        self.keep_touches()
+
+    def keep_touches(self) -> None:
+        """Brings the session's table of touches up to date."""
+        path, counted = self.folder / TOUCHES, self.state.counted
+        if not counted:
+            path.unlink(missing_ok=True)
+            return
+        q_rad = np.array([touch.q_rad for touch in counted])
+        write_contacts(path, Contacts(("gauge",) * len(counted), q_rad))
+
+    def to_measure(self) -> Cloud | None:
+        """A cloud that is scanned and waits to be measured. One whose scan ended without the
+        operator's word, as by Stop, a full disk or a killed server, is ended here."""
+        with self.lock:
+            if not self.running:
+                return None
+            cloud = self.state.open_cloud
+            if cloud is not None and self.station.scanner.recording() != self.folder / cloud.name:
+                self.append("cloud_ended", {"number": cloud.number, "ended": True})
+            return next((cloud for cloud in self.state.clouds if cloud.waiting), None)
+
+
+SUFFIXES = (".nominal.json", ".json")
+
+
+def read_gauges(folder: Path) -> Gauges:
+    """Reads ``*.json`` of a folder; the id is the file's name without its endings."""
+    known: dict[str, GaugeFile] = {}
+    findings: list[Finding] = []
+    for path in sorted(folder.glob("*.json")):
+        try:
+            known.setdefault(_id_of(path), read_gauge(path))
+        except Refusal as refusal:
+            line = refusal.line.replace(f"{folder}/", "")
+            findings.append(Finding("attention", line, "Correct or remove the file."))
+    return Gauges(known, tuple(findings))
+
+
+def _id_of(path: Path) -> str:
+    return next(path.name.removesuffix(end) for end in SUFFIXES if path.name.endswith(end))
+
+
+def gauge_path(folder: Path, gauge: str) -> Path:
+    """The file of a gauge by its id."""
+    return next(path for path in sorted(folder.glob("*.json")) if _id_of(path) == gauge)

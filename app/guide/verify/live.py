@@ -1,0 +1,59 @@
+"""What the view of a verification depends on beside its journal. Pure."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from app.files.gauge import GaugeFile, VerificationLimits
+from app.files.gauge_cloud import Fit
+from app.files.verification import FigurePart, VerificationVerdict
+from app.files.verification_figures import Errors, Touched
+from app.guide.view import Busy
+from app.metrology.arm import Arm
+from app.metrology.refusal import Refusal
+from app.station.device_state import DeviceState
+from app.station.findings import Finding
+
+
+@dataclass(frozen=True)
+class Gauges:
+    """The data folder's gauges by id; files that cannot be read are told, not hidden."""
+
+    known: Mapping[str, GaugeFile]
+    findings: tuple[Finding, ...]
+
+
+@dataclass(frozen=True)
+class Judged:
+    """What the clouds that count show."""
+
+    fits: Mapping[int, Fit]
+    """Of every cloud that was measured, by its number."""
+    errors: Mapping[int, Errors]
+    figures: tuple[FigurePart, ...]
+    verdict: VerificationVerdict | None
+
+
+@dataclass(frozen=True)
+class VerifyLive:
+    """The station as the verification sees it."""
+
+    active_id: str
+    """The calibration in use; empty without one."""
+    active_name: str
+    gauges: Gauges
+    gauge: GaugeFile | None
+    """The chosen one; from the touches on the session's own copy."""
+    limits: VerificationLimits
+    arm: Arm | None
+    touched: Touched | Refusal | None
+    """The gauge by the touches, or why they do not fix it; None without touches."""
+    judged: Judged
+    arm_link: DeviceState
+    sensor_link: DeviceState
+    still: bool
+    scan_why_not: str
+    scan_points: int
+    has_hand: bool
+    hand_running: bool
+    busy: Busy | None
+    trouble: Finding | None

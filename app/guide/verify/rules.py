@@ -1,0 +1,192 @@
+"""Why a command of a verification is not possible now; empty means that it is. Pure."""
+
+from collections.abc import Callable, Mapping
+
+from app.guide.verify.live import VerifyLive
+from app.guide.verify.state import STEPS, VerifyState
+from app.metrology.refusal import Refusal
+from app.metrology.touched_gauge import PLANE_LEAST, SPHERE_LEAST
+
+CLOUDS_WANTED = 3
+"""A spread is known to a factor of two; the paper took ten."""
+CLOUDS_MOST = 30
+PLANE_WANTED, SPHERE_WANTED = 6, 7
+"""Touches beyond the least, so that their scatter tells how well they fix the gauge."""
+OTHER_SIZE_MM, OTHER_SIZE_SDS = 0.3, 3.0
+"""The touched radius may differ from the paper's by so much, and so many of its own sd."""
+Args = Mapping[str, object]
+
+ONLY_IN = {
+    "choose_gauge": ("gauge",),
+    "confirm_gauge": ("gauge",),
+    "touch": ("touch",),
+    "undo": ("touch", "scan"),
+    "void_touch": ("touch",),
+    "confirm_touch": ("touch",),
+    "skip_touch": ("touch",),
+    "begin_cloud": ("scan",),
+    "finish_cloud": ("scan",),
+    "drop_cloud": ("scan",),
+    "void_cloud": ("scan", "review"),
+    "restore_cloud": ("scan", "review"),
+    "confirm_clouds": ("scan",),
+    "more_clouds": ("review",),
+    "accept": ("review",),
+    "back": ("touch", "scan", "review"),
+    "let_hand": ("gauge", "touch", "scan"),
+}
+ALWAYS = ("stop_hand", "abandon", "again")
+WHATEVER_IS_IN_USE = ("stop_hand", "abandon", "again", "finish_cloud", "drop_cloud")
+"""What can be done although another calibration is in use by now."""
+
+
+def why_not(state: VerifyState, live: VerifyLive, name: str, args: Args) -> str:
+    """Why a command cannot be done now; empty when it can."""
+    if name not in ONLY_IN and name not in ALWAYS:
+        return f"There is no command '{name}'."
+    if name == "stop_hand":
+        return "" if live.hand_running else "The hand is not moving."
+    if state.ended or not state.session_id:
+        return "This verification is closed. Start a new one."
+    if live.busy is not None:
+        return f"Wait: {live.busy.text[0].lower()}{live.busy.text[1:]}."
+    if name in ONLY_IN and state.step not in ONLY_IN[name]:
+        return f"This belongs to another step; the verification stands at '{state.step}'."
+    if name not in WHATEVER_IS_IN_USE and (reason := changed(state, live)):
+        return reason
+    rule = RULES.get(name)
+    return rule(state, live, args) if rule else ""
+
+
+def changed(state: VerifyState, live: VerifyLive) -> str:
+    """Said where another calibration came into use since the session began."""
+    if not live.active_id:
+        return "There is no calibration in use. Calibrate first."
+    if live.active_id != state.calibration_id:
+        return "Another calibration came into use meanwhile. Begin again with that one."
+    return ""
+
+
+def least(live: VerifyLive) -> int:
+    """Touches that fix the chosen gauge."""
+    plane = live.gauge is not None and live.gauge.shape == "plane"
+    return PLANE_LEAST if plane else SPHERE_LEAST
+
+
+def wanted(live: VerifyLive) -> int:
+    """Touches that are asked for."""
+    plane = live.gauge is not None and live.gauge.shape == "plane"
+    return PLANE_WANTED if plane else SPHERE_WANTED
+
+
+def _choose(state: VerifyState, live: VerifyLive, args: Args) -> str:
+    return "" if args.get("id") in live.gauges.known else "There is no such gauge."
+
+
+def _confirm_gauge(state: VerifyState, live: VerifyLive, args: Args) -> str:
+    if live.gauge is None:
+        if not live.gauges.known:
+            return "There is no gauge in the data folder yet."
+        return "Choose the gauge first."
+    return ""
+
+
+def _touch(state: VerifyState, live: VerifyLive, args: Args) -> str:
+    if live.arm_link.state != "connected":
+        return f"The arm: {live.arm_link.text}"
+    return "" if live.still else "Hold the arm still."
+
+
+def _undo(state: VerifyState, live: VerifyLive, args: Args) -> str:
+    if state.step == "touch":
+        return "" if state.counted else "No touch was taken yet."
+    if state.open_cloud is not None:
+        return "Finish this cloud, or drop it."
+    left = any(not cloud.voided for cloud in state.listed)
+    return "" if left else "No cloud was taken yet."
+
+
+def _void_touch(state: VerifyState, live: VerifyLive, args: Args) -> str:
+    known = any(touch.index == args.get("index") for touch in state.counted)
+    return "" if known else "There is no such touch."
+
+
+def _confirm_touch(state: VerifyState, live: VerifyLive, args: Args) -> str:
+    taken = len(state.counted)
+    if taken < least(live):
+        return f"Touch it more: {taken} of at least {least(live)} places."
+    if isinstance(live.touched, Refusal):
+        return live.touched.line
+    return ""
+
+
+def _begin(state: VerifyState, live: VerifyLive, args: Args) -> str:
+    if state.open_cloud is not None:
+        return "A cloud is being scanned already."
+    if any(cloud.waiting for cloud in state.clouds):
+        return "The last cloud is still to be measured."
+    if len(state.clouds) >= CLOUDS_MOST:
+        return f"{CLOUDS_MOST} clouds are enough."
+    return live.scan_why_not
+
+
+def _scanning(state: VerifyState, live: VerifyLive, args: Args) -> str:
+    return "" if state.open_cloud is not None else "No cloud is being scanned."
+
+
+def _cloud(state: VerifyState, live: VerifyLive, args: Args) -> str:
+    if state.open_cloud is not None:
+        return "Finish this cloud, or drop it."
+    known = any(cloud.number == args.get("number") for cloud in state.listed)
+    return "" if known else "There is no such cloud."
+
+
+def _enough(state: VerifyState, live: VerifyLive, args: Args) -> str:
+    if state.open_cloud is not None:
+        return "Finish this cloud first."
+    if any(cloud.waiting for cloud in state.clouds):
+        return "The last cloud is still to be measured."
+    return "" if state.good else "No cloud shows the gauge yet. Scan one."
+
+
+def _back(state: VerifyState, live: VerifyLive, args: Args) -> str:
+    if state.open_cloud is not None:
+        return "Finish this cloud, or drop it."
+    to = args.get("to")
+    if to is None:
+        return ""
+    if to not in STEPS or STEPS.index(str(to)) >= STEPS.index(state.step):
+        return "That is not a step before this one."
+    return ""
+
+
+def _hand(state: VerifyState, live: VerifyLive, args: Args) -> str:
+    if not live.has_hand:
+        return "There is no simulated hand on real devices."
+    return "Finish this cloud, or drop it." if state.open_cloud is not None else ""
+
+
+def _leave(state: VerifyState, live: VerifyLive, args: Args) -> str:
+    return "Finish this cloud, or drop it." if state.open_cloud is not None else ""
+
+
+Rule = Callable[[VerifyState, VerifyLive, Args], str]
+RULES: dict[str, Rule] = {
+    "choose_gauge": _choose,
+    "confirm_gauge": _confirm_gauge,
+    "touch": _touch,
+    "undo": _undo,
+    "void_touch": _void_touch,
+    "confirm_touch": _confirm_touch,
+    "begin_cloud": _begin,
+    "finish_cloud": _scanning,
+    "drop_cloud": _scanning,
+    "void_cloud": _cloud,
+    "restore_cloud": _cloud,
+    "confirm_clouds": _enough,
+    "accept": _enough,
+    "back": _back,
+    "let_hand": _hand,
+    "abandon": _leave,
+    "again": _leave,
+}

@@ -1,0 +1,112 @@
+"""What the browser is shown of a verification; field for field the shapes of verifyTypes.ts."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from app.files.gauge import Shape
+from app.files.verification import Decision, Result
+from app.guide.view import Action, Busy, LiveNumber, Step, StepProgress
+from app.station.findings import Finding
+
+CloudState = Literal["scanning", "measuring", "good", "refused", "aside"]
+
+
+@dataclass(frozen=True)
+class GaugeOption:
+    """One of the data folder's gauges."""
+
+    id: str
+    shape: Shape
+    label: str
+    detail: str
+
+
+@dataclass(frozen=True)
+class TouchLine:
+    """One contact, as seen from above the gauge; without a place until the gauge is fixed."""
+
+    index: int
+    x_mm: float | None
+    y_mm: float | None
+    residual_um: float | None
+
+
+@dataclass(frozen=True)
+class CloudLine:
+    """One cloud; the errors are against the probe, and the radius against the paper."""
+
+    number: int
+    state: CloudState
+    text: str
+    """Why it is of no use, or what should be known of it."""
+    points: int
+    used: int
+    rms_um: float | None = None
+    form_um: float | None = None
+    angle_arcsec: float | None = None
+    z_error_um: float | None = None
+    offset_error_um: float | None = None
+    radius_error_um: float | None = None
+    centre_error_um: float | None = None
+    map_url: str = ""
+
+
+@dataclass(frozen=True)
+class FigureLine:
+    """One figure against its limit."""
+
+    name: str
+    title: str
+    unit: str
+    value: float
+    expanded_uncertainty: float
+    limit: float | None
+    decision: Decision
+    reason: str
+    clouds: Sequence[float]
+
+
+@dataclass(frozen=True)
+class VerdictLine:
+    result: Result
+    text: str
+
+
+@dataclass(frozen=True)
+class VerifyPicture:
+    """All that is drawn of a verification."""
+
+    shape: Shape | None
+    radius_mm: float | None
+    """Of the chosen sphere."""
+    touches: Sequence[TouchLine]
+    touch_rms_um: float | None
+    scanning: bool
+    clouds: Sequence[CloudLine]
+    figures: Sequence[FigureLine]
+    verdict: VerdictLine | None
+
+
+@dataclass(frozen=True)
+class VerifyView:
+    """The whole state of the verification."""
+
+    session_id: str
+    rev: int
+    running: bool
+    calibration_id: str
+    calibration: str
+    """Name of the calibration that is verified."""
+    gauges: Sequence[GaugeOption]
+    gauge: str
+    steps: Sequence[Step]
+    step: str
+    title: str
+    instruction: str
+    picture: VerifyPicture
+    number: LiveNumber | None
+    progress: StepProgress | None
+    findings: Sequence[Finding]
+    actions: Sequence[Action]
+    busy: Busy | None

@@ -1,0 +1,172 @@
+"""A gauge's place by the probe, and its part of a scanned cloud."""
+
+import numpy as np
+import pytest
+
+from app.metrology.arm import Arm, Joint, Tip, flange_pose, tip_centres
+from app.metrology.conformity import decide
+from app.metrology.deviation_map import deviation_map
+from app.metrology.gauge_cloud import gauge_plane, gauge_sphere, zone_mm
+from app.metrology.measured_shape import measure_shape
+from app.metrology.primitives import PlaneFit
+from app.metrology.refusal import Refusal
+from app.metrology.touched_gauge import touched_plane, touched_sphere
+from tests.guide.builders import REST_RAD, reach_tip
+
+RNG = np.random.default_rng(7)
+
+
+@pytest.fixture(scope="module")
+def arm() -> Arm:
+    shape = [(0, -90, 280), (450, 0, 0), (60, -90, 0), (0, 90, 400), (0, -90, 0), (0, 0, 90)]
+    joints = tuple(
+        Joint(f"J{i + 1}", a, np.radians(alpha), d, 0.0, encoder_sd_rad=1e-6)
+        for i, (a, alpha, d) in enumerate(shape)
+    )
+    return Arm("test arm", "A-1", joints, Tip(0.0, 0.0, 120.0, 6.0))
+
+
+def touching(arm: Arm, tips_mm: np.ndarray) -> np.ndarray:
+    return np.array([reach_tip(arm, tip, REST_RAD) for tip in tips_mm])
+
+
+def test_a_touched_plane_lies_a_tips_radius_beneath_and_faces_the_arm(arm: Arm) -> None:
+    normal = np.array([0.1, -0.2, 1.0])
+    normal /= np.linalg.norm(normal)
+    middle = tip_centres(arm, REST_RAD[None])[0]
+    if (arm_side := flange_above(arm, normal)) < 0:
+        normal = -normal
+    a = np.cross(normal, [1.0, 0.0, 0.0])
+    a /= np.linalg.norm(a)
+    b = np.cross(normal, a)
+    places = np.array([(-20, -15), (20, 15), (-20, 15), (20, -15), (0, 3)])
+    found = touched_plane(arm, touching(arm, middle + places @ np.stack([a, b])))
+    assert arm_side != 0
+    assert found.nominal.normal == pytest.approx(normal, abs=1e-6)
+    assert found.nominal.offset_mm == pytest.approx(normal @ middle - 3.0, abs=1e-6)
+    assert found.rms_mm < 1e-6
+    assert found.height_sd_mm(middle + 100 * a) > found.height_sd_mm(middle)
+
+
+def flange_above(arm: Arm, normal: np.ndarray) -> float:
+    T = flange_pose(arm, REST_RAD)
+    return float(normal @ -(T[:3, :3] @ arm.tip.centre_mm))
+
+
+def test_touches_on_a_line_fix_no_plane(arm: Arm) -> None:
+    middle = tip_centres(arm, REST_RAD[None])[0]
+    q = touching(arm, middle + np.outer(np.linspace(-20, 20, 5), [1.0, 0.0, 0.0]))
+    with pytest.raises(Refusal, match="one line"):
+        touched_plane(arm, q)
+    with pytest.raises(Refusal, match="at least 4"):
+        touched_plane(arm, q[:3])
+
+
+def directions(count: int, lowest: float) -> np.ndarray:
+    height = np.linspace(1.0, lowest, count)
+    turn = 2.4 * np.arange(count)
+    flat = np.sqrt(1 - height**2)
+    return np.column_stack([flat * np.cos(turn), flat * np.sin(turn), height])
+
+
+def test_the_stated_uncertainty_of_a_touched_sphere_is_how_it_scatters(arm: Arm) -> None:
+    centre = tip_centres(arm, REST_RAD[None])[0]
+    outward = directions(9, 0.1)
+    off, stated = [], []
+    for _ in range(60):
+        tips = centre + (13.0 + RNG.normal(0, 0.01, 9))[:, None] * outward
+        found = touched_sphere(arm, touching(arm, tips), 10.0)
+        off.append(found.nominal.centre_mm - centre)
+        stated.append(np.sqrt(np.trace(found.covariance)))
+        assert abs(found.radius_mm - 10.0) < 6 * found.radius_sd_mm
+    scatter = float(np.sqrt(np.mean(np.sum(np.square(off), axis=1))))
+    assert 0.8 < np.mean(stated) / scatter < 1.8
+
+
+def test_one_ring_about_a_sphere_fixes_no_centre(arm: Arm) -> None:
+    centre = tip_centres(arm, REST_RAD[None])[0]
+    turn = np.linspace(0, 2 * np.pi, 7)[:-1]
+    ring = np.column_stack([np.cos(turn), np.sin(turn), np.zeros(6)])
+    with pytest.raises(Refusal, match="ring"):
+        touched_sphere(arm, touching(arm, centre + 13.0 * ring), 10.0)
+
+
+def sphere_scan(radius_mm: float, on_it: int, beside: int) -> tuple[np.ndarray, np.ndarray]:
+    height = RNG.uniform(0.1, 1.0, on_it)
+    turn = RNG.uniform(0, 2 * np.pi, on_it)
+    flat = np.sqrt(1 - height**2)
+    outward = np.column_stack([flat * np.cos(turn), flat * np.sin(turn), height])
+    ball = outward * (radius_mm + RNG.normal(0, 0.01, on_it))[:, None]
+    table = np.column_stack(
+        [RNG.uniform(-40, 40, beside), RNG.uniform(-40, 40, beside), np.full(beside, -20.0)]
+    )
+    points = np.vstack([ball, table])
+    return points, RNG.integers(0, 60, len(points))
+
+
+def test_a_sphere_is_found_though_most_points_are_of_the_table() -> None:
+    found = gauge_sphere(*sphere_scan(12.7, 3000, 12000), 12.7)
+    assert found.points == 15000
+    assert found.used > 2800
+    assert found.shape.fit.radius_mm == pytest.approx(12.7, abs=0.003)  # type: ignore[union-attr]
+    assert found.form_mm == pytest.approx(4 * 0.0098, rel=0.05)
+
+
+@pytest.mark.parametrize(
+    ("radius_mm", "points", "said"),
+    [
+        (10.0, sphere_scan(12.7, 3000, 0), "25.4|no sphere of 20.00"),
+        (12.7, sphere_scan(12.7, 200, 100), "300 points"),
+        (12.7, sphere_scan(500.0, 3000, 0), "no sphere of 25.40"),
+    ],
+)
+def test_another_gauge_or_too_small_a_cloud_is_named(
+    radius_mm: float, points: tuple[np.ndarray, np.ndarray], said: str
+) -> None:
+    with pytest.raises(Refusal, match=said):
+        gauge_sphere(*points, radius_mm)
+
+
+def test_a_cap_is_too_little_of_a_sphere() -> None:
+    points, frame = sphere_scan(12.7, 20000, 0)
+    top = points[:, 2] > 11.5
+    with pytest.raises(Refusal, match="cap of 2"):
+        gauge_sphere(points[top], frame[top], 12.7)
+
+
+def test_a_strip_is_too_little_of_a_plane_and_a_bowl_is_none() -> None:
+    x, y = RNG.uniform(-20, 20, 4000), RNG.uniform(-20, 20, 4000)
+    frame = RNG.integers(0, 50, 4000)
+    flat = np.column_stack([x, y, RNG.normal(0, 0.01, 4000)])
+    assert gauge_plane(flat, frame).used > 3900
+    with pytest.raises(Refusal, match="strip"):
+        gauge_plane(flat * [1.0, 0.05, 1.0], frame)
+    with pytest.raises(Refusal, match="no plane"):
+        gauge_plane(np.column_stack([x, y, 0.02 * (x**2 + y**2)]), frame)
+
+
+def test_the_map_shows_where_a_plane_is_high() -> None:
+    x, y = RNG.uniform(-20, 20, 20000), RNG.uniform(-10, 10, 20000)
+    bump = np.where((x > 10) & (y > 0), 0.02, 0.0)
+    points = np.column_stack([x, y, bump + RNG.normal(0, 0.01, 20000)])
+    found = measure_shape("plane", points, np.arange(20000) // 400)
+    assert isinstance(found.fit, PlaneFit)
+    cells = deviation_map(found.fit, points)
+    high = (cells.x_mm > 11) & (cells.y_mm > 1)
+    assert cells.deviation_um[high].mean() > cells.deviation_um[~high].mean() + 10
+
+
+def test_the_zone_holds_95_percent_and_no_more() -> None:
+    off = np.concatenate([np.linspace(0, 1, 951), np.full(49, 50.0)])
+    assert zone_mm(off) == pytest.approx(0.999, abs=0.002)
+
+
+@pytest.mark.parametrize(
+    ("value", "decision"),
+    [(89.9, "pass"), (-90.0, "pass"), (90.1, "uncertain"), (110.0, "uncertain"), (-110.1, "fail")],
+)
+def test_a_limit_is_kept_or_passed_only_by_more_than_the_uncertainty(
+    value: float, decision: str
+) -> None:
+    assert decide(value, 100.0, 10.0) == decision
+    assert decide(value, None, 10.0) == "none"
