@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from app.store import temperatures
-from app.store.database import ACCESS, FIRST
+from app.store.database import ACCESS, FIRST, SUPERVISION
 from app.store.store import Store
 
 CALIBRATED = {
@@ -86,7 +86,7 @@ def test_a_temperature_counts_only_near_its_time(
 
 def test_a_database_of_the_version_before_is_brought_up_to_date(tmp_path: Path) -> None:
     old = sqlite3.connect(tmp_path / "station.db")
-    old.executescript(f"{FIRST} {ACCESS} PRAGMA user_version = 2;")
+    old.executescript(f"{FIRST} {ACCESS} {SUPERVISION} PRAGMA user_version = 3;")
     old.execute("INSERT INTO session (id, kind, started_at) VALUES ('s', 'calibration', 't')")
     old.commit()
     old.close()
