@@ -163,8 +163,9 @@ def _points(
     """The stripe's points (4, N): along, across, height, standard deviation."""
     saturated = saturation_level(grey)
     told = np.zeros(4, dtype=np.float32) if told is None else told
-    read = float(told[0]) or float(read_noise(grey, room.counts))
     highest = search(grey, where, parts, room.ring, room.wide, room.score, room.at)
+    # after the search, which has fetched the pixels
+    read = float(told[0]) or float(read_noise(grey, room.counts))
     everywhere = np.zeros(0, dtype=np.bool_)
     overexposed = highest >= saturated
     if not overexposed:

@@ -15,14 +15,14 @@ Singles = NDArray[np.float32]
 
 LANES = 64
 # Rows of a block: the lower half of the normal matrix (row by row), its right-hand side,
-# chi squared and the number of pixels; the parameters and their inverses; first and last
+# chi squared and the number of pixels; the parameters; first and last
 # pixel of the fit, what became of the lane, its last step in shares of the width, the centre's
 # variance, and how many pixels are clipped.
-SUM_ROWS, _PARAMETERS, _STATES = 16, 6, 6
+SUM_ROWS, _PARAMETERS, _STATES = 16, 4, 6
 (N00, N10, N11, N20, N21, N22, N30, N31, N32, N33, G0, G1, G2, G3, CHI2, USED) = (
     np.uintp(LANES * i) for i in range(SUM_ROWS)
 )
-C, A, S, B, PER_A, PER_S = (np.uintp(LANES * (SUM_ROWS + i)) for i in range(_PARAMETERS))
+C, A, S, B = (np.uintp(LANES * (SUM_ROWS + i)) for i in range(_PARAMETERS))
 FIRST, LAST, STATE, MOVED, VAR, CLIPPED = (
     np.uintp(LANES * (SUM_ROWS + _PARAMETERS + i)) for i in range(_STATES)
 )

@@ -5,6 +5,7 @@ from numpy.typing import NDArray
 
 from app.metrology.compiled import vector_kernel
 from app.metrology.frames import Floats
+from app.metrology.lanes import WIDTH, Lanes, all_lanes, load, store, where
 from app.metrology.stripe_block import (
     ALL,
     CHI2,
@@ -30,10 +31,7 @@ from app.metrology.stripe_block import (
     NO_PEAK,
     ONE,
     PEAK,
-    PER_A,
-    PER_S,
     STATE,
-    SUM_ROWS,
     USED,
     VAR,
     WIDER,
@@ -65,16 +63,27 @@ NARROWEST = np.float32(0.2)
 
 
 @vector_kernel
-def bell(t: np.float32) -> np.float32:
+def bell(t: Lanes) -> Lanes:
     """``exp(-t^2 / 2)``, to five digits where it counts: a polynomial's sixteenth power."""
-    x = max(np.float32(-0.5 / 16) * t * t, np.float32(-0.75))
-    y = np.float32(1 / 120) * x + np.float32(1 / 24)
+    x = t * t * np.float32(-0.5 / 16)
+    x = where(x > np.float32(-0.75), x, all_lanes(np.float32(-0.75)))
+    y = x * np.float32(1 / 120) + np.float32(1 / 24)
     y = (((y * x + np.float32(1 / 6)) * x + np.float32(0.5)) * x + np.float32(1)) * x
-    y += np.float32(1)
-    y *= y
-    y *= y
-    y *= y
+    y = y + np.float32(1)
+    y = y * y
+    y = y * y
+    y = y * y
     return y * y
+
+
+@vector_kernel
+def rows_used(block: Singles, profile: Singles, at: np.uintp) -> tuple[np.uintp, np.uintp]:
+    """First row of a profile that the fit of any of the lanes from ``at`` on takes, and last."""
+    first, last = block[FIRST + at], block[LAST + at]
+    for i in range(at, at + WIDTH):
+        first, last = min(first, block[FIRST + i]), max(last, block[LAST + i])
+    end = min(np.uintp(max(last, np.float32(0))), np.uintp(len(profile)) // ALL - ONE)
+    return np.uintp(max(first, np.float32(0))), end
 
 
 @vector_kernel
@@ -89,50 +98,62 @@ def normal_equations(
         noise: (3,) the variance of a pixel at signal s is
             ``noise[0] + noise[1] s + noise[2] s^2``.
     """
-    first, last = block[FIRST], block[LAST]
-    for i in range(ALL):
-        first, last = min(first, block[FIRST + i]), max(last, block[LAST + i])
-        block[PER_A + i] = np.float32(1) / block[A + i]
-        block[PER_S + i] = np.float32(1) / block[S + i]
-    for i in range(np.uintp(SUM_ROWS) * ALL):
-        block[i] = np.float32(0)
+    for at in range(0, ALL, WIDTH):
+        add_up(block, profile, noise, saturated, np.uintp(at))
+
+
+@vector_kernel
+def add_up(
+    block: Singles, profile: Singles, noise: Singles, saturated: np.float32, at: np.uintp
+) -> None:
+    """The normal equations of the lanes from ``at`` on; see ``normal_equations``."""
+    zero, one = all_lanes(np.float32(0)), all_lanes(np.float32(1))
     n0, n1, n2 = noise[0], noise[1], noise[2]
-    k = np.uintp(max(first, np.float32(0)))
-    end = min(np.uintp(last), np.uintp(len(profile)) // ALL - ONE)
+    centre, background = load(block, C + at), load(block, B + at)
+    height = load(block, A + at)
+    per_height, per_width = one / height, one / load(block, S + at)
+    first, last = load(block, FIRST + at), load(block, LAST + at)
+    n00 = n10 = n11 = n20 = n22 = n30 = n31 = n32 = n33 = zero
+    g0 = g1 = g2 = g3 = chi2 = used = zero
+    k, end = rows_used(block, profile, at)
     while k <= end:
-        x = np.float32(k)
-        row = k * ALL
-        for i in range(ALL):
-            t = (x - block[C + i]) * block[PER_S + i]
-            e = bell(t)
-            signal = block[A + i] * e
-            pixel = profile[row + i]
-            counts = (x >= block[FIRST + i]) & (x <= block[LAST + i]) & (pixel < saturated)
-            weight = np.float32(1) / (n0 + signal * (n1 + signal * n2))
-            weight = weight if counts else np.float32(0)
-            left = pixel - block[B + i] - signal
-            block[CHI2 + i] += weight * left * left
-            block[USED + i] += np.float32(1) if counts else np.float32(0)
-            weight *= block[A + i] * block[A + i]
-            left *= block[PER_A + i]
-            et = e * t
-            ett = et * t
-            wet, we, wett = weight * et, weight * e, weight * ett
-            block[N00 + i] += wet * et
-            block[N10 + i] += wet * e
-            block[N11 + i] += we * e
-            block[N20 + i] += wett * et
-            block[N21 + i] += wett * e
-            block[N22 + i] += wett * ett
-            block[N30 + i] += wet
-            block[N31 + i] += we
-            block[N32 + i] += wett
-            block[N33 + i] += weight
-            block[G0 + i] += wet * left
-            block[G1 + i] += we * left
-            block[G2 + i] += wett * left
-            block[G3 + i] += weight * left
+        x = all_lanes(np.float32(k))
+        pixel = load(profile, k * ALL + at)
+        t = (x - centre) * per_width
+        e = bell(t)
+        signal = height * e
+        counts = (x >= first) & (x <= last) & (pixel < saturated)
+        weight = where(counts, one / (signal * (signal * n2 + n1) + n0), zero)
+        left = pixel - background - signal
+        chi2 = chi2 + weight * left * left
+        used = used + where(counts, one, zero)
+        weight = weight * height * height
+        left = left * per_height
+        et = e * t
+        ett = et * t
+        wet, we, wett = weight * et, weight * e, weight * ett
+        n00, n10, n11 = n00 + wet * et, n10 + wet * e, n11 + we * e
+        n20, n22 = n20 + wett * et, n22 + wett * ett
+        n30, n31, n32, n33 = n30 + wet, n31 + we, n32 + wett, n33 + weight
+        g0, g1, g2, g3 = g0 + wet * left, g1 + we * left, g2 + wett * left, g3 + weight * left
         k += ONE
+    store(block, N00 + at, n00)
+    store(block, N10 + at, n10)
+    store(block, N11 + at, n11)
+    store(block, N20 + at, n20)
+    # the same product of three: (e t^2) e is (e t) (e t)
+    store(block, N21 + at, n00)
+    store(block, N22 + at, n22)
+    store(block, N30 + at, n30)
+    store(block, N31 + at, n31)
+    store(block, N32 + at, n32)
+    store(block, N33 + at, n33)
+    store(block, G0 + at, g0)
+    store(block, G1 + at, g1)
+    store(block, G2 + at, g2)
+    store(block, G3 + at, g3)
+    store(block, CHI2 + at, chi2)
+    store(block, USED + at, used)
 
 
 @vector_kernel

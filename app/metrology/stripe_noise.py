@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from app.metrology.compiled import kernel, vector_kernel
 from app.metrology.frames import Floats
+from app.metrology.lanes import WIDTH, Lanes, all_lanes, load, store, where
 from app.metrology.stripe_block import (
     ALL,
     FIRST,
@@ -23,19 +24,27 @@ from app.metrology.stripe_block import (
     N31,
     N32,
     N33,
+    ONE,
     PEAK,
-    PER_S,
     STATE,
     USED,
     A,
     B,
     C,
+    S,
     Singles,
     gather,
     set_windows,
     start,
 )
-from app.metrology.stripe_fit import SETTLED, bell, invert, normal_equations, step
+from app.metrology.stripe_fit import (
+    SETTLED,
+    bell,
+    invert,
+    normal_equations,
+    rows_used,
+    step,
+)
 from app.metrology.stripe_search import Grey
 
 # Pieces of rows, evenly over the image, whose neighbours are compared, and their length.
@@ -43,7 +52,7 @@ PIECES, PIECE_PX = 32, 192
 # Levels by which neighbours may differ; what differs by more is told as this.
 LEVELS = 4096
 # Peaks, taken evenly, whose fits tell how the noise grows with the signal, in blocks.
-BLOCKS = 4
+BLOCKS = 2
 # A residual beyond so many variances is no noise, once the noise is roughly known.
 OUTLYING = 25.0
 # Fewer pixels tell nothing.
@@ -125,46 +134,75 @@ def moments(
         sums: (6 LANES,) sums of s^2, s^3, s^4, s d, s^2 d and 1, where s is a pixel's signal
             and d its squared residual over its redundancy, less the read noise.
     """
+    for at in range(0, ALL, WIDTH):
+        add_moments(block, profile, noise, saturated, outlying, sums, np.uintp(at))
+
+
+@vector_kernel
+def add_moments(
+    block: Singles,
+    profile: Singles,
+    noise: Singles,
+    saturated: np.float32,
+    outlying: np.float32,
+    sums: Singles,
+    at: np.uintp,
+) -> None:
+    """The moments of the lanes from ``at`` on; see ``moments``."""
+    zero, one = all_lanes(np.float32(0)), all_lanes(np.float32(1))
+    two = np.float32(2)
     n0, n1, n2 = noise[0], noise[1], noise[2]
-    rows = np.uintp(len(profile)) // ALL
-    one, two, five = np.float32(1), np.float32(2), np.float32(5)
-    for k in range(rows):
-        x = np.float32(k)
-        row = k * ALL
-        for i in range(ALL):
-            t = (x - block[C + i]) * block[PER_S + i]
-            s = block[A + i] * bell(t)
-            pixel = profile[row + i]
-            counts = (x >= block[FIRST + i]) & (x <= block[LAST + i]) & (pixel < saturated)
-            counts &= (block[STATE + i] == PEAK) & (block[USED + i] > five)
-            counts &= block[MOVED + i] < SETTLED
-            # a narrow spike that the speckle made is fitted far above what the pixels hold
-            counts &= block[A + i] < saturated
-            variance = n0 + s * (n1 + s * n2)
-            left = pixel - block[B + i] - s
-            # the share of a pixel's error that the fit leaves
-            e = s / block[A + i]
-            et = e * t
-            ett = et * t
-            taken = et * (et * block[N00 + i] + two * (e * block[N10 + i] + ett * block[N20 + i]))
-            taken += e * (e * block[N11 + i] + two * ett * block[N21 + i])
-            taken += ett * ett * block[N22 + i] + block[N33 + i]
-            taken += two * (et * block[N30 + i] + e * block[N31 + i] + ett * block[N32 + i])
-            share = one - taken * block[A + i] * block[A + i] / variance
-            counts &= share > LEAST_SHARE
-            d = min(left * left / max(share, LEAST_SHARE), outlying * variance) - n0
-            # a lane without a solution may hold no numbers at all
-            d = d if counts else np.float32(0)
-            s = s if counts else np.float32(0)
-            weight = one / (variance * variance) if counts else np.float32(0)
-            ws = weight * s
-            wss = ws * s
-            sums[i] += wss
-            sums[ALL + i] += wss * s
-            sums[ALL + ALL + i] += wss * s * s
-            sums[ALL + ALL + ALL + i] += ws * d
-            sums[ALL + ALL + ALL + ALL + i] += wss * d
-            sums[ALL + ALL + ALL + ALL + ALL + i] += one if counts else np.float32(0)
+    centre, background, height = load(block, C + at), load(block, B + at), load(block, A + at)
+    per_width = one / load(block, S + at)
+    first, last = load(block, FIRST + at), load(block, LAST + at)
+    told = (load(block, STATE + at) >= PEAK) & (load(block, USED + at) > np.float32(5))
+    # a narrow spike that the speckle made is fitted far above what the pixels hold
+    told = told & (load(block, MOVED + at) < SETTLED) & (height < saturated)
+    i00, i10, i11 = load(block, N00 + at), load(block, N10 + at), load(block, N11 + at)
+    i20, i21, i22 = load(block, N20 + at), load(block, N21 + at), load(block, N22 + at)
+    i30, i31, i32 = load(block, N30 + at), load(block, N31 + at), load(block, N32 + at)
+    i33 = load(block, N33 + at)
+    ss = sc = cc = sd = cd = number = zero
+    k, end = rows_used(block, profile, at)
+    while k <= end:
+        x = all_lanes(np.float32(k))
+        pixel = load(profile, k * ALL + at)
+        t = (x - centre) * per_width
+        e = bell(t)
+        s = height * e
+        variance = s * (s * n2 + n1) + n0
+        left = pixel - background - s
+        # the share of a pixel's error that the fit leaves
+        et = e * t
+        ett = et * t
+        taken = et * (et * i00 + (e * i10 + ett * i20) * two)
+        taken = taken + e * (e * i11 + ett * i21 * two) + ett * ett * i22 + i33
+        taken = taken + (et * i30 + e * i31 + ett * i32) * two
+        share = one - taken * height * height / variance
+        counts = told & (x >= first) & (x <= last) & (pixel < saturated) & (share > LEAST_SHARE)
+        squared, most = left * left / share, variance * outlying
+        # a lane without a solution may hold no numbers at all
+        d = where(counts, where(squared < most, squared, most) - n0, zero)
+        s = where(counts, s, zero)
+        weight = where(counts, one / (variance * variance), zero)
+        ws = weight * s
+        wss = ws * s
+        ss, sc, cc = ss + wss, sc + wss * s, cc + wss * s * s
+        sd, cd = sd + ws * d, cd + wss * d
+        number = number + where(counts, one, zero)
+        k += ONE
+    add(sums, at, ss)
+    add(sums, ALL + at, sc)
+    add(sums, ALL + ALL + at, cc)
+    add(sums, ALL + ALL + ALL + at, sd)
+    add(sums, ALL + ALL + ALL + ALL + at, cd)
+    add(sums, ALL + ALL + ALL + ALL + ALL + at, number)
+
+
+@vector_kernel
+def add(sums: Singles, at: np.uintp, more: Lanes) -> None:
+    """Adds to the sums from ``at`` on."""
+    store(sums, at, load(sums, at) + more)
 
 
 @kernel

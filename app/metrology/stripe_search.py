@@ -107,6 +107,15 @@ def keep_highest(
 
 
 @vector_kernel
+def fetch(image: Grey, r: int, behind: int, left: int, right: int) -> None:
+    """Asks for a row that will be read soon, if there is one."""
+    if r < behind:
+        row = image[r]
+        for i in range(left, right, LINE_BYTES // image.itemsize):
+            prefetch(row, i)
+
+
+@vector_kernel
 def search_part(
     image: Grey,
     where: NDArray[np.bool_],
@@ -139,16 +148,17 @@ def search_part(
     masked = where.shape[0] > 0
     top = 0
     for k in range(first, behind + AWAY, 2):
+        # asked for row by row between the loops: many at once hold up what is read next
         ahead = k * STEP + AHEAD
-        for r in range(min(ahead, rows[1]), min(ahead + 2 * STEP, rows[1])):
-            row = image[r]
-            for i in range(left, right, LINE_BYTES // image.itemsize):
-                prefetch(row, i)
+        fetch(image, ahead, rows[1], left, right)
         if k < behind:
             core_row(image, k * STEP, left, wide, ring[k % RING][:width])
+            fetch(image, ahead + 1, rows[1], left, right)
             core_row(image, k * STEP + STEP, left, wide, ring[(k + 1) % RING][:width])
+            fetch(image, ahead + 2, rows[1], left, right)
             if k % 4 == 0:
                 top = max(top, highest(ring[k % RING][:width]))
+        fetch(image, ahead + 3, rows[1], left, right)
         j = k - AWAY  # its surroundings are known by now
         if j < first:
             continue
