@@ -12,10 +12,11 @@ import { PeoplePage } from "./pages/PeoplePage";
 import { RecordsPage } from "./pages/RecordsPage";
 import { ScanPage } from "./pages/ScanPage";
 import { SettingsPage } from "./pages/SettingsPage";
+import { VerifyPage } from "./pages/VerifyPage";
 import { TITLES, usePage } from "./state/router";
 import { useLive } from "./state/store";
 
-const PAGE = { home: HomePage, calibrate: CalibratePage, scan: ScanPage, arm: ArmPage, records: RecordsPage, settings: SettingsPage, people: PeoplePage };
+const PAGE = { home: HomePage, calibrate: CalibratePage, verify: VerifyPage, scan: ScanPage, arm: ArmPage, records: RecordsPage, settings: SettingsPage, people: PeoplePage };
 
 export function App() {
   const page = usePage();

@@ -2,7 +2,9 @@
 
 import pytest
 
+from app.api import verify_schema
 from app.guide.arm import state, view
+from app.guide.verify import view as verify_view
 from app.station import distance, fits, painter, viewing
 from tests.api import test_types
 
@@ -17,6 +19,17 @@ SHAPES: dict[str, dict[str, type]] = {
         "ArmPicture": view.ArmPicture,
         "ArmView": view.ArmView,
         "ArmCheckSummary": view.ArmCheckSummary,
+    },
+    "verifyTypes.ts": {
+        "GaugeOption": verify_view.GaugeOption,
+        "TouchLine": verify_view.TouchLine,
+        "CloudLine": verify_view.CloudLine,
+        "FigureLine": verify_view.FigureLine,
+        "VerdictLine": verify_view.VerdictLine,
+        "VerifyPicture": verify_view.VerifyPicture,
+        "VerifyView": verify_view.VerifyView,
+        "VerificationSummary": verify_schema.VerificationSummary,
+        "StudyState": verify_schema.StudyState,
     },
     "viewTypes.ts": {
         "Legend": painter.Legend,

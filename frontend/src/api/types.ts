@@ -2,6 +2,7 @@
 
 import type { Control, You } from "./accessTypes";
 import type { ArmView } from "./armTypes";
+import type { VerifyView } from "./verifyTypes";
 import type { ViewState } from "./viewTypes";
 
 export type Quality = "good" | "attention" | "bad" | "neutral";
@@ -438,6 +439,7 @@ export type LiveMessage =
   | { type: "topic"; name: "replay"; value: ReplayState }
   | { type: "topic"; name: "home"; value: Home }
   | { type: "topic"; name: "arm"; value: ArmView }
+  | { type: "topic"; name: "verify"; value: VerifyView }
   | { type: "topic"; name: "view"; value: ViewState }
   | { type: "event"; id: number; kind: string; quality: Quality; text: string }
   | { type: "beat" };

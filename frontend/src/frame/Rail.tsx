@@ -1,17 +1,18 @@
 import type { MouseEvent } from "react";
 
-import { ArmIcon, CalibrateIcon, HomeIcon, PeopleIcon, RecordsIcon, ScanIcon, SettingsIcon } from "../parts/icons";
+import { ArmIcon, CalibrateIcon, HomeIcon, PeopleIcon, RecordsIcon, ScanIcon, SettingsIcon, VerifyIcon } from "../parts/icons";
 import { go, type Page, PAGES, pathOf, TITLES } from "../state/router";
 import { useLive } from "../state/store";
 import styles from "./Rail.module.css";
 import { StepList } from "./StepList";
 
-const ICONS = { home: HomeIcon, calibrate: CalibrateIcon, scan: ScanIcon, arm: ArmIcon, records: RecordsIcon, settings: SettingsIcon, people: PeopleIcon };
+const ICONS = { home: HomeIcon, calibrate: CalibrateIcon, verify: VerifyIcon, scan: ScanIcon, arm: ArmIcon, records: RecordsIcon, settings: SettingsIcon, people: PeopleIcon };
 
 /** Pages, and under them the steps of the flow while it is on. */
 export function Rail({ page }: { page: Page }) {
   const flow = useLive((s) => s.flow);
   const arm = useLive((s) => s.arm);
+  const verify = useLive((s) => s.verify);
   const admin = useLive((s) => s.session?.you?.role === "admin");
   return (
     <div className={styles.rail}>
@@ -21,6 +22,7 @@ export function Rail({ page }: { page: Page }) {
         ))}
       </nav>
       {page === "calibrate" && <StepList flow={flow} />}
+      {page === "verify" && <StepList flow={verify} />}
       {page === "arm" && <StepList flow={arm} />}
     </div>
   );

@@ -30,8 +30,8 @@ export function TopBar({ page }: { page: Page }) {
 
 /** "Step 3 of 7: Touch the front face", or the page's name. */
 function WhereWeAre({ page }: { page: Page }) {
-  const flow = useLive((s) => (page === "arm" ? s.arm : s.flow));
-  if ((page !== "calibrate" && page !== "arm") || !flow?.running) {
+  const flow = useLive((s) => (page === "arm" ? s.arm : page === "verify" ? s.verify : s.flow));
+  if ((page !== "calibrate" && page !== "verify" && page !== "arm") || !flow?.running) {
     return <div className={styles.where}>{TITLES[page]}</div>;
   }
   const index = flow.steps.findIndex((step) => step.id === flow.step);

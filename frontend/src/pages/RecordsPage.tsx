@@ -2,13 +2,16 @@ import type { ReactNode } from "react";
 
 import type { CalibrationSummary, ScanSummary } from "../api/types";
 import { Banners } from "../frame/Banners";
-import { CalibrationRow, ScanRow } from "../records/Rows";
+import type { VerificationSummary } from "../api/verifyTypes";
+import { CalibrationRow, ScanRow, VerificationRow } from "../records/Rows";
 import { useLive } from "../state/store";
 import { useList } from "../state/useList";
 import styles from "./RecordsPage.module.css";
 
 export function RecordsPage() {
   const calibrations = useList<CalibrationSummary>("/api/calibrations");
+  const verified = useLive((s) => `${s.verify?.session_id ?? ""} ${s.verify?.running ?? ""}`);
+  const verifications = useList<VerificationSummary>("/api/verifications", verified);
   const records = useLive((s) => s.view?.records ?? 0);
   const scans = useList<ScanSummary>("/api/scans", `${records}`);
   return (
@@ -19,6 +22,12 @@ export function RecordsPage() {
         empty="Accepted calibrations will be here, the newest first. Accept one on the Calibrate page."
         {...calibrations}
         row={(summary) => <CalibrationRow key={summary.id} summary={summary} />}
+      />
+      <Section
+        title="Verifications"
+        empty="Accepted verifications will be here, the newest first. Make one on the Verify page."
+        {...verifications}
+        row={(summary) => <VerificationRow key={summary.id} summary={summary} />}
       />
       <Section
         title="Scans"

@@ -41,6 +41,12 @@ export const ArmIcon = icon(
     <path d="M16.500 20 19 16l2.500 4" />
   </>,
 );
+export const VerifyIcon = icon(
+  <>
+    <circle cx="12" cy="12" r="8.500" />
+    <path d="m8 12.300 2.800 2.800L16 9.500" />
+  </>,
+);
 export const RecordsIcon = icon(<path d="M5 4h10l4 4v12H5zM15 4v4h4M8.5 12h7M8.5 15.5h7" />);
 export const SettingsIcon = icon(
   <>

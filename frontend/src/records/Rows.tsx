@@ -2,6 +2,11 @@ import type { CalibrationSummary, ScanSummary } from "../api/types";
 import { Download } from "../parts/Download";
 import { days, duration, figures, moment, plural } from "../parts/format";
 import { QualityMark } from "../parts/QualityMark";
+import type { VerificationSummary } from "../api/verifyTypes";
+import { PressButton } from "../parts/PressButton";
+import { go } from "../state/router";
+import { setState } from "../state/store";
+import { QUALITY, WORD } from "../verify/shown";
 import { ScanActs } from "./ScanActs";
 import styles from "./Rows.module.css";
 
@@ -23,6 +28,31 @@ export function CalibrationRow({ summary }: { summary: CalibrationSummary }) {
         {figures(summary.total_um)} µm <span>k = 1</span>
       </p>
       <Download href={`/api/calibrations/${summary.id}/calibration.json`}>JSON</Download>
+    </li>
+  );
+}
+
+export function VerificationRow({ summary }: { summary: VerificationSummary }) {
+  const open = () => {
+    setState({ record: summary.id });
+    go("verify");
+  };
+  return (
+    <li className={styles.row}>
+      <QualityMark quality={QUALITY[summary.result]} />
+      <div className={styles.what}>
+        <p className={styles.name}>
+          {WORD[summary.result]}: {summary.gauge}
+        </p>
+        <p className={styles.detail}>
+          {moment(summary.accepted_at)} · {plural(summary.clouds, "cloud")} · of {summary.calibration}
+          {summary.operator && ` · ${summary.operator}`}
+        </p>
+      </div>
+      <PressButton free onPress={open}>
+        Open
+      </PressButton>
+      <Download href={`/api/verifications/${summary.id}`}>JSON</Download>
     </li>
   );
 }

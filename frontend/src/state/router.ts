@@ -1,11 +1,12 @@
 import { useSyncExternalStore } from "react";
 
-export const PAGES = ["home", "calibrate", "scan", "arm", "records", "settings", "people"] as const;
+export const PAGES = ["home", "calibrate", "verify", "scan", "arm", "records", "settings", "people"] as const;
 export type Page = (typeof PAGES)[number];
 
 export const TITLES: Record<Page, string> = {
   home: "Home",
   calibrate: "Calibrate",
+  verify: "Verify",
   scan: "Scan",
   arm: "Arm check",
   records: "Records",

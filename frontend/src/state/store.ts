@@ -3,6 +3,7 @@ import { useSyncExternalStore } from "react";
 import type { Control, Session } from "../api/accessTypes";
 import type { ArmView } from "../api/armTypes";
 import type { Devices, FlowView, Home, Quality, ReplayState, ScanState, Station, StationSettings } from "../api/types";
+import type { VerifyView } from "../api/verifyTypes";
 import type { ViewState } from "../api/viewTypes";
 
 export type Connection = "connecting" | "live" | "lost";
@@ -42,6 +43,9 @@ export interface LiveState {
   replay: ReplayState | null;
   home: Home | null;
   arm: ArmView | null;
+  verify: VerifyView | null;
+  /** Id of the verification that is looked at again; null for the one at hand. */
+  record: string | null;
   view: ViewState | null;
   event: StationEvent | null;
   /** The pose that was last asked for, by a finding or a figure that names it. */
@@ -62,6 +66,8 @@ let state: LiveState = {
   replay: null,
   home: null,
   arm: null,
+  verify: null,
+  record: null,
   view: null,
   event: null,
   look: null,

@@ -1,0 +1,22 @@
+import styles from "./Chips.module.css";
+
+interface ChipsProps<T> {
+  label: string;
+  options: { value: T; label: string }[];
+  value: T;
+  onChange: (value: T) => void;
+}
+
+/** One of a few, large enough for gloves; nothing where there is no choice. */
+export function Chips<T extends string | number>({ label, options, value, onChange }: ChipsProps<T>) {
+  if (options.length < 2) return null;
+  return (
+    <div className={styles.chips} role="group" aria-label={label}>
+      {options.map((option) => (
+        <button key={option.value} type="button" className={styles.chip} aria-pressed={option.value === value} onClick={() => onChange(option.value)}>
+          {option.label}
+        </button>
+      ))}
+    </div>
+  );
+}

@@ -1,0 +1,89 @@
+import { sendVerify } from "../api/verifyCommands";
+import type { CloudLine, VerifyPicture } from "../api/verifyTypes";
+import { bound, figures, plural, signed } from "../parts/format";
+import { PressButton } from "../parts/PressButton";
+import styles from "./CloudsView.module.css";
+import { DeviationMap } from "./DeviationMap";
+import { GaugeDrawing } from "./GaugeDrawing";
+import { shownOf } from "./shown";
+
+/** The newest cloud's map, and every cloud with what it shows; before the first, what to do. */
+export function CloudsView({ picture, busy }: { picture: VerifyPicture; busy: boolean }) {
+  const { clouds } = shownOf(picture);
+  return (
+    <div className={styles.view}>
+      {picture.scanning || clouds.length === 0 ? (
+        <div className={styles.drawing}>
+          <GaugeDrawing shape={picture.shape} scanning />
+          <p className={styles.words}>
+            {picture.scanning ? "Keep the stripe on the gauge. Slowly: the points come as you pass." : "Each pass becomes a map of where the cloud lies off the gauge."}
+          </p>
+        </div>
+      ) : (
+        <div className={styles.map}>
+          <DeviationMap clouds={clouds} shape={picture.shape ?? "plane"} />
+        </div>
+      )}
+      {picture.clouds.length > 0 && (
+        <ul className={styles.list} aria-label="Clouds">
+          {picture.clouds.map((cloud) => (
+            <Row key={cloud.number} cloud={cloud} busy={busy} />
+          ))}
+        </ul>
+      )}
+    </div>
+  );
+}
+
+const STATE: Record<CloudLine["state"], string> = {
+  scanning: "being scanned",
+  measuring: "being measured",
+  good: "",
+  refused: "of no use",
+  aside: "set aside",
+};
+
+function Row({ cloud, busy }: { cloud: CloudLine; busy: boolean }) {
+  const { number, state } = cloud;
+  const idle = !busy && state !== "scanning" && state !== "measuring";
+  return (
+    <li className={styles.row} data-state={state}>
+      <div className={styles.what}>
+        <p className={styles.name}>
+          Cloud {number}
+          {STATE[state] && <span className={styles.state}>{STATE[state]}</span>}
+        </p>
+        <p className={styles.detail}>{bound(cloud.text || (cloud.points ? plural(cloud.used || cloud.points, "point") : ""))}</p>
+      </div>
+      <Figures cloud={cloud} />
+      {idle && state !== "refused" && (
+        <PressButton kind="quiet" onPress={() => sendVerify(state === "aside" ? "restore_cloud" : "void_cloud", { number })}>
+          {state === "aside" ? "Take it back" : "Set aside"}
+        </PressButton>
+      )}
+    </li>
+  );
+}
+
+function Figures({ cloud }: { cloud: CloudLine }) {
+  const shown: [string, string | null][] = [
+    ["rms", cloud.rms_um === null ? null : `${figures(cloud.rms_um)} µm`],
+    ["angle", cloud.angle_arcsec === null ? null : `${figures(cloud.angle_arcsec)}″`],
+    ["Z error", cloud.z_error_um === null ? null : `${signed(cloud.z_error_um)} µm`],
+    ["radius error", cloud.radius_error_um === null ? null : `${signed(cloud.radius_error_um)} µm`],
+    ["centre error", cloud.centre_error_um === null ? null : `${figures(cloud.centre_error_um)} µm`],
+  ];
+  return (
+    <dl className={styles.figures}>
+      {shown.map(
+        ([name, value]) =>
+          value && (
+            <div key={name}>
+              <dt>{name}</dt>
+              <dd>{bound(value)}</dd>
+            </div>
+          ),
+      )}
+    </dl>
+  );
+}

@@ -1,0 +1,55 @@
+import { useState } from "react";
+
+import type { CloudLine } from "../api/verifyTypes";
+import type { MapFile } from "../api/verifyFiles";
+import { figures } from "../parts/format";
+import { Chips } from "./Chips";
+import { deviationColour, deviationScale, DEVIATION_CSS } from "./colours";
+import styles from "./DeviationMap.module.css";
+import { useFile } from "./useFile";
+
+/** Where a cloud lies above and below the shape fitted to it, seen from outside. */
+export function DeviationMap({ clouds, shape }: { clouds: CloudLine[]; shape: "plane" | "sphere" }) {
+  const [chosen, setChosen] = useState<number | null>(null);
+  const last = clouds[clouds.length - 1];
+  const cloud = clouds.find(({ number }) => number === chosen) ?? last;
+  const { file, failed } = useFile<MapFile>(cloud?.map_url ?? "");
+  if (!cloud) return <p className={styles.told}>The map of the first cloud will be here once it is scanned.</p>;
+  return (
+    <div className={styles.view}>
+      <Chips label="Clouds" options={clouds.map(({ number }) => ({ value: number, label: `Cloud ${number}` }))} value={cloud.number} onChange={setChosen} />
+      {file ? <Map file={file} /> : <p className={styles.told}>{failed ? "The map could not be read." : "Reading the map."}</p>}
+      {file && <Legend file={file} shape={shape} />}
+    </div>
+  );
+}
+
+function Map({ file }: { file: MapFile }) {
+  const { cell_mm: cell, x_mm, y_mm, deviation_um } = file;
+  const end = deviationScale(deviation_um);
+  const low_x = Math.min(...x_mm) - cell;
+  const low_y = Math.min(...y_mm) - cell;
+  const width = Math.max(...x_mm) + cell - low_x;
+  const height = Math.max(...y_mm) + cell - low_y;
+  return (
+    <svg className={styles.map} viewBox={`${low_x} ${-low_y - height} ${width} ${height}`} role="img" aria-label="Deviations from the fitted shape" shapeRendering="crispEdges">
+      {x_mm.map((x, i) => (
+        <rect key={i} x={x - cell / 2} y={-(y_mm[i] ?? 0) - cell / 2} width={cell * 1.02} height={cell * 1.02} fill={deviationColour((deviation_um[i] ?? 0) / end)} />
+      ))}
+    </svg>
+  );
+}
+
+function Legend({ file, shape }: { file: MapFile; shape: "plane" | "sphere" }) {
+  const end = deviationScale(file.deviation_um);
+  return (
+    <div className={styles.legend}>
+      <span>−{figures(end)}</span>
+      <span className={styles.ramp} style={{ background: DEVIATION_CSS }} />
+      <span>+{figures(end)} µm</span>
+      <span className={styles.note}>
+        from the fitted {shape}, outward is positive; each cell of {figures(file.cell_mm, 1)} mm is the mean of its points
+      </span>
+    </div>
+  );
+}

@@ -1,0 +1,57 @@
+import type { FigureLine } from "../api/verifyTypes";
+import { figures } from "../parts/format";
+import { QualityMark } from "../parts/QualityMark";
+import styles from "./FigureBars.module.css";
+import { QUALITY, WORD, worded } from "./shown";
+
+/** Each figure with its uncertainty against its limit. */
+export function FigureBars({ found }: { found: FigureLine[] }) {
+  return (
+    <ul className={styles.list}>
+      {found.map((figure) => (
+        <Bar key={figure.name} figure={figure} />
+      ))}
+    </ul>
+  );
+}
+
+function Bar({ figure }: { figure: FigureLine }) {
+  const { limit, expanded_uncertainty: U, unit } = figure;
+  const size = Math.abs(figure.value);
+  const end = 1.08 * Math.max(limit ?? 0, size + U, 1e-6);
+  const at = (value: number) => `${(100 * Math.min(Math.max(value, 0), end)) / end}%`;
+  const space = unit === "″" ? "" : "\u00a0";
+  return (
+    <li className={styles.figure} data-decision={figure.decision}>
+      <div className={styles.head}>
+        <span className={styles.title}>{figure.title}</span>
+        <span className={styles.value}>{worded(figure)}</span>
+      </div>
+      <div className={styles.track} aria-hidden="true">
+        <span className={styles.bar} style={{ width: at(size) }} />
+        <span className={styles.unsure} style={{ left: at(size - U), width: `calc(${at(size + U)} - ${at(size - U)})` }} />
+        {limit !== null && <span className={styles.limit} style={{ left: at(limit) }} />}
+      </div>
+      <p className={styles.words}>
+        {limit === null ? (
+          <span>for information, without a limit</span>
+        ) : (
+          <>
+            <QualityMark quality={QUALITY[figure.decision]} size="1.125rem" />
+            <strong>{WORD[figure.decision]}</strong>
+            <span>
+              limit {figures(limit)}
+              {space}
+              {unit}
+            </span>
+          </>
+        )}
+        <span>
+          U = {figures(U, U < 10 ? 1 : 0)}
+          {space}
+          {unit}, k = 2
+        </span>
+      </p>
+    </li>
+  );
+}

@@ -1,0 +1,95 @@
+import type { VerificationRecord } from "../api/verifyFiles";
+import type { CloudLine, FigureLine, VerdictLine, VerifyPicture } from "../api/verifyTypes";
+import { figures, signed } from "../parts/format";
+import type { Quality } from "../api/types";
+import type { TableData } from "../parts/DataTable";
+
+/** What is looked at: the open verification, or one of the records. */
+export interface Shown {
+  shape: "plane" | "sphere";
+  clouds: CloudLine[];
+  figures: FigureLine[];
+  verdict: VerdictLine | null;
+  notes: string[];
+}
+
+export const QUALITY: Record<FigureLine["decision"], Quality> = {
+  pass: "good",
+  fail: "bad",
+  uncertain: "attention",
+  none: "neutral",
+};
+
+export const WORD: Record<FigureLine["decision"], string> = {
+  pass: "Pass",
+  fail: "Fail",
+  uncertain: "Uncertain",
+  none: "No limit",
+};
+
+const NOTHING: Omit<CloudLine, "number"> = {
+  state: "good",
+  text: "",
+  points: 0,
+  used: 0,
+  rms_um: null,
+  form_um: null,
+  angle_arcsec: null,
+  z_error_um: null,
+  offset_error_um: null,
+  radius_error_um: null,
+  centre_error_um: null,
+  map_url: "",
+};
+
+export function shownOf(picture: VerifyPicture): Shown {
+  const { clouds, figures: found, verdict } = picture;
+  return { shape: picture.shape ?? "plane", clouds: clouds.filter(({ state }) => state === "good"), figures: found, verdict, notes: [] };
+}
+
+export function shownOfRecord(record: VerificationRecord): Shown {
+  const clouds = record.clouds.map((cloud) => {
+    const number = Number(/cloud-(\d+)/.exec(cloud.recording)?.[1] ?? 0);
+    return { ...NOTHING, ...cloud, number, map_url: `/api/verifications/${record.id}/cloud/${number}/map` };
+  });
+  const found = record.figures.map((figure) => ({ ...figure, limit: figure.limit ?? null, clouds: figure.clouds ?? [] }));
+  return { shape: record.gauge.shape, clouds, figures: found, verdict: record.verdict, notes: record.notes };
+}
+
+/** A figure with its unit; its sign only where both are possible. */
+export function worded({ name, value, unit }: Pick<FigureLine, "name" | "value" | "unit">): string {
+  const both = name === "offset" || name === "z_error" || name === "radius_error";
+  return `${both ? signed(value) : figures(value)}${unit === "″" ? "" : "\u00a0"}${unit}`;
+}
+
+const COLUMNS: [keyof CloudLine, string][] = [
+  ["points", "Points"],
+  ["used", "Used"],
+  ["rms_um", "rms, µm"],
+  ["form_um", "Form, µm"],
+  ["angle_arcsec", "Angle, ″"],
+  ["z_error_um", "Z error, µm"],
+  ["offset_error_um", "Distance, µm"],
+  ["radius_error_um", "Radius error, µm"],
+  ["centre_error_um", "Centre error, µm"],
+];
+
+/** The figures against their limits, and cloud by cloud. */
+export function tablesOf({ clouds, figures: found }: Shown): TableData[] {
+  const known = COLUMNS.filter(([name]) => clouds.some((cloud) => cloud[name] !== null));
+  const number = (value: unknown, name: string) => (typeof value === "number" ? figures(value, name === "points" || name === "used" ? 0 : 1) : "–");
+  return [
+    {
+      title: "Figures",
+      head: ["Figure", "Value", "U (k = 2)", "Limit", "Unit", "Decision"],
+      rows: found.map((f) => [f.title, figures(f.value, 1), figures(f.expanded_uncertainty, 1), f.limit === null ? "–" : figures(f.limit), f.unit, WORD[f.decision]]),
+      wide: true,
+    },
+    {
+      title: "Clouds",
+      head: ["Cloud", ...known.map(([, title]) => title)],
+      rows: clouds.map((cloud) => [`${cloud.number}`, ...known.map(([name]) => number(cloud[name], name))]),
+      wide: true,
+    },
+  ];
+}

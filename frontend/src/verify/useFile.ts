@@ -1,0 +1,20 @@
+import { useEffect, useState } from "react";
+
+import { get } from "../api/http";
+
+/** A file of the server's, read once for each address; null until it is there. */
+export function useFile<T>(path: string, change = ""): { file: T | null; failed: boolean } {
+  const [read, setRead] = useState<{ path: string; file: T | null; failed: boolean }>({ path: "", file: null, failed: false });
+  useEffect(() => {
+    if (!path) return;
+    let wanted = true;
+    get<T>(path).then(
+      (file) => wanted && setRead({ path, file, failed: false }),
+      () => wanted && setRead({ path, file: null, failed: true }),
+    );
+    return () => {
+      wanted = false;
+    };
+  }, [path, change]);
+  return read.path === path ? read : { file: null, failed: false };
+}
