@@ -18,6 +18,7 @@ from fastapi import Depends, FastAPI
 
 from app.api import (
     arm,
+    calibrations,
     client,
     flow,
     health,
@@ -83,6 +84,7 @@ def build_app(parts: Parts) -> FastAPI:
         flow,
         arm,
         verify,
+        calibrations,
         machine,
         settings,
         records,

@@ -5,7 +5,7 @@ from dataclasses import asdict, dataclass
 
 from pydantic import TypeAdapter
 
-from app.guide.view import CalibrationResult, ImageCorner, Segment
+from app.guide.view import CalibrationResult, ImageCorner, Segment, Vec3
 from app.metrology.detection.evidence import Mark
 from app.station.findings import Finding
 
@@ -18,6 +18,7 @@ class PoseDrawing:
     corners: Sequence[ImageCorner]
     outline: Sequence[Segment]
     stripe: Sequence[tuple[float, float]]
+    stripe_off: Sequence[Vec3] = ()
 
 
 @dataclass(frozen=True)

@@ -1,5 +1,6 @@
 """The poses as they are looked at: each picture, what was found in it, what became of it. Pure."""
 
+from collections.abc import Mapping
 from typing import Literal
 
 from app.guide.body import offer
@@ -27,6 +28,25 @@ def pose_pictures(
             rows.get(capture.number),
             drawings.get(capture.number),
             None if state.ended else _action(state, live, capture),
+        )
+        for capture in state.listed
+    ]
+
+
+def recorded_poses(
+    state: CalibrationState, looked_at: Mapping[int, Outcome], solved: Outcome, image_url: str
+) -> list[PosePicture]:
+    """The same of a session that is over, whose pictures are at ``image_url``."""
+    rows = {row.number: row for row in _rows(solved.result)}
+    drawings = {drawing.number: drawing for drawing in solved.poses}
+    return [
+        _pose(
+            capture,
+            image_url + capture.ambient.rsplit("/", 1)[-1],
+            looked_at.get(capture.number),
+            rows.get(capture.number),
+            drawings.get(capture.number),
+            None,
         )
         for capture in state.listed
     ]
@@ -61,6 +81,7 @@ def _pose(
         stripe_rms_px=row.stripe_rms_px if row and used else None,
         off_um=row.off_um if row and used else None,
         action=action,
+        stripe_off=drawing.stripe_off if drawing else (),
     )
 
 

@@ -123,6 +123,7 @@ class SessionFolder:
             calibration_sha256=sha256_of(self.calibration),
             good_um=result.good_um,
             usable_um=result.usable_um,
+            temperature_c=signing.temperature_c(),
             compared=compared,
         ).write(self.path / ACCEPTANCE)
 

@@ -4,13 +4,19 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 
+def _not_measured() -> float | None:
+    return None
+
+
 @dataclass(frozen=True)
 class Signing:
-    """``operator`` tells who has control at the moment; empty where nobody has."""
+    """``operator`` tells who has control at the moment, empty where nobody has;
+    ``temperature_c`` the room's, None where it is not measured."""
 
     station: str = ""
     simulated: bool = False
     operator: Callable[[], str] = str
+    temperature_c: Callable[[], float | None] = _not_measured
 
 
 UNSIGNED = Signing()

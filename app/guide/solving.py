@@ -148,18 +148,19 @@ def solve(
 
 def _drawings(result: JointCalibration, inputs: JointInputs) -> dict[int, PoseDrawing]:
     """Of the poses that were used, by number: corners with what the adjustment left of them."""
-    left = {pose.number: pose.corners_px for pose in result.poses if pose.used}
+    left = {pose.number: pose for pose in result.poses if pose.used}
     return {
         seen.number: PoseDrawing(
             seen.number,
             [
-                ImageCorner(corner.name, corner.u, corner.v, float(np.hypot(du, dv)))
+                ImageCorner(corner.name, corner.u, corner.v, float(np.hypot(du, dv)), (du, dv))
                 for corner, (_, du, dv) in zip(
-                    seen.detection.corners, left[seen.number], strict=True
+                    seen.detection.corners, left[seen.number].corners_px, strict=True
                 )
             ],
             outline(seen.detection, inputs.block),
             _shown(seen.stripe),
+            left[seen.number].stripe_off_px,
         )
         for seen in inputs.seen
         if seen.number in left

@@ -100,10 +100,13 @@ class DeviceLine:
 
 @dataclass(frozen=True)
 class ImageCorner:
+    """``off_px`` is found minus computed (u, v), of a result; ``residual_px`` its length."""
+
     name: str
     u: float
     v: float
     residual_px: float | None
+    off_px: tuple[float, float] | None = None
 
 
 @dataclass(frozen=True)
@@ -260,6 +263,8 @@ class PosePicture:
     stripe_rms_px: float | None
     off_um: float | None
     action: Action | None
+    stripe_off: Sequence[Vec3] = ()
+    """Of a result: u, v of some of the stripe's points, and how far each lies off (px)."""
 
 
 @dataclass(frozen=True)

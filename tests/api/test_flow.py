@@ -1,12 +1,14 @@
 """The guided calibration over HTTP, on the twin: done once, done in order, lost never."""
 
 import json
+import math
 import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
 import httpx
+import pytest
 
 from app.files.acceptance import read_acceptance
 from app.files.calibrate import calibrate_session
@@ -162,10 +164,29 @@ def test_a_whole_calibration_by_the_hand(server: Server, tmp_path: Path) -> None
     file = http.get(f"/api/calibrations/{summary['id']}/calibration.json")
     assert file.json() == kept
     assert_reported(http, f"/api/calibrations/{summary['id']}", folder)
+    assert_looked_at_again(http, summary["id"], view["picture"])
     scan_with_it(http, server)
 
     # what is compiled now has held somebody up
     assert loops() == server.loops
+
+
+def assert_looked_at_again(http: httpx.Client, name: str, reviewed: dict[str, Any]) -> None:
+    """The record shows what the review did, with pictures of its own."""
+    record = http.get(f"/api/calibrations/{name}").json()
+    assert record["operator"] == "Demo"
+    assert record["picture"]["result"] == reviewed["result"]
+    assert record["picture"]["points"] == reviewed["points"]
+    pose, *_ = record["picture"]["poses"]
+    assert pose["action"] is None
+    assert len(pose["stripe_off"]) > 10
+    corner = pose["corners"][0]
+    assert math.hypot(*corner["off_px"]) == pytest.approx(corner["residual_px"])
+    assert http.get(pose["image_url"]).content.startswith(b"\x89PNG")
+    assert http.get(f"/api/calibrations/{name}/image/none.png").status_code == 404
+    assert http.get("/api/calibrations/none").status_code == 404
+    (only,) = http.get("/api/calibration-history").json()
+    assert (only["id"], only["good_um"], only["sensor_um"]) == (name, 50.0, None)
 
 
 def assert_reported(http: httpx.Client, record: str, folder: Path) -> None:

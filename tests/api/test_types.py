@@ -9,14 +9,14 @@ from typing import Literal, Union, get_args, get_origin, get_type_hints
 import pytest
 
 from app import replay
-from app.api import schema
+from app.api import record_schema, schema
 from app.guide import view
 from app.metrology.detection import evidence
 from app.station import device_state, findings, lease, operator_settings, preview, rig
 from app.store import audit
 
 API = Path(__file__).resolve().parents[2] / "frontend/src/api"
-TYPES = (API / "types.ts", API / "accessTypes.ts")
+TYPES = (API / "types.ts", API / "accessTypes.ts", API / "recordTypes.ts")
 SHAPES: dict[str, type] = {
     "LiveNumber": view.LiveNumber,
     "Finding": findings.Finding,
@@ -61,6 +61,8 @@ SHAPES: dict[str, type] = {
     "Account": schema.AccountSummary,
     "Wall": schema.WallSummary,
     "AuditEntry": audit.AuditEntry,
+    "RecordedCalibration": record_schema.RecordedCalibration,
+    "CalibrationPoint": record_schema.CalibrationPoint,
 }
 PICTURES = {
     "devices": view.DevicesPicture,

@@ -347,6 +347,7 @@ class ArmGuide:
                 "encoders_two_sigma_um": found.encoders_two_sigma_um.tolist(),
                 "limit_um": self.state.limit_um,
                 "verdict": verdict,
+                "temperature_c": signing.temperature_c(),
                 "inputs": tuple(
                     Input(file=name, sha256=sha256_of(folder / name))
                     for name in (ARM, ARTICULATION)

@@ -105,6 +105,8 @@ export interface ImageCorner {
   u: number;
   v: number;
   residual_px: number | null;
+  /** Of a result: found minus computed. */
+  off_px: [number, number] | null;
 }
 
 /** Why a picture was declined, as a line in it. */
@@ -228,6 +230,8 @@ export interface PosePicture {
   off_um: number | null;
   /** Sets it aside, or takes it back. */
   action: Action | null;
+  /** Of a result: u, v of some of the stripe's points, and how far each lies off, px. */
+  stripe_off: Vec3[];
 }
 
 /** What the large picture shows. */

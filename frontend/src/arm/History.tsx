@@ -1,5 +1,6 @@
 import type { ArmCheckSummary } from "../api/armTypes";
 import { EmptyState } from "../parts/EmptyState";
+import { Reports } from "../parts/Reports";
 import { figures, moment, plural } from "../parts/format";
 import { QualityMark } from "../parts/QualityMark";
 import { useLive } from "../state/store";
@@ -48,6 +49,7 @@ function Row({ check }: { check: ArmCheckSummary }) {
       </div>
       <Axes label="(max − min)/2" values={check.half_range_um} />
       <Axes label="2σ" values={check.two_sigma_um} />
+      <Reports of={`/api/arm/checks/${check.id}`} />
     </li>
   );
 }

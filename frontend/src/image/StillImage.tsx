@@ -1,7 +1,7 @@
 import { useElementSize } from "@mantine/hooks";
 import { type CSSProperties, useState } from "react";
 
-import type { ImageCorner, ImageMark, WorstPoint } from "../api/types";
+import type { ImageCorner, ImageMark, Vec3, WorstPoint } from "../api/types";
 import { figures } from "../parts/format";
 import { cornerWords } from "../result/names";
 import { COLOURS, type Overlay } from "./overlay";
@@ -13,7 +13,9 @@ interface StillImageProps extends Overlay {
   height_px: number;
   /** In a picture that was declined: what shows why. */
   marks?: ImageMark[];
-  /** Draws each corner's residual as a disc of that radius, enlarged. */
+  /** Of a result: u, v of points of the stripe, and how far each lies off. */
+  stripe_off?: Vec3[];
+  /** Draws the residuals of corners and stripe as arrows, enlarged. */
   residuals?: boolean;
   /** Of the points that fit worst, those in this picture: named in place. */
   worst?: WorstPoint[];
@@ -33,9 +35,10 @@ const LABEL_PX = 15;
 const KINDS = Object.keys(MARKS) as ImageMark["kind"][];
 
 /** How much residuals are enlarged, so that the largest is well seen and covers little. */
-function enlargement(corners: ImageCorner[], width_px: number): number {
-  const largest = Math.max(1e-6, ...corners.map((c) => c.residual_px ?? 0));
-  return [1000, 500, 200, 100, 50, 20, 10].find((times) => largest * times <= width_px / 30) ?? 5;
+function enlargement(corners: ImageCorner[], stripe_off: Vec3[], width_px: number): number {
+  const offs = [...corners.map((c) => c.residual_px ?? 0), ...stripe_off.map((p) => Math.abs(p[2]))];
+  const largest = Math.max(1e-6, ...offs);
+  return [1000, 500, 200, 100, 50, 20, 10].find((times) => largest * times <= width_px / 18) ?? 5;
 }
 
 /** The picture's frame, widened to what of the object lies beyond it. */
@@ -50,10 +53,27 @@ function frameOf(marks: ImageMark[], width_px: number, height_px: number): strin
   return `${left} ${top} ${right - left} ${low - top}`;
 }
 
+/** From the corner to where it points, with a head. */
+function arrow(du: number, dv: number): string {
+  const length = Math.hypot(du, dv);
+  if (length < 1) return "";
+  const head = Math.min(9, length / 2) / length;
+  const [bu, bv] = [du * (1 - head), dv * (1 - head)];
+  const [pu, pv] = [-dv * head * 0.5, du * head * 0.5];
+  return `M0 0L${du} ${dv}M${bu + pu} ${bv + pv}L${du} ${dv}L${bu - pu} ${bv - pv}`;
+}
+
+/** Whether the stripe runs down the picture, so that it lies off to the left or right. */
+function alongRows(stripe_off: Vec3[]): boolean {
+  const spread = (axis: 0 | 1) => Math.max(...stripe_off.map((p) => p[axis])) - Math.min(...stripe_off.map((p) => p[axis]));
+  return spread(1) > spread(0);
+}
+
 /** The captured picture with what was found in it. */
 export function StillImage(props: StillImageProps) {
   const { image_url, width_px, height_px, corners, outline, stripe, marks = [], residuals = false, worst = [] } = props;
-  const times = residuals ? enlargement(corners, width_px) : 0;
+  const stripe_off = residuals ? (props.stripe_off ?? []) : [];
+  const times = residuals ? enlargement(corners, stripe_off, width_px) : 0;
   const [name, setName] = useState<string | null>(null);
   const { ref, width, height } = useElementSize<HTMLDivElement>();
   const shown = Math.max(width_px / Math.max(width, 1), height_px / Math.max(height, 1));
@@ -78,6 +98,11 @@ export function StillImage(props: StillImageProps) {
             stroke={COLOURS.stripe}
             d={stripe.map(([u, v]) => `M${u} ${v}h0`).join("")}
           />
+          <path
+            className={styles.arrow}
+            stroke="#ff9ea1"
+            d={stripe_off.map(([u, v, off]) => (alongRows(stripe_off) ? `M${u} ${v}h${off * times}` : `M${u} ${v}v${off * times}`)).join("")}
+          />
           {marks.length > 0 && (
             <rect x="-0.5" y="-0.5" width={width_px} height={height_px} className={styles.frame} />
           )}
@@ -95,8 +120,8 @@ export function StillImage(props: StillImageProps) {
           {corners.map((c) => (
             <g key={c.name} transform={`translate(${c.u} ${c.v})`} onPointerEnter={() => setName(c.name)}>
               <circle r={width_px / 50} className={styles.reach} />
-              {residuals && c.residual_px !== null && (
-                <circle r={c.residual_px * times} className={styles.disc} stroke={COLOURS.corner} />
+              {residuals && c.off_px && (
+                <path className={styles.arrow} stroke={COLOURS.corner} d={arrow(c.off_px[0] * times, c.off_px[1] * times)} />
               )}
               <circle r={residuals ? 2 : width_px / 160} className={styles.corner} stroke={COLOURS.corner} />
             </g>
@@ -147,5 +172,5 @@ function told(name: string, residual_px: number | null): string {
 
 function summary({ corners, stripe }: Overlay, times: number): string {
   const found = `${figures(corners.length)} corners, ${figures(stripe.length)} stripe points`;
-  return times ? `${found}. Discs: the corners' residuals, ${times} times enlarged.` : found;
+  return times ? `${found}. Arrows: found minus computed, ${times} times enlarged.` : found;
 }

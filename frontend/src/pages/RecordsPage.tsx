@@ -3,12 +3,22 @@ import type { ReactNode } from "react";
 import type { CalibrationSummary, ScanSummary } from "../api/types";
 import { Banners } from "../frame/Banners";
 import type { VerificationSummary } from "../api/verifyTypes";
+import { CalibrationHistory } from "../records/CalibrationHistory";
+import { CalibrationRecord } from "../records/CalibrationRecord";
 import { CalibrationRow, ScanRow, VerificationRow } from "../records/Rows";
+import { useDetail } from "../state/router";
 import { useLive } from "../state/store";
 import { useList } from "../state/useList";
 import styles from "./RecordsPage.module.css";
 
+const CALIBRATION = "calibration/";
+
 export function RecordsPage() {
+  const detail = useDetail();
+  return detail.startsWith(CALIBRATION) ? <CalibrationRecord id={detail.slice(CALIBRATION.length)} /> : <AllRecords />;
+}
+
+function AllRecords() {
   const calibrations = useList<CalibrationSummary>("/api/calibrations");
   const verified = useLive((s) => `${s.verify?.session_id ?? ""} ${s.verify?.running ?? ""}`);
   const verifications = useList<VerificationSummary>("/api/verifications", verified);
@@ -20,6 +30,7 @@ export function RecordsPage() {
       <Section
         title="Calibrations"
         empty="Accepted calibrations will be here, the newest first. Accept one on the Calibrate page."
+        above={<CalibrationHistory />}
         {...calibrations}
         row={(summary) => <CalibrationRow key={summary.id} summary={summary} />}
       />
@@ -43,16 +54,18 @@ export function RecordsPage() {
 
 interface SectionProps<T> {
   title: string;
+  above?: ReactNode;
   empty: string;
   list: T[] | null;
   failed: boolean;
   row: (item: T) => ReactNode;
 }
 
-function Section<T>({ title, empty, list, failed, row }: SectionProps<T>) {
+function Section<T>({ title, above, empty, list, failed, row }: SectionProps<T>) {
   return (
     <section className={styles.section} aria-label={title}>
       <h1 className={styles.title}>{title}</h1>
+      {above}
       {list && list.length > 0 ? (
         <ul className={styles.list}>{list.map(row)}</ul>
       ) : (

@@ -8,11 +8,14 @@ interface BigNumberProps {
   number: LiveNumber;
   /** The number decides: it stands on its quality's colour, with its reason under it. */
   verdict?: boolean;
+  /** It is kept, not live: it does not age with the connection. */
+  kept?: boolean;
 }
 
 /** The one number the operator watches, readable from two metres; grey with its age when old. */
-export function BigNumber({ number, verdict = false }: BigNumberProps) {
-  const { live, silent_s } = useSilence();
+export function BigNumber({ number, verdict = false, kept = false }: BigNumberProps) {
+  const { live: heard, silent_s } = useSilence();
+  const live = heard || kept;
   const shown = number.value === null ? "–" : figures(number.value, number.decimals);
   return (
     <div className={styles.number} data-quality={number.quality} data-stale={!live || undefined} data-verdict={verdict || undefined}>

@@ -1,9 +1,10 @@
 import type { CalibrationSummary, ScanSummary } from "../api/types";
 import { Download } from "../parts/Download";
 import { days, duration, figures, moment, plural } from "../parts/format";
-import { QualityMark } from "../parts/QualityMark";
-import type { VerificationSummary } from "../api/verifyTypes";
 import { PressButton } from "../parts/PressButton";
+import { QualityMark } from "../parts/QualityMark";
+import { Reports } from "../parts/Reports";
+import type { VerificationSummary } from "../api/verifyTypes";
 import { go } from "../state/router";
 import { setState } from "../state/store";
 import { QUALITY, WORD } from "../verify/shown";
@@ -27,7 +28,10 @@ export function CalibrationRow({ summary }: { summary: CalibrationSummary }) {
       <p className={styles.value}>
         {figures(summary.total_um)} µm <span>k = 1</span>
       </p>
-      <Download href={`/api/calibrations/${summary.id}/calibration.json`}>JSON</Download>
+      <PressButton free onPress={() => go("records", `calibration/${summary.id}`)}>
+        Look at it
+      </PressButton>
+      <Reports of={`/api/calibrations/${summary.id}`} />
     </li>
   );
 }

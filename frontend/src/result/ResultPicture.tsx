@@ -1,7 +1,6 @@
 import { SegmentedControl } from "@mantine/core";
 import { useRef, useState } from "react";
 
-import type { Picture } from "../api/types";
 import { PoseView } from "../image/PoseView";
 import { useLook } from "../state/useLook";
 import { Budget } from "./Budget";
@@ -10,8 +9,7 @@ import { Numbers } from "./Numbers";
 import { ResidualObject } from "./ResidualObject";
 import styles from "./ResultPicture.module.css";
 import { UncertaintyMap } from "./UncertaintyMap";
-
-type ResultView = Extract<Picture, { kind: "result" }>;
+import type { ResultView } from "./view";
 
 const TABS = [
   { value: "object", label: "Object" },

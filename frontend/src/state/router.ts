@@ -16,18 +16,28 @@ export const TITLES: Record<Page, string> = {
 
 const listeners = new Set<() => void>();
 
+function parts(): string[] {
+  return window.location.pathname.split("/").filter(Boolean);
+}
+
 function current(): Page {
-  const name = window.location.pathname.replace(/^\/+|\/+$/g, "");
+  const name = parts()[0];
   return PAGES.find((page) => page === name) ?? "home";
 }
 
-export function pathOf(page: Page): string {
-  return page === "home" ? "/" : `/${page}`;
+/** What of a page is looked at, such as one of the records; empty for the page as a whole. */
+function currentDetail(): string {
+  return parts().slice(1).map(decodeURIComponent).join("/");
 }
 
-export function go(page: Page): void {
-  if (current() === page) return;
-  window.history.pushState(null, "", pathOf(page));
+export function pathOf(page: Page, detail = ""): string {
+  const path = page === "home" ? "/" : `/${page}`;
+  return detail ? `${path}/${detail.split("/").map(encodeURIComponent).join("/")}` : path;
+}
+
+export function go(page: Page, detail = ""): void {
+  if (current() === page && currentDetail() === detail) return;
+  window.history.pushState(null, "", pathOf(page, detail));
   for (const listener of listeners) listener();
 }
 
@@ -42,4 +52,8 @@ function subscribe(listener: () => void): () => void {
 
 export function usePage(): Page {
   return useSyncExternalStore(subscribe, current);
+}
+
+export function useDetail(): string {
+  return useSyncExternalStore(subscribe, currentDetail);
 }

@@ -1,0 +1,91 @@
+"""An accepted calibration as a page of its own, and what became of calibrations over time."""
+
+from dataclasses import asdict
+from pathlib import Path as Folder
+from typing import Annotated
+
+from fastapi import APIRouter, Path
+from pydantic_core import to_json
+from starlette.responses import FileResponse, Response
+
+from app.api.context import Context, TheContext
+from app.api.problems import NotFound
+from app.api.record_schema import CalibrationPoint, RecordedCalibration
+from app.api.records import summary_of
+from app.files.acceptance import read_acceptance
+from app.files.calibration_history import HistoryEntry, history
+from app.guide.recorded import recorded
+from app.guide.session_folder import SessionFolder
+from app.metrology.refusal import Refusal
+from app.store.calibrations import CalibrationRecord
+
+router = APIRouter(prefix="/api")
+CalibrationId = Annotated[str, Path(max_length=128)]
+
+
+@router.get("/calibration-history")
+def over_time(context: TheContext) -> list[CalibrationPoint]:
+    """Every calibration whose file can be read, the oldest first, with what moved since."""
+    records = {record.id: record for record in reversed(context.store.calibrations.all())}
+    entries = history([(record.id, record.file) for record in records.values()])
+    return [_point(records[entry.id], entry) for entry in entries]
+
+
+@router.get("/calibrations/{calibration_id}", response_model=RecordedCalibration)
+def calibration(calibration_id: CalibrationId, context: TheContext) -> Response:
+    """The result again, as it was looked at before it was accepted."""
+    record = _record(context, calibration_id)
+    folder = SessionFolder(record.file.parent)
+    images = f"/api/calibrations/{record.id}/image/"
+    picture, findings = recorded(context.store.journal, folder, record.session_id, images)
+    try:
+        accepted = read_acceptance(folder.path)
+    except Refusal:
+        accepted = None
+    shown = RecordedCalibration(
+        summary=summary_of(record),
+        operator=accepted.operator if accepted else "",
+        station=accepted.station if accepted else "",
+        temperature_c=accepted.temperature_c if accepted else None,
+        picture=picture,
+        findings=findings,
+    )
+    return Response(to_json(shown, inf_nan_mode="null"), media_type="application/json")
+
+
+@router.get("/calibrations/{calibration_id}/image/{name}")
+def image(calibration_id: CalibrationId, name: str, context: TheContext) -> Response:
+    """One of its pictures."""
+    found: Folder | None = SessionFolder(_record(context, calibration_id).file.parent).image(name)
+    if found is None:
+        raise NotFound(f"This calibration has no picture {name}.")
+    return FileResponse(found, media_type="image/png", headers={"Cache-Control": "private"})
+
+
+def _record(context: Context, calibration_id: str) -> CalibrationRecord:
+    record = context.store.calibrations.get(calibration_id)
+    if record is None:
+        raise NotFound(f"There is no calibration {calibration_id}.")
+    return record
+
+
+def _point(record: CalibrationRecord, entry: HistoryEntry) -> CalibrationPoint:
+    since = entry.since
+    moved = asdict(since.drift) if since else dict.fromkeys(MOVED)
+    return CalibrationPoint(
+        id=record.id,
+        name=record.name,
+        accepted_at=record.accepted_at,
+        total_um=record.figures.total_um,
+        verdict=record.figures.verdict,
+        good_um=entry.good_um,
+        temperature_c=entry.temperature_c,
+        arm_serial=record.figures.arm_serial,
+        sensor_serial=record.figures.sensor_serial,
+        expected_um=since.expected_um if since else None,
+        expected_arcsec=since.expected_arcsec if since else None,
+        **moved,
+    )
+
+
+MOVED = ("sensor_um", "sensor_arcsec", "plane_um", "plane_arcsec", "points_um")

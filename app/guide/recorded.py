@@ -1,0 +1,49 @@
+"""An accepted calibration as it was looked at: the result again, from its journal and folder."""
+
+from app.guide.body import geometry
+from app.guide.journal import Journal, fold
+from app.guide.outcome import Outcome, from_payload
+from app.guide.pose_pictures import recorded_poses
+from app.guide.session_folder import SessionFolder
+from app.guide.state import CalibrationState, after
+from app.guide.touching import touch_report
+from app.guide.view import ResultPicture
+from app.metrology.findings import LIMITS
+from app.metrology.refusal import Refusal
+from app.station.findings import Finding
+
+
+def recorded(
+    journal: Journal, folder: SessionFolder, session_id: str, image_url: str
+) -> tuple[ResultPicture, list[Finding]]:
+    """The result's picture and its findings.
+
+    Args:
+        image_url: the address of the session's pictures, to which their names are added.
+
+    Raises:
+        Refusal: the session was never solved, or its files cannot be read any more.
+    """
+    state = fold(journal.rows(session_id), CalibrationState(), after)
+    solved = from_payload(state.solved.outcome) if state.solved else None
+    chosen = folder.sheets()
+    if solved is None or solved.result is None or chosen.arm is None or chosen.block is None:
+        raise Refusal(
+            "record-incomplete",
+            f"the calibration {session_id} cannot be shown",
+            "its files are not in the data folder any more",
+            "Restore the session's folder from a backup",
+        )
+    touch = touch_report(state.counted, chosen.arm, chosen.block, LIMITS.good_um)
+    picture = ResultPicture(
+        result=solved.result,
+        stale=False,
+        block=geometry(chosen.block),
+        points=touch.points,
+        poses=recorded_poses(state, _looked_at(state), solved, image_url),
+    )
+    return picture, list(solved.findings)
+
+
+def _looked_at(state: CalibrationState) -> dict[int, Outcome]:
+    return {capture.number: from_payload(capture.outcome) for capture in state.captures}

@@ -1,0 +1,18 @@
+import download from "./Download.module.css";
+import { DownloadIcon } from "./icons";
+import styles from "./Reports.module.css";
+
+/** A record's report: to read in a tab of its own, and as PDF. */
+export function Reports({ of }: { of: string }) {
+  return (
+    <div className={styles.reports}>
+      <a className={download.download} href={`${of}/report.html`} target="_blank" rel="noopener">
+        Report
+      </a>
+      <a className={download.download} href={`${of}/report.pdf`} target="_blank" rel="noopener">
+        <DownloadIcon size="1.25rem" />
+        PDF
+      </a>
+    </div>
+  );
+}

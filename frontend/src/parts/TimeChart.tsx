@@ -1,0 +1,79 @@
+import type { Quality } from "../api/types";
+import { figures, moment } from "./format";
+import styles from "./TimeChart.module.css";
+
+const WIDTH = 800;
+const HEIGHT = 200;
+const EDGE = 14;
+
+export interface TimePoint {
+  id: string;
+  at: string;
+  value: number | null;
+  limit: number | null;
+  quality: Quality;
+}
+
+interface TimeChartProps {
+  /** The oldest first. */
+  points: TimePoint[];
+  unit: string;
+  label: string;
+  onPoint?: (id: string) => void;
+}
+
+/** A figure from one time to the next, the limits dashed; a bad one is drawn as a cross. */
+export function TimeChart({ points, unit, label, onPoint }: TimeChartProps) {
+  const known = points.flatMap(({ value, limit }) => [value ?? 0, limit ?? 0]);
+  const top = 1.15 * Math.max(...known, 1);
+  const step = (WIDTH - 2 * EDGE) / Math.max(points.length - 1, 1);
+  const x = (i: number) => (points.length === 1 ? WIDTH / 2 : EDGE + i * step);
+  const y = (value: number) => HEIGHT - (HEIGHT * value) / top;
+  const first = points[0];
+  const last = points[points.length - 1];
+  const line = points.flatMap(({ value }, i) => (value === null ? [] : [`${x(i)},${y(value)}`]));
+  return (
+    <figure className={styles.chart}>
+      <div className={styles.plotted}>
+        <div className={styles.scale} aria-hidden="true">
+          <span>
+            {figures(top, top < 10 ? 1 : 0)} {unit}
+          </span>
+          <span>0</span>
+        </div>
+        <svg className={styles.plot} viewBox={`0 0 ${WIDTH} ${HEIGHT}`} role="img" aria-label={label}>
+          <polyline className={styles.line} points={line.join(" ")} />
+          {points.map(({ id, at, value, limit, quality }, i) => (
+            <g key={id} className={onPoint && styles.point} onClick={() => onPoint?.(id)}>
+              <title>{`${moment(at)}: ${value === null ? "not known" : `${figures(value, 1)} ${unit}`}`}</title>
+              {onPoint && <rect x={x(i) - 22} y="0" width="44" height={HEIGHT} className={styles.reach} />}
+              {limit !== null && (
+                <line
+                  className={styles.limit}
+                  x1={x(i) - Math.min(step, 60) / 2}
+                  x2={x(i) + Math.min(step, 60) / 2}
+                  y1={y(limit)}
+                  y2={y(limit)}
+                />
+              )}
+              {value !== null && <Mark x={x(i)} y={y(value)} quality={quality} />}
+            </g>
+          ))}
+        </svg>
+      </div>
+      {first && last && (
+        <figcaption className={styles.dates}>
+          <span>{moment(first.at)}</span>
+          {points.length > 1 && <span>{moment(last.at)}</span>}
+        </figcaption>
+      )}
+    </figure>
+  );
+}
+
+function Mark({ x, y, quality }: { x: number; y: number; quality: Quality }) {
+  if (quality === "bad") {
+    return <path className={styles.failed} d={`M${x - 6} ${y - 6}l12 12M${x + 6} ${y - 6}l-12 12`} />;
+  }
+  return <circle className={styles.dot} data-quality={quality} cx={x} cy={y} r={5.5} />;
+}

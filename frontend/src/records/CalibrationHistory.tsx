@@ -1,0 +1,118 @@
+import { SegmentedControl } from "@mantine/core";
+import { useState } from "react";
+
+import type { CalibrationPoint } from "../api/recordTypes";
+import { TimeChart } from "../parts/TimeChart";
+import { bound, figures } from "../parts/format";
+import { go } from "../state/router";
+import { useList } from "../state/useList";
+import styles from "./CalibrationHistory.module.css";
+
+interface Measure {
+  label: string;
+  unit: string;
+  words: string;
+  value: (point: CalibrationPoint) => number | null;
+  limit: (point: CalibrationPoint) => number | null;
+}
+
+const SINCE = "against the calibration before; dashed: what the uncertainties of both let expect of a sensor that did not move (k = 2)";
+const MEASURES: Record<string, Measure> = {
+  total: {
+    label: "Uncertainty",
+    unit: "µm",
+    words: "Standard uncertainty of a scanned point, k = 1; dashed: good up to there",
+    value: (point) => point.total_um,
+    limit: (point) => point.good_um,
+  },
+  sensor_um: {
+    label: "Sensor shift",
+    unit: "µm",
+    words: `Shift of the middle of the measuring volume in the frame of the arm's last joint, ${SINCE}`,
+    value: (point) => point.sensor_um,
+    limit: (point) => point.expected_um,
+  },
+  sensor_arcsec: {
+    label: "Sensor turn",
+    unit: "″",
+    words: `Turn of the measuring volume, ${SINCE}`,
+    value: (point) => point.sensor_arcsec,
+    limit: (point) => point.expected_arcsec,
+  },
+  plane_um: {
+    label: "Laser shift",
+    unit: "µm",
+    words: `Shift of the laser plane along its normal, ${SINCE}`,
+    value: (point) => point.plane_um,
+    limit: (point) => point.expected_um,
+  },
+  plane_arcsec: {
+    label: "Laser turn",
+    unit: "″",
+    words: `Turn of the laser plane, ${SINCE}`,
+    value: (point) => point.plane_arcsec,
+    limit: (point) => point.expected_arcsec,
+  },
+  temperature: {
+    label: "Temperature",
+    unit: "°C",
+    words: "Temperature at acceptance",
+    value: (point) => point.temperature_c,
+    limit: () => null,
+  },
+};
+
+/** What became of the newest calibration's sensor on its arm, one figure at a time. */
+export function CalibrationHistory() {
+  const { list } = useList<CalibrationPoint>("/api/calibration-history");
+  const [shown, setShown] = useState("total");
+  const newest = list?.[list.length - 1];
+  if (!list || !newest) return null;
+  const own = list.filter((p) => p.arm_serial === newest.arm_serial && p.sensor_serial === newest.sensor_serial);
+  if (own.length < 2) {
+    return <p className={styles.first}>From the second calibration on, what changed between them is drawn here.</p>;
+  }
+  const names = Object.keys(MEASURES).filter((name) => own.some((point) => MEASURES[name]?.value(point) !== null));
+  const measure = MEASURES[shown] ?? MEASURES.total!;
+  const points = own.map((point) => {
+    const [value, limit] = [measure.value(point), measure.limit(point)];
+    const beyond = value !== null && limit !== null && value > limit;
+    return { id: point.id, at: point.accepted_at, value, limit, quality: judged(shown, point, beyond) };
+  });
+  return (
+    <div className={styles.history}>
+      <div className={styles.choice}>
+        <SegmentedControl
+          value={shown}
+          onChange={setShown}
+          data={names.map((name) => ({ value: name, label: MEASURES[name]?.label ?? name }))}
+          size="md"
+          radius="md"
+          aria-label="What is drawn over time"
+          classNames={{ root: styles.control ?? "", indicator: styles.indicator ?? "" }}
+        />
+      </div>
+      <TimeChart
+        points={points}
+        unit={measure.unit}
+        label={`${measure.label} over time`}
+        onPoint={(id) => go("records", `calibration/${id}`)}
+      />
+      <p className={styles.words}>{bound(`${measure.words}. ${told(points[points.length - 1], measure)}`)}</p>
+    </div>
+  );
+}
+
+type Point = { value: number | null; limit: number | null };
+
+function judged(shown: string, point: CalibrationPoint, beyond: boolean) {
+  if (shown === "total") return point.verdict;
+  if (shown === "temperature") return "neutral";
+  return beyond ? "attention" : "good";
+}
+
+function told(last: Point | undefined, { unit, label }: Measure): string {
+  if (!last || last.value === null) return "";
+  const limit = last.limit === null ? "" : `, ${last.value > last.limit ? "beyond" : "within"} ${figures(last.limit)} ${unit}`;
+  return `${label} last: ${figures(last.value, last.value < 10 ? 1 : 0)} ${unit}${limit}.`;
+}

@@ -1,0 +1,90 @@
+import type { RecordedCalibration } from "../api/recordTypes";
+import { Layout } from "../frame/Layout";
+import { BigNumber } from "../parts/BigNumber";
+import { CardHead } from "../parts/CardHead";
+import { Download } from "../parts/Download";
+import { Findings } from "../parts/Findings";
+import { figures, moment } from "../parts/format";
+import { PressButton } from "../parts/PressButton";
+import { Reports } from "../parts/Reports";
+import { ResultPicture } from "../result/ResultPicture";
+import { go } from "../state/router";
+import { useLive } from "../state/store";
+import { useRead } from "../state/useRead";
+import styles from "./CalibrationRecord.module.css";
+
+/** One accepted calibration: the result again as a picture, and its reports. */
+export function CalibrationRecord({ id }: { id: string }) {
+  const inUse = useLive((s) => s.home?.calibration?.id ?? "");
+  const { value, failed } = useRead<RecordedCalibration>(`/api/calibrations/${id}`, inUse);
+  if (!value) {
+    const text = failed
+      ? "It cannot be shown: its files are not in the data folder any more, or the station is away."
+      : "Reading the calibration.";
+    return <Layout picture={null} card={<Head title="Calibration" text={text} />} />;
+  }
+  const { summary, picture, findings } = value;
+  return (
+    <Layout
+      picture={<ResultPicture picture={picture} />}
+      card={
+        <>
+          <Head title={summary.name.replaceAll("-", "\u2011")} text={summary.active ? "It is in use." : "It is not in use any more."} />
+          <BigNumber
+            kept
+            verdict
+            number={{
+              label: "Uncertainty of a scanned point (k = 1)",
+              value: summary.total_um,
+              unit: "µm",
+              decimals: 0,
+              quality: summary.verdict,
+              note: picture.result.verdict_text,
+            }}
+          />
+          <div className={styles.files}>
+            <Reports of={`/api/calibrations/${summary.id}`} />
+            <Download href={`/api/calibrations/${summary.id}/calibration.json`}>JSON</Download>
+          </div>
+          <Facts record={value} />
+          <Findings findings={findings.slice(1)} />
+        </>
+      }
+    />
+  );
+}
+
+function Head({ title, text }: { title: string; text: string }) {
+  return (
+    <>
+      <div>
+        <PressButton free kind="quiet" onPress={() => go("records")}>
+          ← All records
+        </PressButton>
+      </div>
+      <CardHead title={title} text={text} />
+    </>
+  );
+}
+
+function Facts({ record: { summary, operator, station, temperature_c } }: { record: RecordedCalibration }) {
+  const rows = [
+    ["Accepted", moment(summary.accepted_at)],
+    ["Operator", operator || "not stated"],
+    ["Station", station || "not stated"],
+    ["Arm", summary.arm_serial],
+    ["Sensor", summary.sensor_serial],
+    ["Object", summary.object_serial],
+    ["Temperature", temperature_c === null ? "not measured" : `${figures(temperature_c, 1)} °C`],
+  ];
+  return (
+    <dl className={styles.facts}>
+      {rows.map(([name, value]) => (
+        <div key={name}>
+          <dt>{name}</dt>
+          <dd>{value}</dd>
+        </div>
+      ))}
+    </dl>
+  );
+}

@@ -1,0 +1,26 @@
+import { useEffect, useState } from "react";
+
+import { get } from "../api/http";
+import { useLive } from "./store";
+
+/** What the station tells under an address, read again once it is back, and on every `change`. */
+export function useRead<T>(path: string, change = ""): { value: T | null; failed: boolean } {
+  const [value, setValue] = useState<T | null>(null);
+  const [failed, setFailed] = useState(false);
+  const live = useLive((s) => s.connection === "live");
+  useEffect(() => {
+    let wanted = true;
+    get<T>(path).then(
+      (read) => {
+        if (!wanted) return;
+        setValue(read);
+        setFailed(false);
+      },
+      () => wanted && setFailed(true),
+    );
+    return () => {
+      wanted = false;
+    };
+  }, [path, live, change]);
+  return { value, failed };
+}
