@@ -95,7 +95,11 @@ def open_context(parts: Parts) -> Context:
         holder = lease.control.holder
         return holder.name if holder else ""
 
-    signing = Signing(parts.name, simulated, in_control)
+    def celsius_now() -> float | None:
+        reading = store.temperatures.newest()
+        return reading.celsius if reading else None
+
+    signing = Signing(parts.name, simulated, in_control, celsius_now)
 
     def use_active() -> None:
         _use(store.calibrations.active(), store, rig, preview, scanner, bus)

@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+from app.files.gauge_cloud import MAP, MapFile
 from app.files.verification import (
     VERIFICATION,
     CloudPart,
@@ -24,6 +25,7 @@ from app.report.content import (
     Verdict,
 )
 from app.report.figure import BLUE, FAINT, GROUND, INK, LINE, ORANGE, RED, SOFT, Dot, Figure, Shape
+from app.report.gauge_figure import deviations
 from app.report.traced import inputs_section
 from app.report.words import UNKNOWN, micrometres, millimetres, moment, named, temperature
 
@@ -58,6 +60,7 @@ def verification_report(folder: Path) -> Report:
         Section("Reasons", [Findings([*reasons, *notes])], together=False),
         Section("Against the limits", [Pictures([_against(sheet)])]),
         *_clouds(sheet),
+        *_maps(folder, sheet),
         inputs_section(folder, sheet.inputs, VERIFICATION),
     ]
     return Report(
@@ -207,6 +210,19 @@ def _clouds(sheet: VerificationFile) -> list[Section]:
         plots = [_plot(sheet, name, title) for name, title, _ in told]
         sections.append(Section("Over the clouds", [Pictures(plots, 2)], together=False))
     return sections
+
+
+def _maps(folder: Path, sheet: VerificationFile) -> list[Section]:
+    """How each cloud lies about its own shape, where the folder has it."""
+    maps = [
+        (cloud, MapFile.read(path))
+        for cloud in sheet.clouds
+        if (path := (folder / cloud.recording).parent / MAP).is_file()
+    ]
+    shown = [deviations(cloud.name, found) for cloud, found in maps if found.deviation_um]
+    if not shown:
+        return []
+    return [Section("Residuals on the gauge", [Pictures(shown, 3)], together=False)]
 
 
 def _cell(cloud: CloudPart, name: str, decimals: int) -> str:

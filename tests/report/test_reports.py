@@ -18,6 +18,7 @@ from app.files.arm_identification import write_observations
 from app.files.calibrate import calibrate_session
 from app.files.calibration import CalibrationFile, Input
 from app.files.documents import sha256_of
+from app.files.gauge_cloud import MAP, MapFile
 from app.files.software import SOFTWARE
 from app.files.verification import VerificationFile, write_verification
 from app.metrology.arm_model.observations import Observations, Seat
@@ -185,12 +186,17 @@ def test_an_arm_checks_report(tmp_path: Path) -> None:
 def test_a_verifications_report(tmp_path: Path) -> None:
     more = [{**SHEET["clouds"][0], "name": f"Cloud {n}"} for n in (1, 2)]  # type: ignore[index]
     write_verification(tmp_path, VerificationFile.model_validate({**SHEET, "clouds": more}))
+    (tmp_path / "cloud-1").mkdir()
+    MapFile(cell_mm=2, x_mm=(0, 2, 4), y_mm=(0, 0, 2), deviation_um=(5, -8, 1)).write(
+        tmp_path / "cloud-1" / MAP
+    )
     printed = text_of(report_as(tmp_path, ".pdf"))
     shown = html.unescape(report_as(tmp_path, ".html").decode())
     for told in ("Pass", "Error of the radius", "−20.0 µm", "± 6.0 µm", "Not to standard"):
         assert told in printed, told
     assert "Verification on a gauge sphere" in shown
     assert "cloud by cloud" in shown
+    assert "Residuals of Cloud 1 on the gauge" in shown
 
 
 def test_a_folder_without_a_record_has_no_report(tmp_path: Path) -> None:
