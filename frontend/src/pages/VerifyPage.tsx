@@ -9,6 +9,7 @@ import { Download } from "../parts/Download";
 import { EmptyState } from "../parts/EmptyState";
 import { moment } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
+import { Reports } from "../parts/Reports";
 import { go } from "../state/router";
 import { setState, useLive } from "../state/store";
 import { useList } from "../state/useList";
@@ -71,6 +72,7 @@ function Records({ opened, running }: { opened: string | null; running: boolean 
               {shown ? "Verify again" : "Start verification"}
             </PressButton>
           )}
+          {shown && <Reports of={`/api/verifications/${shown.id}`} />}
           {shown && (
             <Download href={`/api/verifications/${shown.id}`}>Record of {moment(shown.accepted_at)}</Download>
           )}

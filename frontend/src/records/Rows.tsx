@@ -56,7 +56,7 @@ export function VerificationRow({ summary }: { summary: VerificationSummary }) {
       <PressButton free onPress={open}>
         Open
       </PressButton>
-      <Download href={`/api/verifications/${summary.id}`}>JSON</Download>
+      <Reports of={`/api/verifications/${summary.id}`} />
     </li>
   );
 }
