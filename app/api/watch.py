@@ -159,7 +159,7 @@ class Watch:
         )
         self.webhook.offer(notice)
         if kind != "test":
-            self._bus.publish("notice", notice)
+            self._bus.publish("told", notice)
 
     def close(self) -> None:
         """The log last of all."""

@@ -55,9 +55,9 @@ def device(state: DeviceState) -> HealthItem:
     """Whether a device sends."""
     name = state.title.lower()
     quality: Quality = {"connected": "good", "connecting": "attention"}.get(state.state, "bad")  # type: ignore[assignment]
-    what = state.text
+    what = f"{state.text.rstrip('.')}."
     if state.state == "connected" and state.age_s is not None and state.rate_hz is not None:
-        what = f"{state.text}: {state.rate_hz:.0f} a second, the newest {state.age_s:.2f} s old"
+        what = f"{state.text}: {state.rate_hz:.0f} a second, the newest {state.age_s:.2f} s old."
     return HealthItem(
         f"device-{name}",
         state.title,
@@ -172,11 +172,11 @@ def database(size_mb: float, trouble: str) -> HealthItem:
 
 
 def event_loop(stalls: Stalls, limit_s: float) -> HealthItem:
-    """Whether the pages are served without a hitch."""
+    """Whether browsers are answered without a hitch."""
     why = "Held up, live numbers stand, and a press is answered late; devices are read on."
     if not stalls.count and not stalls.pauses:
         what = f"Never held up for more than {limit_s:.2f} s."
-        return HealthItem("loop", "Event loop", "good", what, why, "")
+        return HealthItem("loop", "Answers to browsers", "good", what, why, "")
     parts = []
     if stalls.count:
         parts.append(
@@ -193,7 +193,8 @@ def event_loop(stalls: Stalls, limit_s: float) -> HealthItem:
     remedy = "Close what else uses the machine."
     if stalls.count:
         remedy = "The log has what held it up; send the support bundle if it happens again."
-    return HealthItem("loop", "Event loop", quality, f"{text[:1].upper()}{text[1:]}.", why, remedy)
+    what = f"{text[:1].upper()}{text[1:]}."
+    return HealthItem("loop", "Answers to browsers", quality, what, why, remedy)
 
 
 def memory_use(used: Memory) -> HealthItem:

@@ -14,6 +14,8 @@ log = logging.getLogger(__name__)
 LIMIT_S = 0.25
 """Held up for longer than this, live numbers are seen to stand."""
 PERIOD_S = 0.1
+FRAMES = 16
+"""Of the stack, the innermost."""
 PAUSE_S = 0.75
 """The watching thread itself woke up so late: the whole program stood, not only the loop."""
 
@@ -88,7 +90,7 @@ class LoopWatchdog:
             self._note_pause(late_s)
             return
         frame = sys._current_frames().get(watched)
-        stack = "".join(traceback.format_stack(frame)) if frame is not None else ""
+        stack = "".join(traceback.format_stack(frame, FRAMES)) if frame is not None else ""
         log.warning("the event loop is held up for more than %.2f s by:\n%s", self._limit_s, stack)
         while not answered.wait(PERIOD_S) and not self._stopping.is_set():
             continue

@@ -22,7 +22,7 @@ Count = Annotated[int, Field(ge=0)]
 Amount = Annotated[float, Field(ge=0, allow_inf_nan=False)]
 Reading = Annotated[float, Field(allow_inf_nan=False)]
 Moment = Annotated[str, Field(max_length=40, description="ISO 8601, UTC")]
-Activity = Literal["idle", "calibrating", "checking_arm", "scanning", "working"]
+Activity = Literal["idle", "calibrating", "verifying", "checking_arm", "scanning", "working"]
 
 
 class Payload(BaseModel):

@@ -7,16 +7,18 @@ import { TopBar } from "./frame/TopBar";
 import { ArmPage } from "./pages/ArmPage";
 import { CalibratePage } from "./pages/CalibratePage";
 import { EntrancePage } from "./pages/EntrancePage";
+import { HealthPage } from "./pages/HealthPage";
 import { HomePage } from "./pages/HomePage";
 import { PeoplePage } from "./pages/PeoplePage";
 import { RecordsPage } from "./pages/RecordsPage";
 import { ScanPage } from "./pages/ScanPage";
 import { SettingsPage } from "./pages/SettingsPage";
+import { SupervisePage } from "./pages/SupervisePage";
 import { VerifyPage } from "./pages/VerifyPage";
 import { TITLES, usePage } from "./state/router";
 import { useLive } from "./state/store";
 
-const PAGE = { home: HomePage, calibrate: CalibratePage, verify: VerifyPage, scan: ScanPage, arm: ArmPage, records: RecordsPage, settings: SettingsPage, people: PeoplePage };
+const PAGE = { home: HomePage, calibrate: CalibratePage, verify: VerifyPage, scan: ScanPage, arm: ArmPage, records: RecordsPage, supervise: SupervisePage, health: HealthPage, settings: SettingsPage, people: PeoplePage };
 
 export function App() {
   const page = usePage();
@@ -26,6 +28,8 @@ export function App() {
     document.title = `${TITLES[page]} · Crenel`;
   }, [page]);
   if (session && !session.you) return <EntrancePage session={session} />;
+  // a screen on the wall has no hands: what it shows fills it
+  if (session?.you?.wall) return <SupervisePage />;
   return (
     <div className={styles.frame}>
       <TopBar page={page} />

@@ -22,6 +22,7 @@ import { startLive } from "./api/live";
 import { startSession } from "./api/session";
 import { App } from "./App";
 import { unlockSound } from "./state/sounds";
+import { startTelling } from "./state/telling";
 import { theme } from "./theme";
 
 const root = document.getElementById("root");
@@ -32,6 +33,7 @@ void startSession();
 // a link put into the address of a page that is open
 window.addEventListener("hashchange", () => void startSession());
 unlockSound();
+startTelling();
 createRoot(root).render(
   <StrictMode>
     <MantineProvider theme={theme} defaultColorScheme="auto">

@@ -2,10 +2,13 @@
 
 import pytest
 
-from app.api import verify_schema
+from app.api import health as health_routes
+from app.api import telling, verify_schema
 from app.guide.arm import state, view
 from app.guide.verify import view as verify_view
-from app.station import distance, fits, painter, viewing
+from app.station import distance, fits, health, log_book, painter, viewing
+from app.store import backup
+from app.supervise import fleet, messages, notices
 from tests.api import test_types
 
 SHAPES: dict[str, dict[str, type]] = {
@@ -38,6 +41,25 @@ SHAPES: dict[str, dict[str, type]] = {
         "Fitted": fits.Fitted,
         "Distance": distance.Distance,
         "ViewState": viewing.ViewState,
+    },
+    "watchTypes.ts": {
+        "DeviceReport": messages.DeviceReport,
+        "ActivityReport": messages.ActivityReport,
+        "CalibrationReport": messages.CalibrationReport,
+        "VerificationReport": messages.VerificationReport,
+        "Alarm": messages.Alarm,
+        "StationReport": messages.StationReport,
+        "StationEvent": messages.StationEvent,
+        "StationShown": fleet.StationShown,
+        "Told": notices.Notice,
+        "HealthItem": health.HealthItem,
+        "Health": health.Health,
+        "BackupMade": backup.BackupMade,
+        "BackupState": health_routes.BackupState,
+        "HealthView": health_routes.HealthView,
+        "LogLine": log_book.LogLine,
+        "Notifications": telling.Notifications,
+        "Scraper": telling.ScraperSummary,
     },
 }
 

@@ -271,7 +271,7 @@ def test_notifications_go_where_the_administrator_says(server: Server, receiver:
     until(lambda: len(receiver.taken) == 3)
     kinds = [json.loads(body)["kind"] for _, body in receiver.taken]
     assert kinds == ["test", "fault", "done"]
-    assert topics(server, {"notice"})["notice"]["text"] == "A scan of a test is saved"  # type: ignore[index]
+    assert topics(server, {"told"})["told"]["text"] == "A scan of a test is saved"  # type: ignore[index]
 
     kept = server.http.post("/api/notifications", json={**change, "secret": None}).json()
     assert kept["has_secret"]

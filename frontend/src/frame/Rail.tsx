@@ -1,12 +1,12 @@
-import type { MouseEvent } from "react";
+import { type MouseEvent, useEffect, useRef } from "react";
 
-import { ArmIcon, CalibrateIcon, HomeIcon, PeopleIcon, RecordsIcon, ScanIcon, SettingsIcon, VerifyIcon } from "../parts/icons";
+import { ArmIcon, CalibrateIcon, HealthIcon, HomeIcon, PeopleIcon, RecordsIcon, ScanIcon, SettingsIcon, SuperviseIcon, VerifyIcon } from "../parts/icons";
 import { go, type Page, PAGES, pathOf, TITLES } from "../state/router";
 import { useLive } from "../state/store";
 import styles from "./Rail.module.css";
 import { StepList } from "./StepList";
 
-const ICONS = { home: HomeIcon, calibrate: CalibrateIcon, verify: VerifyIcon, scan: ScanIcon, arm: ArmIcon, records: RecordsIcon, settings: SettingsIcon, people: PeopleIcon };
+const ICONS = { home: HomeIcon, calibrate: CalibrateIcon, verify: VerifyIcon, scan: ScanIcon, arm: ArmIcon, records: RecordsIcon, supervise: SuperviseIcon, health: HealthIcon, settings: SettingsIcon, people: PeopleIcon };
 
 /** Pages, and under them the steps of the flow while it is on. */
 export function Rail({ page }: { page: Page }) {
@@ -35,8 +35,13 @@ function PageLink({ to, current }: { to: Page; current: boolean }) {
     event.preventDefault();
     go(to);
   };
+  const link = useRef<HTMLAnchorElement>(null);
+  // on a phone the pages scroll sideways
+  useEffect(() => {
+    if (current) link.current?.scrollIntoView({ block: "nearest", inline: "nearest" });
+  }, [current]);
   return (
-    <a href={pathOf(to)} className={styles.page} aria-current={current ? "page" : undefined} onClick={follow}>
+    <a ref={link} href={pathOf(to)} className={styles.page} aria-current={current ? "page" : undefined} onClick={follow}>
       <Icon />
       <span>{TITLES[to]}</span>
     </a>

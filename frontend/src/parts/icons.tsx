@@ -48,6 +48,8 @@ export const VerifyIcon = icon(
   </>,
 );
 export const RecordsIcon = icon(<path d="M5 4h10l4 4v12H5zM15 4v4h4M8.5 12h7M8.5 15.5h7" />);
+export const SuperviseIcon = icon(<path d="M3 5h18v11H3zM9 20h6M12 16v4M6.500 12.500l3-3.500 2.500 2.500 4-4.500" />);
+export const HealthIcon = icon(<path d="M12 20C5 15 3 11.500 3 8.500A4.500 4.500 0 0 1 12 7a4.500 4.500 0 0 1 9 1.500c0 3-2 6.500-9 11.500zM6 12h3l1.500-3 3 5 1.500-2h3" />);
 export const SettingsIcon = icon(
   <>
     <path d="M3 7h9M17 7h4M3 17h4M12 17h9" />

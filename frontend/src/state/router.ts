@@ -1,6 +1,6 @@
 import { useSyncExternalStore } from "react";
 
-export const PAGES = ["home", "calibrate", "verify", "scan", "arm", "records", "settings", "people"] as const;
+export const PAGES = ["home", "calibrate", "verify", "scan", "arm", "records", "supervise", "health", "settings", "people"] as const;
 export type Page = (typeof PAGES)[number];
 
 export const TITLES: Record<Page, string> = {
@@ -10,6 +10,8 @@ export const TITLES: Record<Page, string> = {
   scan: "Scan",
   arm: "Arm check",
   records: "Records",
+  supervise: "Supervise",
+  health: "Health",
   settings: "Settings",
   people: "People",
 };

@@ -5,6 +5,7 @@ import type { ArmView } from "../api/armTypes";
 import type { Devices, FlowView, Home, Quality, ReplayState, ScanState, Station, StationSettings } from "../api/types";
 import type { VerifyView } from "../api/verifyTypes";
 import type { ViewState } from "../api/viewTypes";
+import type { StationReport, StationShown, Told } from "../api/watchTypes";
 
 export type Connection = "connecting" | "live" | "lost";
 
@@ -47,6 +48,12 @@ export interface LiveState {
   /** Id of the verification that is looked at again; null for the one at hand. */
   record: string | null;
   view: ViewState | null;
+  /** Of this station, as others see it. */
+  report: StationReport | null;
+  /** All others that the broker knows. */
+  stations: StationShown[] | null;
+  /** What was told last to whoever is away. */
+  told: Told | null;
   event: StationEvent | null;
   /** The pose that was last asked for, by a finding or a figure that names it. */
   look: { pose: number } | null;
@@ -69,6 +76,9 @@ let state: LiveState = {
   verify: null,
   record: null,
   view: null,
+  report: null,
+  stations: null,
+  told: null,
   event: null,
   look: null,
   notice: null,

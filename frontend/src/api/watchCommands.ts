@@ -1,0 +1,38 @@
+import { clearNotice } from "../state/notices";
+import { tell } from "./commands";
+import { drop, post } from "./http";
+import type { BackupState, Notifications, Scraper } from "./watchTypes";
+
+async function done<T>(act: () => Promise<T | null>, whatWas: string): Promise<T | null> {
+  try {
+    const answer = await act();
+    clearNotice();
+    return answer;
+  } catch (error) {
+    tell(error, whatWas);
+    return null;
+  }
+}
+
+export const startBackup = () => done(() => post<BackupState>("/api/backup"), "no backup was begun");
+
+export interface NotificationsChange {
+  url: string;
+  /** Null leaves it, empty takes it away. */
+  secret: string | null;
+  done: boolean;
+  fault: boolean;
+  due: boolean;
+}
+
+export const changeNotifications = (change: NotificationsChange) =>
+  done(() => post<Notifications>("/api/notifications", change), "the notifications were not changed");
+
+export const tryNotifications = () =>
+  done(() => post<Notifications>("/api/notifications/test"), "nothing was sent");
+
+export const addScraper = (name: string) =>
+  done(() => post<Scraper>("/api/scrapers", { name }), "no token was made");
+
+export const removeScraper = (id: string) =>
+  done(() => drop(`/api/scrapers/${id}`), "the token may still be good");

@@ -1,0 +1,80 @@
+import { useCallback, useEffect, useState } from "react";
+
+import { tell } from "../api/commands";
+import { get } from "../api/http";
+import type { LogLine } from "../api/watchTypes";
+import { PressButton } from "../parts/PressButton";
+import { QualityMark } from "../parts/QualityMark";
+import { TextField } from "../parts/TextField";
+import styles from "./Health.module.css";
+
+const LEVELS = [
+  { level: "info", label: "All" },
+  { level: "warning", label: "Warnings" },
+  { level: "error", label: "Errors" },
+] as const;
+const QUALITY = { info: "neutral", warning: "attention", error: "bad" } as const;
+const TYPED_MS = 300;
+
+/** The station's log, the newest line first. */
+export function LogList() {
+  const [level, setLevel] = useState<LogLine["level"]>("info");
+  const [words, setWords] = useState("");
+  const [lines, setLines] = useState<LogLine[] | null>(null);
+  const read = useCallback(async () => {
+    try {
+      setLines(await get<LogLine[]>(`/api/logs?level=${level}&words=${encodeURIComponent(words)}`));
+    } catch (error) {
+      tell(error, "the log could not be read");
+    }
+  }, [level, words]);
+  useEffect(() => {
+    const timer = setTimeout(() => void read(), TYPED_MS);
+    return () => clearTimeout(timer);
+  }, [read]);
+  return (
+    <section className={styles.section} aria-label="Log">
+      <h2 className={styles.title}>Log</h2>
+      <div className={styles.filter}>
+        <div className={styles.levels} role="group" aria-label="Which lines">
+          {LEVELS.map((one) => (
+            <button key={one.level} type="button" aria-pressed={one.level === level} onClick={() => setLevel(one.level)}>
+              {one.label}
+            </button>
+          ))}
+        </div>
+        <TextField label="Words in it" value={words} maxLength={100} onText={setWords} />
+        <PressButton free kind="quiet" onPress={read}>
+          Read again
+        </PressButton>
+      </div>
+      <ol className={styles.log}>
+        {lines?.map((line, i) => (
+          <li key={`${line.at}${i}`} data-level={line.level}>
+            <time>{timeOf(line.at)}</time>
+            <QualityMark quality={QUALITY[line.level]} size="1.125rem" />
+            <div>
+              <p className={styles.text}>{line.text}</p>
+              <p className={styles.from}>{line.logger}</p>
+              {line.trace && (
+                <details>
+                  <summary>Where in the program</summary>
+                  <pre>{line.trace}</pre>
+                </details>
+              )}
+            </div>
+          </li>
+        ))}
+        {lines?.length === 0 && <li className={styles.empty}>No line of the log is like that.</li>}
+      </ol>
+    </section>
+  );
+}
+
+/** To the second, in the reader's own zone. */
+function timeOf(iso: string): string {
+  const date = new Date(iso);
+  if (Number.isNaN(date.getTime())) return iso;
+  const two = (part: number) => String(part).padStart(2, "0");
+  return `${two(date.getMonth() + 1)}-${two(date.getDate())} ${two(date.getHours())}:${two(date.getMinutes())}:${two(date.getSeconds())}`;
+}

@@ -1,0 +1,48 @@
+import { useCallback, useEffect, useState } from "react";
+
+import { get } from "../api/http";
+import type { HealthView } from "../api/watchTypes";
+import { Banners } from "../frame/Banners";
+import { Checks } from "../health/Checks";
+import { Keeping } from "../health/Keeping";
+import { LogList } from "../health/LogList";
+import { Scrapers } from "../health/Scrapers";
+import { Telling } from "../health/Telling";
+import { useLive } from "../state/store";
+import styles from "./RecordsPage.module.css";
+
+const AGAIN_MS = 3000;
+
+/** How the station is, and how it is kept so. */
+export function HealthPage() {
+  const role = useLive((s) => s.session?.you?.role);
+  const live = useLive((s) => s.connection === "live");
+  const [view, setView] = useState<HealthView | null>(null);
+  const read = useCallback(async () => {
+    try {
+      setView(await get<HealthView>("/api/health"));
+    } catch {
+      // the lost connection is told by its own banner
+    }
+  }, []);
+  useEffect(() => {
+    if (!live) return;
+    void read();
+    const timer = setInterval(() => void read(), AGAIN_MS);
+    return () => clearInterval(timer);
+  }, [live, read]);
+  const admin = role === "admin";
+  const operator = admin || role === "operator";
+  return (
+    <main className={styles.page}>
+      <div className={styles.records}>
+        {view ? <Checks health={view.health} /> : <p className={styles.empty}>The station is being looked at.</p>}
+        {view && <Keeping backup={view.backup} admin={admin} operator={operator} onChange={read} />}
+        <Telling admin={admin} />
+        {admin && <Scrapers />}
+        {operator && <LogList />}
+      </div>
+      <Banners />
+    </main>
+  );
+}

@@ -1,0 +1,117 @@
+import { useEffect, useState } from "react";
+
+import type { Quality } from "../api/types";
+import type { StationReport, StationShown } from "../api/watchTypes";
+import { age, plural } from "../parts/format";
+import { Mark } from "../parts/icons";
+import { QualityMark } from "../parts/QualityMark";
+import { useSilence } from "../state/freshness";
+import { useLive } from "../state/store";
+import { Board } from "../supervise/Board";
+import { StationCards } from "../supervise/StationCards";
+import { stationState, worst } from "../supervise/words";
+import styles from "./SupervisePage.module.css";
+
+const KEY = "crenel-supervise";
+type Shown = "this" | "all";
+
+/** For whoever looks on: this station large, or all that the broker knows. */
+export function SupervisePage() {
+  const report = useLive((s) => s.report);
+  const others = useLive((s) => s.stations);
+  const wall = useLive((s) => s.session?.you?.wall ?? false);
+  const { live, silent_s } = useSilence();
+  const [chosen, choose] = useState<Shown>(() => (localStorage.getItem(KEY) === "all" ? "all" : "this"));
+  const several = (others?.length ?? 0) > 0;
+  const shown = several ? chosen : "this";
+  const pick = (one: Shown) => {
+    localStorage.setItem(KEY, one);
+    choose(one);
+  };
+  if (!report) {
+    return (
+      <main className={styles.page}>
+        <p className={styles.waiting}>Waiting for the station.</p>
+      </main>
+    );
+  }
+  return (
+    <main className={styles.page} data-wall={wall || undefined}>
+      <header className={styles.head}>
+        {wall && <Mark size="1.5em" />}
+        <h1 className={styles.name}>{shown === "all" ? "All stations" : report.name}</h1>
+        <Freshness live={live} silent_s={silent_s} {...(shown === "all" ? sumOf(report, others ?? []) : alarmsOf(report))} />
+        {several && (
+          <div className={styles.choice} role="group" aria-label="What is shown">
+            <button type="button" aria-pressed={shown === "this"} onClick={() => pick("this")}>
+              This station
+            </button>
+            <button type="button" aria-pressed={shown === "all"} onClick={() => pick("all")}>
+              All {(others?.length ?? 0) + 1}
+            </button>
+          </div>
+        )}
+        <TimeOfDay />
+      </header>
+      {shown === "all" && others ? (
+        <StationCards stations={[own(report, live, silent_s), ...others]} wall={wall} />
+      ) : (
+        <Board report={report} silent_s={live ? 0 : silent_s} />
+      )}
+    </main>
+  );
+}
+
+function own(report: StationReport, live: boolean, silent_s: number): StationShown {
+  return { id: report.station, name: report.name, state: live ? "live" : "lost", silent_s, report, events: [] };
+}
+
+interface Sum {
+  words: string;
+  quality: Quality;
+}
+
+function alarmsOf(report: StationReport): Sum {
+  const alarms = report.alarms.length;
+  return { words: alarms ? plural(alarms, "alarm") : "live", quality: worst(report) };
+}
+
+/** How many want somebody; of all of them. */
+function sumOf(report: StationReport, others: StationShown[]): Sum {
+  const qualities = [worst(report), ...others.map((one) => stationState(one).quality)];
+  const count = (quality: Quality) => qualities.filter((one) => one === quality).length;
+  if (count("bad")) return { words: `${count("bad")} of ${qualities.length} at fault`, quality: "bad" };
+  if (count("attention")) return { words: `${count("attention")} of ${qualities.length} want attention`, quality: "attention" };
+  return { words: plural(qualities.length, "station"), quality: "good" };
+}
+
+function Freshness({ live, silent_s, words, quality }: Sum & { live: boolean; silent_s: number }) {
+  if (!live) {
+    return (
+      <p className={styles.fresh} data-quality="bad" role="status">
+        <QualityMark quality="bad" size="1em" /> not heard for {age(Math.floor(silent_s))}
+      </p>
+    );
+  }
+  return (
+    <p className={styles.fresh} data-quality={quality}>
+      <QualityMark quality={quality} size="1em" /> {words}
+    </p>
+  );
+}
+
+/** It moves, and so tells that the screen itself is alive. */
+function TimeOfDay() {
+  const [now, setNow] = useState(() => new Date());
+  useEffect(() => {
+    const timer = setInterval(() => setNow(new Date()), 1000);
+    return () => clearInterval(timer);
+  }, []);
+  const two = (part: number) => String(part).padStart(2, "0");
+  return (
+    <time className={styles.time}>
+      {two(now.getHours())}:{two(now.getMinutes())}
+      <span>:{two(now.getSeconds())}</span>
+    </time>
+  );
+}

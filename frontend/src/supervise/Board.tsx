@@ -1,0 +1,81 @@
+import { useRef, useState } from "react";
+
+import { newKey } from "../api/commands";
+import type { Alarm, StationReport } from "../api/watchTypes";
+import { bound } from "../parts/format";
+import { QualityMark } from "../parts/QualityMark";
+import { CloudView } from "../scan/CloudView";
+import styles from "./Board.module.css";
+import { doing, facts, type Fact, KINDS } from "./words";
+
+/** One station for a screen on the wall: what runs, what is wrong, and the live cloud. */
+export function Board({ report, silent_s }: { report: StationReport; silent_s: number }) {
+  return (
+    <div className={styles.board} data-stale={silent_s > 0 || undefined}>
+      <Doing report={report} />
+      <Alarms alarms={report.alarms} />
+      <Cloud />
+      <dl className={styles.facts}>
+        {facts(report, silent_s).map((fact) => (
+          <FactTile key={fact.label} fact={fact} />
+        ))}
+      </dl>
+    </div>
+  );
+}
+
+function Doing({ report }: { report: StationReport }) {
+  const { title, number, unit, note } = doing(report);
+  return (
+    <section className={styles.doing} aria-label="What runs" data-idle={report.activity.kind === "idle" || undefined}>
+      <p className={styles.kind}>{KINDS[report.activity.kind]}</p>
+      <h2 className={styles.what}>{number ? number : title}{unit && <span> {unit}</span>}</h2>
+      <p className={styles.note}>{note}</p>
+    </section>
+  );
+}
+
+function Alarms({ alarms }: { alarms: Alarm[] }) {
+  return (
+    <section className={styles.alarms} aria-label="Alarms">
+      {alarms.length === 0 && (
+        <p className={styles.alarm} data-quality="good">
+          <QualityMark quality="good" size="1.25em" />
+          <span>No alarms</span>
+        </p>
+      )}
+      {alarms.map((alarm) => (
+        <div key={alarm.text} className={styles.alarm} data-quality={alarm.quality}>
+          <QualityMark quality={alarm.quality} size="1.25em" />
+          <div>
+            <p>{bound(alarm.text)}</p>
+            {alarm.remedy && <p className={styles.remedy}>{bound(alarm.remedy)}</p>}
+          </div>
+        </div>
+      ))}
+    </section>
+  );
+}
+
+function Cloud() {
+  const frame = useRef<HTMLIFrameElement>(null);
+  const [viewKey] = useState(newKey);
+  return (
+    <section className={styles.cloud} aria-label="Live cloud">
+      <CloudView viewKey={viewKey} frame={frame} />
+    </section>
+  );
+}
+
+function FactTile({ fact }: { fact: Fact }) {
+  return (
+    <div className={styles.fact} data-quality={fact.quality}>
+      <dt>{fact.label}</dt>
+      <dd className={styles.value}>
+        {fact.quality !== "neutral" && <QualityMark quality={fact.quality} size="0.85em" />}
+        <span>{fact.value}</span>
+      </dd>
+      <dd className={styles.under}>{bound(fact.note)}</dd>
+    </div>
+  );
+}
