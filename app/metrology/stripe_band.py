@@ -22,8 +22,10 @@ BLOCK, BESIDE = 256, 24
 MARGIN = 24
 # A block has lost the stripe where it shows so many points less than in the frame before.
 LOST = 16
-# Bands that make up more than this share of the image are as slow as all of it.
-MOST = 0.5
+# Beginning a row costs as much as reading so many of its pixels.
+ROW_PX = 2000
+# Slices of the image, one of which is read in every frame beside the bands.
+SLICES = 6
 # Frames after which the noise and the usual width are told anew.
 NOISE_TOLD = 8
 # The surroundings that a peak's score needs.
@@ -35,8 +37,8 @@ class StripeBand:
 
     Every block of columns is read about the rows where the stripe was in the frame before.
     A block that loses the stripe is read over its whole height at once, in the same frame.
-    One block in turn is read over its whole height in every frame, so that what comes into
-    view elsewhere is found after as many frames as there are blocks. The noise, by which
+    One slice of the image after the other is read, too, so that what comes into view
+    elsewhere is found after as many frames as there are slices. The noise, by which
     points are weighed and their deviations stated, is told anew every few frames.
     """
 
@@ -72,7 +74,6 @@ class StripeBand:
             self._counts = np.zeros(-(-grey.shape[1] // BLOCK), dtype=np.int64)
             self._along = self._across = np.zeros(0)
         whole = np.zeros(len(self._counts), dtype=np.bool_)
-        whole[self._turn % len(whole)] = True
         if self._turn % NOISE_TOLD == 0:
             self._told[:] = 0
         self._turn += 1
@@ -88,11 +89,14 @@ class StripeBand:
         return stripe
 
     def _parts(self, whole: NDArray[np.bool_]) -> NDArray[np.int64]:
-        """The parts of the image to read; all of it where that is hardly more."""
+        """The parts of the image to read; all of it where that is no slower."""
         height, width = self._shape
         parts = bands(self._along, self._across, height, width, self._margin_px, whole)
-        area = int(((parts[:, 1] - parts[:, 0]) * (parts[:, 3] - parts[:, 2])).sum())
-        if not len(self._along) or area > MOST * height * width:
+        first = self._turn % SLICES * height // SLICES - SURROUNDINGS
+        last = first + height // SLICES + 2 * SURROUNDINGS + 1
+        parts = np.vstack([parts, [max(first, 0), min(last, height), 0, width]])
+        spent = sum(cost(last - first, right - left) for first, last, left, right in parts.tolist())
+        if not len(self._along) or spent >= cost(height, width):
             return np.array([[0, height, 0, width]])
         return parts
 
@@ -122,7 +126,9 @@ def bands(
     margin: int,
     whole: NDArray[np.bool_],
 ) -> NDArray[np.int64]:
-    """(n, 4) first row and the one behind the last, columns alike, of the blocks to read.
+    """(n, 4) first row and the one behind the last, columns alike, of the parts to read.
+
+    Neighbouring blocks are one part where that is faster.
 
     Args:
         along, across: (N,) where the stripe was.
@@ -145,7 +151,21 @@ def bands(
             reach = margin + SURROUNDINGS
             first = max(int(lowest[b]) - reach, 0)
             last = min(int(highest[b]) + reach + 1, height)
+        left, right = b * BLOCK, min((b + 1) * BLOCK, width)
+        if found and parts[found - 1, 3] == left:
+            before = parts[found - 1]
+            upper, lower = min(before[0], first), max(before[1], last)
+            apart = cost(before[1] - before[0], left - before[2]) + cost(last - first, right - left)
+            if cost(lower - upper, right - before[2]) <= apart:
+                before[0], before[1], before[3] = upper, lower, right
+                continue
         parts[found, 0], parts[found, 1] = first, last
-        parts[found, 2], parts[found, 3] = b * BLOCK, min((b + 1) * BLOCK, width)
+        parts[found, 2], parts[found, 3] = left, right
         found += 1
     return parts[:found]
+
+
+@kernel
+def cost(rows: int, columns: int) -> int:
+    """What reading a part of the image costs, in pixels."""
+    return rows * (ROW_PX + columns)

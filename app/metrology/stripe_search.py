@@ -162,7 +162,10 @@ def search_part(
         j = k - AWAY  # its surroundings are known by now
         if j < first:
             continue
-        # next to the border only the other side shows the surroundings
+        # where a part ends amid the image, what lies beyond may tell an edge from a peak
+        if (rows[0] > 0 and j < first + AWAY) or (rows[1] < len(image) and j + AWAY >= behind):
+            continue
+        # next to the image's border only the other side shows the surroundings
         above = j - AWAY if j - AWAY >= first else j + AWAY
         below = j + AWAY if j + AWAY < behind else above
         centres = (j % RING, (j + 1) % RING)

@@ -10,7 +10,7 @@ from app.bench.extraction import crenel_line, judged, spoiled, taken
 from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import Choice, Stripe, StripeSettings, extract_stripe
-from app.metrology.stripe_band import StripeBand
+from app.metrology.stripe_band import SLICES, StripeBand
 
 WIDTH, HEIGHT = 512, 400
 U = np.arange(WIDTH)
@@ -143,6 +143,19 @@ def test_a_second_piece_that_comes_into_view_is_found_within_a_round() -> None:
     half = np.where(U < 256, 100.0, 0.0)
     band.extract(picture((MAIN, half)))
     image = picture((MAIN, half), (MAIN + 100, steady(100) - half))
-    for _ in range(WIDTH // 256 + 1):
+    for _ in range(SLICES):
         stripe = band.extract(image)
     assert share_on(stripe, MAIN + 100) > 0.45
+
+
+def test_the_edge_of_a_lit_face_hides_the_stripe_in_no_slice() -> None:
+    """Each of its edges lies once where a slice ends."""
+    band = StripeBand()
+    image = picture((MAIN, steady(60)))
+    for n in range(3 * SLICES):
+        edge = 20 + n * 8
+        lit = image.copy()
+        lit[edge : edge + 60] = np.maximum(lit[edge : edge + 60], 150)
+        if abs(edge + 30 - 200) < 90:
+            continue
+        assert share_on(band.extract(lit), MAIN) > 0.98

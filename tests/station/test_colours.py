@@ -34,8 +34,9 @@ def slope(count: int, seed: int = 1) -> Points:
 
 
 def colours(viewer: Viewer) -> np.ndarray:
-    """(N, 6) place and colour of every point that a browser shows."""
-    clouds = viewer.listen().clouds()
+    """(N, 6) place and colour of every point that a browser shows, once it shows any."""
+    until(lambda: bool(viewer.listen().clouds()))
+    clouds = viewer.clouds()
     return np.concatenate(
         [
             np.column_stack([points, viewer.nodes[name]["props"]["colors"].reshape(-1, 3)])
