@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.compiled import vector_kernel
+from app.metrology.lanes import WIDTH, all_lanes, load, store, where
 from app.metrology.stripe_search import Grey
 
 Singles = NDArray[np.float32]
@@ -26,9 +27,8 @@ C, A, S, B = (np.uintp(LANES * (SUM_ROWS + i)) for i in range(_PARAMETERS))
 FIRST, LAST, STATE, MOVED, VAR, CLIPPED = (
     np.uintp(LANES * (SUM_ROWS + _PARAMETERS + i)) for i in range(_STATES)
 )
-# Of the start, in the place of sums: the level of half height, pixels above and below it, and
-# how far the latter is.
-LEVEL, INSIDE, OUTSIDE, FAR = N00, N10, N11, N20
+# Of the start, in the place of a sum: the level of half height.
+LEVEL = N00
 ALL = np.uintp(LANES)
 TWO = np.uintp(2)
 ONE = np.uintp(1)
@@ -136,24 +136,21 @@ def crossings(
     block: Singles, profile: Singles, middle: np.uintp, reach: int, to: np.uintp, downwards: bool
 ) -> None:
     """How far from its middle row a lane's profile first falls to the level; 0 for never."""
-    for i in range(ALL):
-        block[INSIDE + i] = profile[middle + i]
-        block[OUTSIDE + i] = profile[middle + i]
-        block[FAR + i] = np.float32(0)
-    for k in range(1, reach + 1):
-        away = np.uintp(k) * ALL
-        row = middle + away if downwards else middle - away
-        far = np.float32(k)
-        for i in range(ALL):
-            pixel = profile[row + i]
-            seeking = block[OUTSIDE + i] > block[LEVEL + i]
-            block[INSIDE + i] = block[OUTSIDE + i] if seeking else block[INSIDE + i]
-            block[OUTSIDE + i] = pixel if seeking else block[OUTSIDE + i]
-            block[FAR + i] = far if seeking else block[FAR + i]
-    for i in range(ALL):
-        inside, outside, level = block[INSIDE + i], block[OUTSIDE + i], block[LEVEL + i]
-        away_px = block[FAR + i] - (level - outside) / (inside - outside)
-        block[to + i] = away_px if (outside <= level) & (inside > level) else np.float32(0)
+    zero = all_lanes(np.float32(0))
+    for group in range(0, ALL, WIDTH):
+        at = np.uintp(group)
+        level = load(block, LEVEL + at)
+        inside = outside = load(profile, middle + at)
+        far = zero
+        for k in range(1, reach + 1):
+            away = np.uintp(k) * ALL
+            pixel = load(profile, (middle + away if downwards else middle - away) + at)
+            seeking = outside > level
+            inside = where(seeking, outside, inside)
+            outside = where(seeking, pixel, outside)
+            far = where(seeking, all_lanes(np.float32(k)), far)
+        away_px = far - (level - outside) / (inside - outside)
+        store(block, to + at, where((outside <= level) & (inside > level), away_px, zero))
 
 
 @vector_kernel
