@@ -150,6 +150,8 @@ def serve(config: Path | None, data: Path | None, host: str, port: int, open_bro
         sensor=lambda: sensor_driver(sensor.driver, sensor.options),
         hosts=(*settings.hosts, host),
         limits=settings.limits,
+        verification=settings.verification,
+        due=settings.due,
         watching=_watching(settings),
     )
     print(f"Starting the station; {FIRST_START}.", flush=True)

@@ -22,6 +22,18 @@ source = 0
 good_um = 50                  # up to here a calibration is good
 usable_um = 150               # beyond, it is not to be used
 
+[verification]                # largest values accepted on a gauge whose paper sets none; µm, arcsec
+form = 300
+rms = 80                      # and angle, offset, radius_error, centre_error, angle_range,
+offset_range = 200            # offset_range, centre_range
+
+[due]                         # when what is to be done again
+calibration_days = 30
+verification_days = 7
+arm_days = 30
+tip_hours = 24
+temperature_c = 3             # of change since the calibration
+
 [mqtt]                        # optional: tells other stations of this one, and shows them here
 host = "broker.local"
 port = 1883
@@ -46,6 +58,8 @@ from typing import Annotated
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from app.files.failures import files_refused
+from app.files.gauge import DEFAULT_LIMITS, VerificationLimits
+from app.guide.due import DUE, DueLimits
 from app.metrology.findings import LIMITS, Limits
 from app.metrology.refusal import Refusal
 from app.supervise.broker import BrokerSettings
@@ -86,6 +100,8 @@ class Settings:
     backups: Path | None = None
     mqtt: BrokerSettings | None = None
     temperature: Path | None = None
+    verification: VerificationLimits = DEFAULT_LIMITS
+    due: DueLimits = DUE
 
 
 class _StationTable(BaseModel):
@@ -135,6 +151,23 @@ class _TemperatureTable(BaseModel):
     file: Annotated[str, Field(min_length=1)]
 
 
+class _VerificationTable(VerificationLimits):
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+
+Span = Annotated[float, Field(gt=0, le=10_000, allow_inf_nan=False)]
+
+
+class _DueTable(BaseModel):
+    model_config = ConfigDict(extra="forbid", strict=True)
+
+    calibration_days: Span = DUE.calibration_days
+    verification_days: Span = DUE.verification_days
+    arm_days: Span = DUE.arm_days
+    tip_hours: Span = DUE.tip_hours
+    temperature_c: Span = DUE.temperature_c
+
+
 class _File(BaseModel):
     model_config = ConfigDict(extra="forbid", strict=True)
 
@@ -142,6 +175,8 @@ class _File(BaseModel):
     arm: _DeviceTable
     sensor: _DeviceTable
     limits: _LimitsTable = _LimitsTable()
+    verification: _VerificationTable = _VerificationTable()
+    due: _DueTable = _DueTable()
     mqtt: _MqttTable | None = None
     temperature: _TemperatureTable | None = None
 
@@ -183,6 +218,8 @@ def read_settings(path: Path | None) -> Settings:
         backups=_beside(path, station.backups),
         mqtt=_mqtt(path, sheet.mqtt),
         temperature=_beside(path, sheet.temperature.file if sheet.temperature else None),
+        verification=sheet.verification.over(DEFAULT_LIMITS),
+        due=DueLimits(**sheet.due.model_dump()),
     )
 
 

@@ -7,7 +7,7 @@ from starlette.responses import Response
 from app.api.context import TheContext
 from app.api.schema import ArmStart, FlowCommand
 from app.guide.arm.commands import command
-from app.guide.arm.view import ArmCheckSummary, ArmView
+from app.guide.arm.view import ArmCheckSummary, ArmView, TipCheckSummary
 
 router = APIRouter(prefix="/api/arm")
 
@@ -26,6 +26,12 @@ def arm(context: TheContext) -> Response:
 def checks(context: TheContext) -> list[ArmCheckSummary]:
     """Every finished check, newest first."""
     return context.arm_guide.history()
+
+
+@router.get("/tips")
+def tips(context: TheContext) -> list[TipCheckSummary]:
+    """Every finished check of the tip, newest first."""
+    return context.arm_guide.tip_history()
 
 
 @router.post("/start", response_model=ArmView)

@@ -10,6 +10,7 @@ from app.api.entrance import Entrance
 from app.api.schema import ScanState, Station
 from app.api.watch import Watch
 from app.guide.arm.guide import ArmGuide
+from app.guide.due import DUE, DueLimits
 from app.guide.guide import Guide
 from app.guide.scan_hand import ScanHand
 from app.guide.verify.guide import VerifyGuide
@@ -47,6 +48,7 @@ class Context:
     lease: Lease
     entrance: Entrance
     watch: Watch
+    due: DueLimits = DUE
 
     def scan_state(self, state: RoomScanState | None = None) -> ScanState:
         """The scan as the browser shows it."""

@@ -8,12 +8,17 @@ from starlette.responses import FileResponse, Response
 
 from app.api.context import Context, TheContext
 from app.api.problems import NotFound
-from app.api.schema import CalibrationSummary, Home, NextStep, ScanSummary
-from app.station.findings import Finding
+from app.api.schema import CalibrationSummary, Home, ScanSummary
+from app.guide.arm.view import ArmCheckSummary
+from app.guide.due import DUE, Checked, Known, State, next_of, validity_of
+from app.station.findings import Finding, Quality
 from app.store.calibrations import CalibrationRecord
 
 router = APIRouter(prefix="/api")
-DUE_DAYS = 30.0
+DUE_DAYS = DUE.calibration_days
+PASSING = ("busy", "arm-lost", "sensor-lost")
+"""Why a scan cannot start now that a calibration does not mend."""
+RESULTS: dict[str, State] = {"pass": "valid", "fail": "failed", "uncertain": "unsure"}
 SECONDS_A_DAY = 86400.0
 
 
@@ -96,24 +101,52 @@ def home_of(context: Context) -> Home:
     for link in (context.rig.arm.link(), context.rig.sensor.link()):
         if link.state in ("lost", "off"):
             findings.append(Finding("bad", f"{link.title}: {link.text}", "Check its connection."))
-    if summary is None:
-        findings.append(Finding("attention", "There is no calibration in use yet."))
-    elif summary.age_days > DUE_DAYS:
-        text = f"The calibration is {summary.age_days:.0f} days old; {DUE_DAYS:.0f} are the limit."
-        findings.append(Finding("attention", text, "Calibrate again."))
-    return Home(context.station, summary, tuple(findings), _next(context, summary))
+    known = known_of(context, record)
+    lines = validity_of(known, datetime.now(UTC), context.due)
+    refusal = context.scanner.why_not() if record is not None else None
+    blocked = "" if refusal is None or refusal.code in PASSING else refusal.line
+    reading = context.store.temperatures.newest()
+    return Home(
+        context.station,
+        summary,
+        lines,
+        None if reading is None else reading.celsius,
+        tuple(findings),
+        next_of(lines, context.guide.running, context.verify_guide.running, blocked),
+    )
 
 
-def _next(context: Context, summary: CalibrationSummary | None) -> NextStep:
-    if context.guide.running:
-        text = "A calibration is under way. Go on where it stands."
-        return NextStep("Go on calibrating", "calibrate", text)
-    if summary is None:
-        text = "Calibrate the sensor on the arm: touch the object, then take a few pictures."
-        return NextStep("Calibrate", "calibrate", text)
-    if summary.age_days > DUE_DAYS:
-        return NextStep("Calibrate again", "calibrate", "The calibration is due.")
-    refusal = context.scanner.why_not()
-    if refusal is not None and refusal.code not in ("busy", "arm-lost", "sensor-lost"):
-        return NextStep("Calibrate", "calibrate", refusal.line)
-    return NextStep("Scan", "scan", "The calibration is valid. Scan the part.")
+def known_of(context: Context, record: CalibrationRecord | None) -> Known:
+    """What the station remembers of all that must be in order."""
+    store, arm_guide = context.store, context.arm_guide
+    verified = store.verifications.newest_of(record.id) if record else None
+    tip, arm = next(iter(arm_guide.tip_history()), None), next(iter(arm_guide.history()), None)
+    return Known(
+        calibration=None
+        if record is None
+        else Checked(record.accepted_at, "valid", f"{record.figures.total_um:.0f} µm (k = 1)"),
+        verification=None
+        if verified is None
+        else Checked(verified.accepted_at, RESULTS[verified.figures.result], verified.figures.text),
+        verified_before=bool(store.verifications.all()),
+        tip=None if tip is None else Checked(tip.at, _state(tip.verdict), tip.text),
+        arm=None if arm is None else Checked(arm.at, _state(arm.verdict), _of_arm(arm)),
+        warmer_c=_warmer_c(context, record),
+    )
+
+
+def _warmer_c(context: Context, record: CalibrationRecord | None) -> float | None:
+    now = context.store.temperatures.newest()
+    then = None if record is None else context.store.temperatures.near(record.accepted_at)
+    if now is None or then is None or now.at == then.at:
+        return None  # one reading alone tells of no change
+    return now.celsius - then.celsius
+
+
+def _state(verdict: Quality) -> State:
+    return "failed" if verdict == "bad" else "valid"
+
+
+def _of_arm(check: ArmCheckSummary) -> str:
+    limit = "no limit was set" if check.limit_um is None else f"limit {check.limit_um:.0f} µm"
+    return f"{max(check.half_range_um):.0f} µm, {limit}."

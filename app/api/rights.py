@@ -90,6 +90,7 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ("POST", "/api/flow/command"): Rule(Right.act, "calibration"),
     ("GET", "/api/arm"): LOOK,
     ("GET", "/api/arm/checks"): LOOK,
+    ("GET", "/api/arm/tips"): LOOK,
     ("POST", "/api/arm/start"): Rule(Right.act, "began or resumed an arm check"),
     ("POST", "/api/arm/command"): Rule(Right.act, "arm check"),
     ("GET", "/api/verify"): LOOK,

@@ -5,14 +5,13 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
+from app.guide import due
 from app.guide.view import FlowView
 from app.metrology.measured_shape import ShapeName
 from app.metrology.stripe import Choice
 from app.station import scanner
 from app.station.findings import Finding, Quality
 from app.station.painter import Measure
-
-Page = Literal["calibrate", "scan", "records"]
 
 
 class Request(BaseModel):
@@ -29,7 +28,7 @@ class FlowCommand(Request):
 
 
 class ArmStart(Request):
-    purpose: Literal["check", "identify"]
+    purpose: Literal["check", "tip", "identify"]
 
 
 class ScanStart(Request):
@@ -158,18 +157,14 @@ class Station:
 
 
 @dataclass(frozen=True)
-class NextStep:
-    label: str
-    page: Page
-    text: str
-
-
-@dataclass(frozen=True)
 class Home:
     station: Station
     calibration: CalibrationSummary | None
+    checks: tuple[due.Validity, ...]
+    temperature_c: float | None
+    """Of the room, where somebody or a thermometer told it lately."""
     findings: tuple[Finding, ...]
-    next: NextStep
+    next: due.Next
 
 
 Secret = Annotated[str, Field(max_length=256)]

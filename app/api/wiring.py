@@ -18,6 +18,7 @@ from app.files.software import SOFTWARE
 from app.guide.arm.commands import press as press_arm
 from app.guide.arm.guide import ArmGuide, ArmStation
 from app.guide.commands import BUTTONS, press
+from app.guide.due import DUE, DueLimits
 from app.guide.guide import Guide
 from app.guide.guide import Station as GuidedStation
 from app.guide.hand import Hand
@@ -61,6 +62,8 @@ class Parts:
     """What the verdict on a calibration goes by."""
     verification: VerificationLimits = DEFAULT_LIMITS
     """What a verification is judged by, where its gauge's paper has no limits."""
+    due: DueLimits = DUE
+    """When what is to be done again."""
     guest: str | None = None
     """The account that a link on the console enters, of a demonstration or a replay."""
     watching: Watching = field(default_factory=Watching)
@@ -147,6 +150,7 @@ def open_context(parts: Parts) -> Context:
         lease,
         Entrance(store.accounts, store.sign_ins, store.scrapers, parts.guest),
         watch,
+        parts.due,
     )
 
 

@@ -111,7 +111,7 @@ def touched_sphere(arm: Arm, q_rad: Floats, radius_mm: float) -> TouchedSphere:
     """
     tips = _tips(arm, q_rad, SPHERE_LEAST, "sphere")
     reach_mm = radius_mm + arm.tip.radius_mm
-    free, free_mm, J = _sphere_through(tips)
+    free, free_mm, J = sphere_through(tips)
     centre = _centre_of(tips, reach_mm, free)
     far, outward = _outward(tips, centre)
     if float(np.linalg.eigvalsh(outward.T @ outward)[0]) < LEAST_FACING * len(tips):
@@ -173,7 +173,7 @@ def _touch_sd(arm: Arm, q_rad: Floats, off: Floats, outward: Floats, parameters:
     return max(scatter, encoders)
 
 
-def _sphere_through(tips: Floats) -> tuple[Floats, float, Floats]:
+def sphere_through(tips: Floats) -> tuple[Floats, float, Floats]:
     """Centre (3,), radius and the residuals' Jacobian (N, 4), by Gauss-Newton."""
     system = np.column_stack([2 * tips, np.ones(len(tips))])
     start = np.linalg.lstsq(system, np.sum(tips**2, axis=1), rcond=None)[0]

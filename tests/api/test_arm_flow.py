@@ -190,3 +190,38 @@ def test_several_seats_identify_the_arm_and_the_old_one_is_kept(
     assert [path.read_bytes() for path in (arms / "replaced").iterdir()] == [before]
     (arms / "simulated.json").write_bytes(before)
     do(server, "end")
+
+
+def test_a_tip_is_checked_on_a_sphere_and_home_knows_of_it(
+    server: Server, session: Callable[[str], View], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(server.twin.hand, "_pace", 12.0)
+    before = len(server.http.get("/api/arm/tips").json())
+    view = session("tip")
+    assert view["artefact"]["size_mm"] == server.twin.hand.ball_mm
+    assert command(server, "choose_artefact", kind="seat").status_code == 422
+    do(server, "set_limit", limit_um=200)
+    # a wrong sphere reads as a wrong tip, and the next step says so
+    do(server, "choose_artefact", kind="sphere", size_mm=24.0)
+    view = checked_by_the_hand(server)
+    assert "another tip is mounted" in view["findings"][-1]["text"]
+    home = server.http.get("/api/home").json()
+    assert (home["next"]["page"], home["next"]["label"]) == ("arm", "Check the tip again")
+    do(server, "again")
+    view = checked_by_the_hand(server)
+    tip = view["picture"]["tip"]
+    assert (tip["decision"], tip["limit_um"]) == ("pass", 200)
+    assert tip["diameter_mm"] == pytest.approx(3.0, abs=0.15)
+    assert len(view["picture"]["touches"]) == 9
+    newest, *others = server.http.get("/api/arm/tips").json()
+    assert len(others) == before + 1
+    assert newest["text"] == view["findings"][-1]["text"]
+    home = server.http.get("/api/home").json()
+    line = next(check for check in home["checks"] if check["id"] == "tip")
+    assert (line["state"], line["page"]) == ("valid", "arm")
+    do(server, "end")
+
+
+def checked_by_the_hand(server: Server) -> View:
+    do(server, "let_hand")
+    return wait(server, lambda view: view["step"] == "result" and view["busy"] is None, 60.0)

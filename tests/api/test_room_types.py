@@ -19,6 +19,8 @@ SHAPES: dict[str, dict[str, type]] = {
         "Before": view.Before,
         "ParameterLine": view.ParameterLine,
         "ArmResult": view.ArmResult,
+        "TipResult": view.TipResult,
+        "TipCheckSummary": view.TipCheckSummary,
         "ArmPicture": view.ArmPicture,
         "ArmView": view.ArmView,
         "ArmCheckSummary": view.ArmCheckSummary,

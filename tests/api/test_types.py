@@ -10,7 +10,7 @@ import pytest
 
 from app import replay
 from app.api import record_schema, schema
-from app.guide import view
+from app.guide import due, view
 from app.metrology.detection import evidence
 from app.station import device_state, findings, lease, operator_settings, preview, rig
 from app.store import audit
@@ -53,6 +53,8 @@ SHAPES: dict[str, type] = {
     "ScanSummary": schema.ScanSummary,
     "Station": schema.Station,
     "Home": schema.Home,
+    "Validity": due.Validity,
+    "Next": due.Next,
     "PreviewHeader": preview.PreviewHeader,
     "You": schema.You,
     "Session": schema.Session,
@@ -139,7 +141,7 @@ def kind_in_types(text: str) -> set[str]:
             kinds.add(part)
         elif part == "undefined":
             kinds.add("null")
-        elif part.startswith('"') or part in ("Quality", "Role"):
+        elif part.startswith('"') or part in ("Quality", "Role", "WorkPage"):
             kinds.add("string")
         else:
             kinds.add("object")

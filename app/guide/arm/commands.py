@@ -115,8 +115,9 @@ ACTS: dict[str, Callable[[ArmGuide, Args, str | None], None]] = {
 
 
 def _again(guide: ArmGuide, key: str | None) -> None:
+    purpose = guide.state.purpose
     guide.append("ended", {})
-    guide.begin("check", key)
+    guide.begin(purpose, key)
 
 
 def _job(guide: ArmGuide, title: str, work: Callable[[Progress], None]) -> None:

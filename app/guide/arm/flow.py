@@ -4,8 +4,10 @@ from collections.abc import Mapping
 
 from app.guide.arm.live import ArmLive
 from app.guide.arm.picture import picture_of
-from app.guide.arm.rules import SEATS_WANTED, TOUCHES_WANTED, WANTED, swing_deg, why_not
+from app.guide.arm.rules import SEATS_WANTED, WANTED, swing_deg, touches_wanted, why_not
 from app.guide.arm.state import ArmState, Kind, SeatTaken
+from app.guide.arm.tip import QUALITY as TIP_QUALITY
+from app.guide.arm.tip import finding_of as tip_finding
 from app.guide.arm.view import ArmPicture, ArmView
 from app.guide.touching import sentence
 from app.guide.view import Action, ChoiceOption, LiveNumber, Step, StepProgress, Vec3
@@ -22,6 +24,7 @@ BEGIN: dict[Kind, str] = {
     "sphere": "The sphere is clamped",
 }
 ON_SPHERE = {"seat": "Clamp the sphere", "swing": "Touch it"}
+WITH_SPHERE = ("identify", "tip")
 
 
 def view_of(state: ArmState, live: ArmLive) -> ArmView:
@@ -55,7 +58,23 @@ def view_of(state: ArmState, live: ArmLive) -> ArmView:
     )
 
 
+TIP_WORDS = {
+    "seat": (
+        "Clean the tip, and clamp the sphere",
+        "A sphere of known diameter, clamped firmly within easy reach.",
+    ),
+    "swing": (
+        "Touch the sphere",
+        "Its top and all around its side, the wrist turned another way each time. Hold still and "
+        "press the arm's button at each place.",
+    ),
+    "result": ("Checked", "The tip's diameter, and how well its touches agree."),
+}
+
+
 def _words(state: ArmState, seat: SeatTaken | None) -> tuple[str, str]:
+    if state.purpose == "tip":
+        return TIP_WORDS[state.step]
     if state.step == "swing":
         assert seat is not None
         if state.touching:
@@ -107,7 +126,7 @@ def _words(state: ArmState, seat: SeatTaken | None) -> tuple[str, str]:
 
 def _steps(state: ArmState) -> list[Step]:
     at = [name for name, _ in STEPS].index(state.step)
-    sphere = state.purpose == "identify" and state.artefact.kind == "sphere"
+    sphere = state.purpose in WITH_SPHERE and state.artefact.kind == "sphere"
     return [
         Step(
             name,
@@ -133,6 +152,11 @@ def _number(state: ArmState, picture: ArmPicture) -> LiveNumber | None:
         return LiveNumber("Tip known to", result.volume_after_um, "µm", 1, "good", note)
     if state.step == "seat":
         return None
+    tip = picture.tip
+    if tip is not None:
+        note = f"{tip.expected_mm:.3f} mm by its papers; U = {tip.expanded_uncertainty_um:.0f} µm"
+        quality = TIP_QUALITY[tip.decision]
+        return LiveNumber("The tip's diameter", tip.diameter_mm, "mm", 3, quality, f"{note}, k = 2")
     found = picture.half_range_um
     note = "no limit is set" if state.limit_um is None else f"limit {state.limit_um:g} µm"
     quality = quality_of(found, state.limit_um) if found else "neutral"
@@ -147,8 +171,8 @@ def _progress(state: ArmState, seat: SeatTaken | None) -> StepProgress | None:
     if state.step == "swing" and seat is not None:
         taken = len(seat.q_rad)
         if state.touching:
-            text = f"{taken} of {TOUCHES_WANTED} points"
-            return StepProgress(min(taken, TOUCHES_WANTED), TOUCHES_WANTED, text)
+            of = touches_wanted(state)
+            return StepProgress(min(taken, of), of, f"{taken} of {of} points")
         swing = swing_deg(seat.q_rad)
         points = f"{taken} of {WANTED} points" if taken < WANTED else f"{taken} points"
         text = f"{points}, largest swing {swing:.0f}°"
@@ -189,6 +213,8 @@ def _findings(state: ArmState, live: ArmLive, picture: ArmPicture) -> list[Findi
                 "Take one in a place or two, if there is one.",
             )
         )
+    if state.purpose == "tip" and state.checked is not None:
+        found.append(tip_finding(state.checked))
     if state.step == "result" and state.purpose == "check":
         found += _check_findings(state, picture)
     if state.solved is not None:
@@ -233,7 +259,7 @@ def _actions(state: ArmState, live: ArmLive) -> list[Action]:
         hand = [offer("stop_hand", "Stop the hand", primary=True)]
     leave = offer("end", "Leave", confirm="Leave this session? Points not yet used are kept aside.")
     if state.touching:
-        enough = len(state.seats[-1].q_rad) >= TOUCHES_WANTED
+        enough = len(state.seats[-1].q_rad) >= touches_wanted(state)
         return [
             offer("touch", "Take the point", primary=not enough),
             offer("finish", "Finish the sphere", primary=enough),
@@ -245,14 +271,14 @@ def _actions(state: ArmState, live: ArmLive) -> list[Action]:
         return [offer("finish", "Finish the swing", primary=True), drop, *hand]
     if state.step == "seat":
         main = offer("begin", BEGIN[state.artefact.kind], primary=True)
-        if state.purpose == "check":
+        if state.purpose != "identify":
             return [main, *hand, leave]
         enough = len(state.seats) >= SEATS_WANTED and not state.half_bar
         main = offer("begin", main.label, primary=not enough)
         fit = offer("fit", "Identify the arm", primary=enough)
         undo = [offer("drop_seat", "Drop the last place")] if state.seats else []
         return [main, fit, *undo, *hand, leave]
-    if state.purpose == "check":
+    if state.purpose != "identify":
         return [
             offer("end", "Done", primary=True),
             offer("again", "Check again"),

@@ -24,17 +24,20 @@ from app.guide.arm.live import ArmLive
 from app.guide.arm.rules import why_not
 from app.guide.arm.sampling import HOLD_NS, pick
 from app.guide.arm.state import POINTS, ArmState, Artefact, Purpose, after
-from app.guide.arm.view import ArmCheckSummary, ArmView
+from app.guide.arm.tip import LIMIT_UM, finding_of, to_payload
+from app.guide.arm.view import ArmCheckSummary, ArmView, TipCheckSummary
 from app.guide.hand import Hand
 from app.guide.journal import Journal, Row, fold
 from app.guide.library import Library, read_library
 from app.guide.signing import UNSIGNED, Signing
 from app.guide.touching import sentence
+from app.guide.verify.guide import read_gauges
 from app.guide.view import Busy
 from app.metrology.arm import Arm
 from app.metrology.arm_model.articulation import Articulation, check_articulation
 from app.metrology.arm_model.observations import Bar, Observations, Seat, Sphere
 from app.metrology.refusal import Refusal
+from app.metrology.tip_check import check_tip
 from app.station.bus import Bus
 from app.station.findings import Finding, Quality
 from app.station.jobs import Jobs
@@ -158,6 +161,11 @@ class ArmGuide:
         rows = self._journal.history(KIND, "checked")
         return [_summary(row) for row in reversed(rows)]
 
+    def tip_history(self) -> list[TipCheckSummary]:
+        """Every check of the tip that was finished, newest first."""
+        rows = self._journal.history(KIND, "tip_checked")
+        return [_tip_summary(row) for row in reversed(rows)]
+
     # -- sessions ------------------------------------------------------------
 
     def start(self, purpose: Purpose) -> ArmView:
@@ -174,11 +182,43 @@ class ArmGuide:
         payload = {
             "purpose": purpose,
             "arm": self._best_guess(),
-            "limit_um": self.state.limit_um,
+            "limit_um": self._last_limit_um(purpose),
         }
+        sphere = self._last_sphere() if purpose == "tip" else None
         self.state = ArmState(session_id=session_id)
         self._journal.begin_session(session_id, KIND)
         self.append("started", payload, key)
+        if sphere is not None:
+            self.append("artefact_chosen", asdict(sphere))
+
+    def _last_limit_um(self, purpose: Purpose) -> float | None:
+        """The one set last for the same; an open session's may be not in its history yet."""
+        if self.state.purpose == purpose and self.state.session_id:
+            return self.state.limit_um
+        kind = "tip_checked" if purpose == "tip" else "checked"
+        rows = self._journal.history(KIND, kind)
+        if rows:
+            last = rows[-1].payload["limit_um"]
+            return last if isinstance(last, float | int) else None
+        return LIMIT_UM if purpose == "tip" else None
+
+    def _last_sphere(self) -> Artefact | None:
+        """The sphere that the tip was checked on last, or the only one that is known."""
+        hand = self.station.hand
+        if hand is not None:
+            return Artefact("sphere", hand.ball_mm)
+        rows = self._journal.history(KIND, "tip_checked")
+        if rows and isinstance(rows[-1].payload.get("sphere"), dict):
+            return Artefact(**rows[-1].payload["sphere"])  # type: ignore[arg-type]  # as written
+        spheres = [
+            gauge
+            for gauge in read_gauges(self.data_folder / "gauges").known.values()
+            if gauge.radius_mm is not None
+        ]
+        if len(spheres) != 1 or spheres[0].radius_mm is None:
+            return None
+        sd_mm = 2 * spheres[0].standard_uncertainty_um / 1e3
+        return Artefact("sphere", 2 * spheres[0].radius_mm, sd_mm)
 
     def _best_guess(self) -> str:
         arms, info = self.library().arms, self.station.rig.arm.info
@@ -239,7 +279,7 @@ class ArmGuide:
         newest = self.station.rig.arm.latest()
         self._seen_ns = newest.stamp_ns if newest else 0
         self._left_mm = None
-        artefact = self.state.artefact if self.state.purpose == "identify" else Artefact()
+        artefact = self.state.artefact if self.state.purpose != "check" else Artefact()
         self.append("seat_begun", {"name": self._next_name(), "artefact": asdict(artefact)}, key)
 
     def _next_name(self) -> str:
@@ -279,6 +319,8 @@ class ArmGuide:
         self.keep_seats()
         if self.state.purpose == "check":
             self._check()
+        elif self.state.purpose == "tip":
+            self._check_tip()
 
     def _take_points(self, hold_ns: int = HOLD_NS) -> None:
         """Brings the points up to date with the joints that have streamed in.
@@ -327,6 +369,38 @@ class ArmGuide:
         )
         worst = f"{float(found.half_range_um.max()):.0f} µm"
         self.station.bus.event("step_done", f"The arm is checked: {worst}.")
+
+    def _check_tip(self) -> None:
+        arm, seat = self.arm(), self.state.seats[-1]
+        assert arm is not None
+        sphere, limit_um = seat.artefact, self.state.limit_um
+        assert sphere.size_mm is not None
+        try:
+            found = check_tip(
+                arm,
+                np.array(seat.q_rad),
+                sphere.size_mm,
+                sphere.standard_uncertainty_mm,
+                limit_um,
+            )
+        except Refusal as refusal:
+            self.append("seat_dropped", {"name": seat.name})
+            self.decline(refusal)
+            return
+        payload = to_payload(found, arm.tip.diameter_mm, limit_um)
+        told = finding_of(payload)
+        self.append(
+            "tip_checked",
+            {
+                "arm_name": arm.name,
+                "arm_serial": arm.serial_number,
+                "sphere": asdict(sphere),
+                "text": told.text,
+                "verdict": told.quality,
+                **payload,
+            },
+        )
+        self.station.bus.event("step_done", told.text, told.quality)
 
     # -- the session's folder -------------------------------------------------
 
@@ -392,6 +466,15 @@ def observations_of(state: ArmState) -> Observations:
             )
             for a, b in zip(ends[::2], ends[1::2], strict=False)
         ),
+    )
+
+
+def _tip_summary(row: Row) -> TipCheckSummary:
+    payload = {k: v for k, v in row.payload.items() if k not in ("sphere", "cause")}
+    return TipCheckSummary(
+        id=row.session_id,
+        at=row.at,
+        **payload,  # type: ignore[arg-type]  # as _check_tip wrote them
     )
 
 

@@ -4,14 +4,14 @@ import time
 from collections.abc import Callable
 
 from app.guide.arm.guide import ArmGuide
-from app.guide.arm.rules import SEATS_WANTED, TOUCHES_WANTED
+from app.guide.arm.rules import SEATS_WANTED, touches_wanted
 from app.guide.arm.state import Kind, Purpose
 from app.guide.hand import Hand
 from app.station.jobs import Progress
 
 SETTLE_S = 0.5
 """The joints' last samples come in after the hand has come to rest."""
-POSTURES: dict[Purpose, int] = {"check": 1, "identify": 2}
+POSTURES: dict[Purpose, int] = {"check": 1, "tip": 1, "identify": 2}
 """How often the hand puts the tip into a seat, each time with the elbow elsewhere."""
 
 
@@ -24,7 +24,7 @@ def hand_work(guide: ArmGuide, hand: Hand) -> Callable[[Progress], None]:
             if guide.state.swinging:
                 with guide.lock:
                     guide.append("seat_dropped", {"name": guide.state.seats[-1].name})
-            if guide.state.purpose == "identify" and guide.state.artefact.kind == "sphere":
+            if guide.state.purpose != "check" and guide.state.artefact.kind == "sphere":
                 _take_sphere(guide, hand, progress)
                 return
             wanted = SEATS_WANTED if guide.state.purpose == "identify" else 1
@@ -81,8 +81,9 @@ def _take_sphere(guide: ArmGuide, hand: Hand, progress: Progress) -> None:
     ball = _taken(guide, "sphere")
     if not _begin(guide):
         return
-    for index in range(TOUCHES_WANTED):
-        progress("The hand touches the sphere", index / TOUCHES_WANTED)
+    of = touches_wanted(guide.state)
+    for index in range(of):
+        progress("The hand touches the sphere", index / of)
         if not guide.hand_running or not hand.touch_ball(ball, index):
             return
     time.sleep(SETTLE_S)

@@ -1,11 +1,13 @@
 """The large picture of an arm session: the seat's points, the joints' swing, the result. Pure."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from app.guide.arm.live import ArmLive
 from app.guide.arm.state import Angles, ArmState, SeatTaken
+from app.guide.arm.tip import result_of
 from app.guide.arm.view import (
     ArmPicture,
     ArmResult,
@@ -15,10 +17,12 @@ from app.guide.arm.view import (
     SeatLine,
 )
 from app.guide.touching import signed_um
+from app.guide.verify.view import TouchLine
 from app.guide.view import Vec3
 from app.metrology.arm import Arm, tip_centres
 from app.metrology.arm_model.articulation import spread_um
 from app.metrology.arm_model.parameters import encoder_covariances, tip_jacobian
+from app.metrology.deviation_map import flat_places
 from app.metrology.frames import Floats
 
 SHOWN = 240
@@ -30,6 +34,8 @@ def picture_of(state: ArmState, live: ArmLive, seat: SeatTaken | None) -> ArmPic
     arm = live.arm
     shown = seat if state.step != "seat" else None
     result = _result(state)
+    if state.purpose == "tip":
+        return _tip_picture(state, arm, seat)
     if arm is None:
         return ArmPicture((), None, None, None, state.limit_um, (), (), result)
     joints = _joints(arm, shown, live.q_rad)
@@ -50,6 +56,37 @@ def picture_of(state: ArmState, live: ArmLive, seat: SeatTaken | None) -> ArmPic
         joints,
         seats,
         result,
+    )
+
+
+def _tip_picture(state: ArmState, arm: Arm | None, seat: SeatTaken | None) -> ArmPicture:
+    """The touches of the sphere from above, and what they tell of the tip."""
+    checked = state.checked
+    nothing = ArmPicture((), None, None, None, state.limit_um, (), (), None)
+    if arm is None or seat is None or seat.artefact.size_mm is None:
+        return nothing
+    touches = [TouchLine(i, None, None, None) for i in range(len(seat.q_rad))]
+    half_range = None
+    if len(seat.q_rad) >= FEWEST_ON_BALL:
+        radius_mm = seat.artefact.size_mm / 2
+        tips = tip_centres(arm, np.array(seat.q_rad))
+        centre = _ball_centre(tips, radius_mm + arm.tip.radius_mm)
+        away = tips - centre
+        far = np.linalg.norm(away, axis=1)
+        flat = flat_places(away / far[:, None] * radius_mm, np.array([0.0, 0.0, 1.0]))
+        off_um = 1e3 * (far - radius_mm - arm.tip.radius_mm)
+        touches = [
+            TouchLine(i, float(x), float(y), float(off))
+            for i, ((x, y), off) in enumerate(zip(flat, off_um, strict=True))
+        ]
+        largest = float(np.max(np.abs(off_um)))
+        half_range = (largest, largest, largest)
+    return replace(
+        nothing,
+        half_range_um=half_range,
+        touches=touches,
+        sphere_mm=seat.artefact.size_mm / 2,
+        tip=result_of(checked) if checked is not None else None,
     )
 
 

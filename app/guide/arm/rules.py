@@ -14,6 +14,8 @@ LEAST_SWING_DEG = 60.0
 SEATS_WANTED, SEATS_LEAST = 6, 4
 TOUCHES_WANTED, TOUCHES_LEAST = 15, 8
 """Of one sphere."""
+TIP_WANTED, TIP_LEAST = 9, 5
+"""Of the sphere that the tip is checked on; from eight on a bend is told from a size."""
 SIZES_MM: dict[Kind, tuple[float, float]] = {"bar": (20.0, 5000.0), "sphere": (3.0, 300.0)}
 LARGEST_UNCERTAINTY_MM = 1.0
 
@@ -57,6 +59,11 @@ def swing_deg(q_rad: Sequence[Angles]) -> float:
     return float(np.rad2deg(np.ptp(np.array(q_rad), axis=0).max())) if q_rad else 0.0
 
 
+def touches_wanted(state: ArmState) -> int:
+    """Of the sphere."""
+    return TIP_WANTED if state.purpose == "tip" else TOUCHES_WANTED
+
+
 def _arm_ready(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
     if live.arm is None:
         return "Choose the arm first."
@@ -72,7 +79,8 @@ def _arm_ready(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> st
 
 def _choose_artefact(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
     kind, size = args.get("kind"), args.get("size_mm")
-    if state.purpose != "identify" or kind not in ("seat", "bar", "sphere"):
+    known = {"identify": ("seat", "bar", "sphere"), "tip": ("sphere",), "check": ()}
+    if kind not in known[state.purpose]:
         return "There is no such artefact here."
     if state.half_bar:
         return "Take the bar's other end first, or drop the last."
@@ -92,7 +100,7 @@ def _number(value: object) -> bool:
 
 def _begin(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
     missing = state.artefact.kind != "seat" and state.artefact.size_mm is None
-    if missing and state.purpose == "identify":
+    if missing and state.purpose != "check":
         what = "bar's length" if state.artefact.kind == "bar" else "sphere's diameter"
         return f"Give the {what} by its certificate first."
     return _arm_ready(state, live, args)
@@ -107,8 +115,9 @@ def _touch(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
 def _finish(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
     taken = state.seats[-1].q_rad
     if state.touching:
-        few = len(taken) < TOUCHES_LEAST
-        return f"Touch it more: {len(taken)} of at least {TOUCHES_LEAST} points." if few else ""
+        least = TIP_LEAST if state.purpose == "tip" else TOUCHES_LEAST
+        few = len(taken) < least
+        return f"Touch it more: {len(taken)} of at least {least} points." if few else ""
     if len(taken) < LEAST:
         return f"Go on swinging: {len(taken)} of at least {LEAST} points."
     swing = swing_deg(taken)

@@ -6,7 +6,7 @@ from typing import Any, Literal
 
 from app.guide.journal import Row
 
-Purpose = Literal["check", "identify"]
+Purpose = Literal["check", "tip", "identify"]
 Kind = Literal["seat", "bar", "sphere"]
 Payload = Mapping[str, Any]
 Angles = tuple[float, ...]
@@ -98,9 +98,15 @@ def after(state: ArmState, row: Row) -> ArmState:
 
 
 def _started(state: ArmState, payload: Payload) -> ArmState:
-    return replace(
-        state, purpose=payload["purpose"], arm=payload["arm"], limit_um=payload["limit_um"]
+    return _artefact_of(
+        replace(state, purpose=payload["purpose"], arm=payload["arm"], limit_um=payload["limit_um"])
     )
+
+
+def _artefact_of(state: ArmState) -> ArmState:
+    """The tip is checked on a sphere."""
+    sphere = state.purpose == "tip" and state.artefact.kind != "sphere"
+    return replace(state, artefact=Artefact("sphere")) if sphere else state
 
 
 def _seat_begun(state: ArmState, payload: Payload) -> ArmState:
@@ -129,6 +135,7 @@ CHANGES: dict[str, Callable[[ArmState, Payload], ArmState]] = {
     "seat_ended": lambda state, payload: replace(state, swinging=False, solved=None, refused=None),
     "seat_dropped": _seat_dropped,
     "checked": lambda state, payload: replace(state, checked=payload),
+    "tip_checked": lambda state, payload: replace(state, checked=payload),
     "solved": lambda state, payload: replace(state, solved=payload, refused=None),
     "fit_refused": lambda state, payload: replace(state, refused=payload, solved=None),
     "reopened": lambda state, payload: replace(state, solved=None),

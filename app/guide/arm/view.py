@@ -3,7 +3,9 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from app.files.verification import Decision
 from app.guide.arm.state import Artefact, Purpose
+from app.guide.verify.view import TouchLine
 from app.guide.view import Action, Busy, ChoiceOption, LiveNumber, Step, StepProgress, Vec3
 from app.station.findings import Finding, Quality
 
@@ -66,6 +68,20 @@ class ArmResult:
 
 
 @dataclass(frozen=True)
+class TipResult:
+    """What a check of the tip found."""
+
+    diameter_mm: float
+    expected_mm: float
+    error_um: float
+    expanded_uncertainty_um: float
+    scatter_um: float
+    bend_um: float | None
+    limit_um: float | None
+    decision: Decision
+
+
+@dataclass(frozen=True)
 class ArmPicture:
     """The points of the present seat about their mean, and how the arm swung."""
 
@@ -77,6 +93,11 @@ class ArmPicture:
     joints: Sequence[JointSwing]
     seats: Sequence[SeatLine]
     result: ArmResult | None
+    touches: Sequence[TouchLine] = ()
+    """Of the sphere that is touched, as seen from above."""
+    sphere_mm: float | None = None
+    """Its radius."""
+    tip: TipResult | None = None
 
 
 @dataclass(frozen=True)
@@ -115,4 +136,26 @@ class ArmCheckSummary:
     half_range_um: Vec3
     two_sigma_um: Vec3
     limit_um: float | None
+    verdict: Quality
+
+
+@dataclass(frozen=True)
+class TipCheckSummary:
+    """One check of the tip."""
+
+    id: str
+    at: str
+    arm_name: str
+    arm_serial: str
+    touches: int
+    diameter_mm: float
+    expected_mm: float
+    error_um: float
+    expanded_uncertainty_um: float
+    scatter_um: float
+    bend_um: float | None
+    limit_um: float | None
+    decision: Decision
+    text: str
+    """What was found, in one sentence."""
     verdict: Quality

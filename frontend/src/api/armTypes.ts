@@ -1,5 +1,6 @@
 /** The arm's own flows. The Python side of each shape is in app/guide/arm/view.py. */
 
+import type { TouchLine } from "./verifyTypes";
 import type { Action, ChoiceOption, Finding, LiveNumber, Quality, Step, Vec3 } from "./types";
 
 /** How far one joint has turned in this seat, and may turn. */
@@ -67,6 +68,23 @@ export interface ArmPicture {
   joints: JointSwing[];
   seats: SeatLine[];
   result: ArmResult | null;
+  /** Of the sphere that is touched, as seen from above. */
+  touches: TouchLine[];
+  /** Its radius. */
+  sphere_mm: number | null;
+  tip: TipResult | null;
+}
+
+/** What a check of the tip found. */
+export interface TipResult {
+  diameter_mm: number;
+  expected_mm: number;
+  error_um: number;
+  expanded_uncertainty_um: number;
+  scatter_um: number;
+  bend_um: number | null;
+  limit_um: number | null;
+  decision: "pass" | "fail" | "uncertain" | "none";
 }
 
 /** The whole state of the arm session, owned by the server. */
@@ -74,7 +92,7 @@ export interface ArmView {
   session_id: string;
   rev: number;
   running: boolean;
-  purpose: "check" | "identify";
+  purpose: "check" | "tip" | "identify";
   arms: ChoiceOption[];
   arm: string;
   /** What the tip is put to next, in an identification. */
@@ -101,5 +119,25 @@ export interface ArmCheckSummary {
   half_range_um: Vec3;
   two_sigma_um: Vec3;
   limit_um: number | null;
+  verdict: Quality;
+}
+
+/** One check of the tip. */
+export interface TipCheckSummary {
+  id: string;
+  at: string;
+  arm_name: string;
+  arm_serial: string;
+  touches: number;
+  diameter_mm: number;
+  expected_mm: number;
+  error_um: number;
+  expanded_uncertainty_um: number;
+  scatter_um: number;
+  bend_um: number | null;
+  limit_um: number | null;
+  decision: "pass" | "fail" | "uncertain" | "none";
+  /** What was found, in one sentence. */
+  text: string;
   verdict: Quality;
 }

@@ -428,8 +428,33 @@ export interface Station {
 export interface Home {
   station: Station;
   calibration: CalibrationSummary | null;
+  checks: Validity[];
+  /** Of the room, where somebody or a thermometer told it lately. */
+  temperature_c: number | null;
   findings: Finding[];
-  next: { label: string; page: "calibrate" | "scan" | "records"; text: string };
+  next: Next;
+}
+
+export type WorkPage = "home" | "calibrate" | "verify" | "scan" | "arm" | "records";
+
+/** One thing that must be in order to measure, in one line. */
+export interface Validity {
+  id: "calibration" | "verification" | "tip" | "arm";
+  title: string;
+  state: "valid" | "due" | "missing" | "failed" | "unsure";
+  quality: Quality;
+  /** What it is worth, or why it is due, in one sentence. */
+  text: string;
+  at: string | null;
+  page: WorkPage;
+  action: string;
+}
+
+/** What to do next. */
+export interface Next {
+  label: string;
+  page: WorkPage;
+  text: string;
 }
 
 /** Server to client over /api/live (JSON text frames). */

@@ -38,10 +38,10 @@ export function ArmCard({ view }: { view: ArmView }) {
       {view.busy && <Busy key={view.busy.text} {...view.busy} />}
       <Actions actions={view.actions} busy={view.busy !== null} onAct={(action) => sendArm(action.name, action.args)}>
         {choosing && view.arms.length > 1 && <ArmChoice arms={view.arms} arm={view.arm} />}
-        {view.step === "seat" && view.purpose === "identify" && (
-          <ArtefactField artefact={view.artefact} disabled={view.busy !== null} />
+        {view.step === "seat" && view.purpose !== "check" && (
+          <ArtefactField artefact={view.artefact} disabled={view.busy !== null} only={view.purpose === "tip"} />
         )}
-        {choosing && view.purpose === "check" && <LimitField limit_um={view.picture.limit_um} />}
+        {choosing && view.purpose !== "identify" && <LimitField limit_um={view.picture.limit_um} tip={view.purpose === "tip"} />}
         <Findings findings={withoutEchoes(view)} />
       </Actions>
     </>

@@ -4,13 +4,15 @@ import { History } from "./History";
 import { JointBars } from "./JointBars";
 import { ResultView } from "./ResultView";
 import { RunCharts } from "./RunCharts";
+import { TipPicture } from "./TipPicture";
 import { SeatList } from "./SeatList";
 
 /** Where the tip seems to go while it is held in one place; between seats, what there is so far. */
 export function ArmPictureView({ view }: { view: ArmView }) {
   const { picture } = view;
+  if (view.purpose === "tip" && view.step !== "seat") return <TipPicture picture={picture} />;
   if (picture.result) return <ResultView result={picture.result} />;
-  if (view.step === "seat") return view.purpose === "check" ? <History /> : <SeatList seats={picture.seats} />;
+  if (view.step === "seat") return view.purpose !== "identify" ? <History tips={view.purpose === "tip"} /> : <SeatList seats={picture.seats} />;
   return (
     <div className={styles.picture}>
       <RunCharts picture={picture} />

@@ -16,8 +16,9 @@ const KINDS = [
 const SIZE = { bar: "Length by its certificate", sphere: "Diameter by its certificate" };
 
 /** What the tip is put to next, with the size that its certificate gives. */
-export function ArtefactField({ artefact, disabled }: { artefact: Artefact; disabled: boolean }) {
+export function ArtefactField({ artefact, disabled, only = false }: { artefact: Artefact; disabled: boolean; only?: boolean }) {
   const { kind } = artefact;
+  if (only && kind !== "seat") return <Size kind={kind} artefact={artefact} disabled={disabled} />;
   return (
     <div className={styles.field}>
       <span className={styles.label}>What the tip is put to</span>

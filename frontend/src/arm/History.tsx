@@ -1,16 +1,62 @@
-import type { ArmCheckSummary } from "../api/armTypes";
+import type { ArmCheckSummary, TipCheckSummary } from "../api/armTypes";
 import { EmptyState } from "../parts/EmptyState";
 import { Reports } from "../parts/Reports";
-import { figures, moment, plural } from "../parts/format";
+import { bound, figures, moment, plural } from "../parts/format";
 import { QualityMark } from "../parts/QualityMark";
 import { useLive } from "../state/store";
 import { useList } from "../state/useList";
+import { GaugeDrawing } from "../verify/GaugeDrawing";
 import styles from "./History.module.css";
 import { HistoryChart } from "./HistoryChart";
 import { SeatIllustration } from "./SeatIllustration";
 
-/** Every finished check, as a line over time and one by one, the newest first. */
-export function History() {
+/** Every finished check: of the arm as a line over time and one by one, of the tip one by one. */
+export function History({ tips = false }: { tips?: boolean }) {
+  return tips ? <TipHistory /> : <ArmHistory />;
+}
+
+function TipHistory() {
+  const grown = useLive((s) => `${s.arm?.session_id ?? ""} ${s.arm?.step ?? ""}`);
+  const { list } = useList<TipCheckSummary>("/api/arm/tips", grown);
+  if (!list) return null;
+  if (list.length === 0) {
+    return (
+      <EmptyState
+        picture={<GaugeDrawing shape="sphere" touching />}
+        title="No check of the tip yet"
+        text="A sphere of known diameter, touched in nine places with the wrist turned, tells a worn, bent or wrong tip before it spoils a day's work."
+      />
+    );
+  }
+  return (
+    <div className={styles.history}>
+      <h2 className={styles.title}>Checks of the tip</h2>
+      <ul className={styles.list}>
+        {list.map((check) => (
+          <TipRow key={check.id} check={check} />
+        ))}
+      </ul>
+    </div>
+  );
+}
+
+function TipRow({ check }: { check: TipCheckSummary }) {
+  return (
+    <li className={styles.row}>
+      <QualityMark quality={check.verdict} />
+      <div className={styles.what}>
+        <p className={styles.when}>{moment(check.at)}</p>
+        <p className={styles.detail}>{bound(check.text)}</p>
+      </div>
+      <dl className={styles.axes}>
+        <dt>Diameter</dt>
+        <dd>{figures(check.diameter_mm, 3)} mm</dd>
+      </dl>
+    </li>
+  );
+}
+
+function ArmHistory() {
   const grown = useLive((s) => `${s.arm?.session_id ?? ""} ${s.arm?.step ?? ""}`);
   const { list, failed } = useList<ArmCheckSummary>("/api/arm/checks", grown);
   if (!list) return failed ? <p className={styles.told}>The checks could not be read. They are read again when the station is back.</p> : null;

@@ -7,7 +7,7 @@ import styles from "./Fields.module.css";
 import { UnitInput } from "./UnitInput";
 
 /** The largest (max − min)/2 that the operator accepts; kept for the next checks. */
-export function LimitField({ limit_um }: { limit_um: number | null }) {
+export function LimitField({ limit_um, tip }: { limit_um: number | null; tip: boolean }) {
   const limit = useHeld(limit_um === null ? "" : String(limit_um));
   const set = () => sendArm("set_limit", { limit_um: limit.text.trim() === "" ? null : Number(limit.text) });
   const submit = (event: FormEvent) => {
@@ -17,7 +17,7 @@ export function LimitField({ limit_um }: { limit_um: number | null }) {
   return (
     <form className={styles.field} onSubmit={submit}>
       <label className={styles.label} htmlFor="arm-limit">
-        Limit of (max − min)/2 on each axis
+        {tip ? "Limit of the diameter's error and of the scatter" : "Limit of (max − min)/2 on each axis"}
       </label>
       <div className={styles.row}>
         <UnitInput

@@ -1,9 +1,12 @@
+import { useState } from "react";
+
 import { startArm } from "../api/armCommands";
 import { ArmCard } from "../arm/ArmCard";
 import { ArmPictureView } from "../arm/ArmPictureView";
 import { History } from "../arm/History";
 import { Layout } from "../frame/Layout";
 import { MainAct } from "../parts/Actions";
+import { Chips } from "../verify/Chips";
 import { CardHead } from "../parts/CardHead";
 import { PressButton } from "../parts/PressButton";
 import { useLive } from "../state/store";
@@ -17,9 +20,25 @@ export function ArmPage() {
 }
 
 function NotStarted() {
+  const [tips, setTips] = useState(false);
   return (
     <Layout
-      picture={<History />}
+      picture={
+        <>
+          <div className={styles.chips}>
+            <Chips
+              label="What was checked"
+              options={[
+                { value: "arm", label: "Arm" },
+                { value: "tip", label: "Tip" },
+              ]}
+              value={tips ? "tip" : "arm"}
+              onChange={(value) => setTips(value === "tip")}
+            />
+          </div>
+          <History tips={tips} />
+        </>
+      }
       card={
         <>
           <CardHead
@@ -31,6 +50,13 @@ function NotStarted() {
               Check the arm
             </PressButton>
           </MainAct>
+          <div className={styles.other}>
+            <h2 className={styles.heading}>Check the tip</h2>
+            <p className={styles.text}>
+              Before work: touch a sphere of known diameter nine times. A worn, bent or wrong tip shows at once. It takes a minute.
+            </p>
+            <PressButton onPress={() => startArm("tip")}>Check the tip</PressButton>
+          </div>
           <div className={styles.other}>
             <h2 className={styles.heading}>Identify the arm</h2>
             <p className={styles.text}>

@@ -1,9 +1,11 @@
 import type { CalibrationSummary, Home } from "../api/types";
+import { TemperatureField } from "../home/TemperatureField";
+import { ValidityList } from "../home/ValidityList";
 import { Layout } from "../frame/Layout";
+import { MainAct } from "../parts/Actions";
 import { CardHead } from "../parts/CardHead";
-import { EmptyState } from "../parts/EmptyState";
 import { Findings } from "../parts/Findings";
-import { days, figures, moment } from "../parts/format";
+import { figures } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
 import { go } from "../state/router";
@@ -14,25 +16,21 @@ import styles from "./HomePage.module.css";
 export function HomePage() {
   const home = useLive((s) => s.home);
   if (!home) return <Layout picture={null} card={<CardHead title="Home" text="Waiting for the station." />} />;
-  const picture = home.calibration ? (
-    <Active calibration={home.calibration} />
-  ) : (
-    <EmptyState
-      title="No calibration yet"
-      text="Once the sensor is calibrated, its uncertainty, its age and the devices it belongs to stand here."
+  return (
+    <Layout
+      picture={
+        <div className={styles.home}>
+          {home.calibration && <Active calibration={home.calibration} />}
+          <ValidityList checks={home.checks} next={home.next.page} />
+        </div>
+      }
+      card={<Next home={home} />}
     />
   );
-  return <Layout picture={picture} card={<Next home={home} />} />;
 }
 
 function Active({ calibration }: { calibration: CalibrationSummary }) {
-  const facts: [string, string][] = [
-    ["Accepted", moment(calibration.accepted_at)],
-    ["Age", days(calibration.age_days)],
-    ["Arm", calibration.arm_serial],
-    ["Sensor", calibration.sensor_serial],
-    ["Object", calibration.object_serial],
-  ];
+  const devices = [`arm ${calibration.arm_serial}`, `sensor ${calibration.sensor_serial}`, `object ${calibration.object_serial}`];
   return (
     <div className={styles.active}>
       <p className={styles.label}>
@@ -41,15 +39,7 @@ function Active({ calibration }: { calibration: CalibrationSummary }) {
       <p className={styles.value}>
         {figures(calibration.total_um)} <span>µm</span>
       </p>
-      <p className={styles.note}>standard uncertainty of a scanned point, k = 1</p>
-      <dl className={styles.facts}>
-        {facts.map(([name, value]) => (
-          <div key={name}>
-            <dt>{name}</dt>
-            <dd>{value}</dd>
-          </div>
-        ))}
-      </dl>
+      <p className={styles.note}>standard uncertainty of a scanned point, k = 1 · {devices.join(" · ")}</p>
     </div>
   );
 }
@@ -59,10 +49,13 @@ function Next({ home }: { home: Home }) {
   return (
     <>
       <CardHead title="What to do next" text={next.text} />
-      <PressButton free kind="primary" onPress={() => go(next.page)}>
-        {next.label}
-      </PressButton>
+      <MainAct>
+        <PressButton free kind="primary" onPress={() => go(next.page)}>
+          {next.label}
+        </PressButton>
+      </MainAct>
       <Findings findings={home.findings} />
+      <TemperatureField celsius={home.temperature_c} />
     </>
   );
 }

@@ -29,7 +29,7 @@ function Bar({ figure }: { figure: FigureLine }) {
       </div>
       <div className={styles.track} aria-hidden="true">
         <span className={styles.bar} style={{ width: at(size) }} />
-        <span className={styles.unsure} style={{ left: at(size - U), width: `calc(${at(size + U)} - ${at(size - U)})` }} />
+        {U > 0 && <span className={styles.unsure} style={{ left: at(size - U), width: `calc(${at(size + U)} - ${at(size - U)})` }} />}
         {limit !== null && <span className={styles.limit} style={{ left: at(limit) }} />}
       </div>
       <p className={styles.words}>
@@ -46,11 +46,13 @@ function Bar({ figure }: { figure: FigureLine }) {
             </span>
           </>
         )}
-        <span>
-          U = {figures(U, U < 10 ? 1 : 0)}
-          {space}
-          {unit}, k = 2
-        </span>
+        {U > 0 && (
+          <span>
+            U = {figures(U, U < 10 ? 1 : 0)}
+            {space}
+            {unit}, k = 2
+          </span>
+        )}
       </p>
     </li>
   );

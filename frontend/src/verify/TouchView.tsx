@@ -1,12 +1,16 @@
-import type { VerifyPicture } from "../api/verifyTypes";
+import type { TouchLine } from "../api/verifyTypes";
 import legend from "../flow/ResidualLegend.module.css";
 import { RAMP_CSS, rampColour } from "../object/residuals";
 import { figures, signed } from "../parts/format";
 import { GaugeDrawing } from "./GaugeDrawing";
 import styles from "./TouchView.module.css";
 
+interface TouchViewProps {
+  picture: { shape: "plane" | "sphere" | null; radius_mm: number | null; touches: TouchLine[] };
+}
+
 /** Where the gauge was touched, seen from above, and how far each touch is off it. */
-export function TouchView({ picture }: { picture: VerifyPicture }) {
+export function TouchView({ picture }: TouchViewProps) {
   const placed = picture.touches.filter((touch) => touch.x_mm !== null);
   if (placed.length === 0) {
     return (

@@ -1,0 +1,35 @@
+import type { ArmPicture } from "../api/armTypes";
+import type { FigureLine } from "../api/verifyTypes";
+import { FigureBars } from "../verify/FigureBars";
+import { TouchView } from "../verify/TouchView";
+import styles from "./TipPicture.module.css";
+
+/** The touches of the sphere, and once they are judged what they tell of the tip. */
+export function TipPicture({ picture }: { picture: ArmPicture }) {
+  const { tip, touches, sphere_mm } = picture;
+  return (
+    <div className={styles.picture}>
+      <TouchView picture={{ shape: "sphere", radius_mm: sphere_mm, touches }} />
+      {tip && (
+        <div className={styles.figures}>
+          <FigureBars found={figuresOf(tip)} />
+        </div>
+      )}
+    </div>
+  );
+}
+
+function figuresOf(tip: NonNullable<ArmPicture["tip"]>): FigureLine[] {
+  const { limit_um: limit } = tip;
+  const within = limit === null ? "none" : tip.scatter_um > limit ? "fail" : "pass";
+  const sure = Math.abs(tip.error_um) - tip.expanded_uncertainty_um;
+  const size = limit === null ? "none" : Math.abs(tip.error_um) + tip.expanded_uncertainty_um <= limit ? "pass" : sure > limit ? "fail" : "uncertain";
+  const line = { unit: "µm", limit, reason: "", clouds: [] };
+  return [
+    { ...line, name: "radius_error", title: "Error of the diameter", value: tip.error_um, expanded_uncertainty: tip.expanded_uncertainty_um, decision: size },
+    { ...line, name: "scatter", title: "Largest distance of a touch", value: tip.scatter_um, expanded_uncertainty: 0, decision: within },
+    ...(tip.bend_um === null
+      ? []
+      : [{ ...line, limit: null, name: "bend", title: "The tip's centre from its place", value: tip.bend_um, expanded_uncertainty: 0, decision: "none" as const }]),
+  ];
+}

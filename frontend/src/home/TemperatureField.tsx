@@ -1,0 +1,37 @@
+import { type FormEvent, useState } from "react";
+
+import fields from "../arm/Fields.module.css";
+import { UnitInput } from "../arm/UnitInput";
+import { tell } from "../api/commands";
+import { post } from "../api/http";
+import { figures } from "../parts/format";
+import { PressButton } from "../parts/PressButton";
+import styles from "./TemperatureField.module.css";
+
+/** The room's temperature: what is known of it, and a place to tell it. */
+export function TemperatureField({ celsius }: { celsius: number | null }) {
+  const [text, setText] = useState("");
+  const set = async () => {
+    try {
+      await post("/api/temperature", { celsius: Number(text.replace(",", ".")) });
+      setText("");
+    } catch (error) {
+      tell(error, "the temperature was not kept");
+    }
+  };
+  const submit = (event: FormEvent) => {
+    event.preventDefault();
+    if (text) void set();
+  };
+  return (
+    <form className={styles.field} onSubmit={submit}>
+      <label className={fields.label} htmlFor="room-temperature">
+        Room temperature: {celsius === null ? "not known" : <strong>{figures(celsius, 1)} °C</strong>}
+      </label>
+      <div className={fields.row}>
+        <UnitInput id="room-temperature" unit="°C" min={-20} max={60} value={text} placeholder={celsius === null ? "tell it" : "now"} onText={setText} />
+        {text !== "" && <PressButton onPress={set}>Set</PressButton>}
+      </div>
+    </form>
+  );
+}

@@ -1,0 +1,39 @@
+import type { Validity } from "../api/types";
+import { bound } from "../parts/format";
+import { PressButton } from "../parts/PressButton";
+import { QualityMark } from "../parts/QualityMark";
+import { go } from "../state/router";
+import styles from "./ValidityList.module.css";
+
+const WORD: Record<Validity["state"], string> = {
+  valid: "valid",
+  due: "due",
+  missing: "to do",
+  failed: "failed",
+  unsure: "not decided",
+};
+
+/** What must be in order to measure: whether it is, why not, and where it is done. */
+export function ValidityList({ checks, next }: { checks: Validity[]; next: string }) {
+  return (
+    <ul className={styles.list} aria-label="What is valid and what is due">
+      {checks.map((check) => (
+        <li key={check.id} className={styles.row} data-state={check.state} data-next={check.page === next || undefined}>
+          <QualityMark quality={check.quality} size="1.5rem" />
+          <div className={styles.what}>
+            <p className={styles.title}>
+              {check.title}
+              <span className={styles.state} data-quality={check.quality}>
+                {WORD[check.state]}
+              </span>
+            </p>
+            <p className={styles.text}>{bound(check.text)}</p>
+          </div>
+          <PressButton free kind="quiet" onPress={() => go(check.page)}>
+            {check.action}
+          </PressButton>
+        </li>
+      ))}
+    </ul>
+  );
+}

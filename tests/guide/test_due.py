@@ -1,0 +1,102 @@
+"""What is due and why, and the one thing to do next."""
+
+from dataclasses import replace
+from datetime import UTC, datetime, timedelta
+
+import pytest
+
+from app.guide.due import DUE, Checked, Known, Next, Validity, ago, next_of, validity_of
+
+NOW = datetime(2026, 11, 21, 12, 0, tzinfo=UTC)
+
+
+def done(
+    days: float, result: str = "valid", text: str = "Every figure keeps its limit."
+) -> Checked:
+    at = (NOW - timedelta(days=days)).isoformat().replace("+00:00", "Z")
+    return Checked(at, result, text)  # type: ignore[arg-type]
+
+
+NOTHING = Known(None, None, False, None, None, None)
+ALL = Known(done(2, text="8 µm (k = 1)"), done(1), True, done(0.1), done(3), 0.4)
+
+
+def lines(known: Known) -> dict[str, Validity]:
+    return {line.id: line for line in validity_of(known, NOW)}
+
+
+def after(
+    known: Known, calibrating: bool = False, verifying: bool = False, blocked: str = ""
+) -> Next:
+    return next_of(validity_of(known, NOW), calibrating, verifying, blocked)
+
+
+def test_where_all_is_in_order_the_next_step_is_to_scan() -> None:
+    assert {line.state for line in validity_of(ALL, NOW)} == {"valid"}
+    assert after(ALL).page == "scan"
+    assert "2 days old" in lines(ALL)["calibration"].text
+    assert "+0.4 °C" in lines(ALL)["calibration"].text
+
+
+def test_a_newcomer_is_led_from_calibrating_over_verifying_to_scanning() -> None:
+    assert after(NOTHING).page == "calibrate"
+    assert after(NOTHING, calibrating=True).label == "Go on calibrating"
+    calibrated = replace(NOTHING, calibration=done(0))
+    assert after(calibrated).page == "verify"
+    assert lines(calibrated)["verification"].quality == "attention"
+    assert after(calibrated, verifying=True).label == "Go on verifying"
+    assert after(replace(calibrated, verification=done(0))).page == "scan"
+
+
+@pytest.mark.parametrize(
+    ("change", "page", "said"),
+    [
+        ({"calibration": done(31)}, "calibrate", "31 days old"),
+        ({"warmer_c": 3.4}, "calibrate", "3.4 °C warmer"),
+        ({"warmer_c": -5.0}, "calibrate", "5.0 °C colder"),
+        ({"verification": None}, "verify", "older than this calibration"),
+        ({"verification": done(8)}, "verify", "8 days old"),
+        (
+            {"verification": done(1, "failed", "Not every figure keeps its limit.")},
+            "verify",
+            "failed",
+        ),
+        ({"verification": done(1, "unsure", "Not known.")}, "verify", "not decided"),
+        ({"tip": done(0.1, "failed", "The tip is worn.")}, "arm", "worn"),
+        ({"arm": done(1, "failed", "400 µm, limit 250 µm.")}, "arm", "400 µm"),
+    ],
+)
+def test_what_is_not_in_order_is_named_and_led_to(
+    change: dict[str, object], page: str, said: str
+) -> None:
+    found = after(replace(ALL, **change))  # type: ignore[arg-type]
+    assert found.page == page
+    assert said in found.text
+    assert found.label
+
+
+def test_a_check_that_is_due_is_said_but_holds_up_nothing() -> None:
+    known = replace(ALL, tip=done(2), arm=None)
+    assert lines(known)["tip"].state == "due"
+    assert lines(known)["arm"].state == "missing"
+    assert after(known).page == "scan"
+
+
+def test_other_devices_than_calibrated_come_before_verifying() -> None:
+    found = after(replace(ALL, verification=None), blocked="The connected arm is another.")
+    assert (found.page, found.text) == ("calibrate", "The connected arm is another.")
+
+
+def test_limits_are_the_stations_own() -> None:
+    strict = replace(DUE, verification_days=0.5)
+    found = {line.id: line for line in validity_of(ALL, NOW, strict)}
+    assert found["verification"].state == "due"
+
+
+@pytest.mark.parametrize(
+    ("days", "said"),
+    [(0.0, "less than a minute"), (1 / 24 / 60, "1 minute"), (0.1, "2 hours"), (1.4, "34 hours"),
+     (2.0, "2 days")],
+)  # fmt: skip
+def test_an_age_is_said_as_people_do(days: float, said: str) -> None:
+    assert ago(days) == said
