@@ -10,12 +10,11 @@ from app.api.context import Context, TheContext
 from app.api.problems import NotFound
 from app.api.schema import CalibrationSummary, Home, ScanSummary
 from app.guide.arm.view import ArmCheckSummary
-from app.guide.due import DUE, Checked, Known, State, next_of, validity_of
+from app.guide.due import Checked, Known, State, next_of, validity_of
 from app.station.findings import Finding, Quality
 from app.store.calibrations import CalibrationRecord
 
 router = APIRouter(prefix="/api")
-DUE_DAYS = DUE.calibration_days
 PASSING = ("busy", "arm-lost", "sensor-lost")
 """Why a scan cannot start now that a calibration does not mend."""
 RESULTS: dict[str, State] = {"pass": "valid", "fail": "failed", "uncertain": "unsure"}

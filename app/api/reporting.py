@@ -3,9 +3,10 @@
 import time
 
 from app.api.context import Context
-from app.api.records import DUE_DAYS
 from app.api.schema import CalibrationSummary, Home
 from app.guide.arm.view import ArmView
+from app.guide.due import Validity
+from app.guide.verify.view import VerifyView
 from app.guide.view import FlowView
 from app.station.device_state import DeviceState
 from app.station.findings import Quality
@@ -16,6 +17,7 @@ from app.supervise.messages import (
     CalibrationReport,
     DeviceReport,
     StationReport,
+    VerificationReport,
 )
 
 LONGEST = 400
@@ -40,8 +42,8 @@ def report_of(context: Context) -> StationReport:
         devices=(_device("arm", devices.arm), _device("camera", devices.sensor)),
         laser_on=devices.laser_on,
         activity=_activity(context),
-        calibration=_calibration(known.calibration if known else None),
-        verification=None,
+        calibration=_calibration(known, context.due.calibration_days),
+        verification=_verification(known, context),
         alarms=_alarms(context, known),
         temperature_c=watch.temperature.now.celsius,
         disk_free_gb=round(devices.disk_free_gb, 1),
@@ -81,9 +83,13 @@ def _activity(context: Context) -> ActivityReport:
 
     if scan.state in ("running", "stopping"):
         return activity("scanning", "Scanning" if scan.state == "running" else "Writing the scan")
-    for topic, kind in (("flow", "calibrating"), ("arm", "checking_arm")):
+    for topic, kind in (
+        ("flow", "calibrating"),
+        ("verify", "verifying"),
+        ("arm", "checking_arm"),
+    ):
         view = context.bus.latest(topic)
-        if isinstance(view, (FlowView, ArmView)) and view.running:
+        if isinstance(view, (FlowView, VerifyView, ArmView)) and view.running:
             step = next((i for i, one in enumerate(view.steps, 1) if one.id == view.step), 0)
             progress = view.progress.text if view.progress else ""
             if view.busy is not None:
@@ -95,8 +101,29 @@ def _activity(context: Context) -> ActivityReport:
     return activity("idle", "Nothing runs")
 
 
-def _calibration(summary: CalibrationSummary | None) -> CalibrationReport | None:
-    if summary is None:
+def _line(home: Home | None, name: str) -> Validity | None:
+    """One of Home's lines."""
+    return next((line for line in home.checks if line.id == name), None) if home else None
+
+
+def _verification(home: Home | None, context: Context) -> VerificationReport | None:
+    """The newest of the calibration in use."""
+    calibration, line = home.calibration if home else None, _line(home, "verification")
+    record = context.store.verifications.newest_of(calibration.id) if calibration else None
+    if record is None or line is None:
+        return None
+    return VerificationReport(
+        title=record.figures.gauge[:LONGEST],
+        at=record.accepted_at,
+        quality=line.quality,
+        text=record.figures.text[:LONGEST],
+    )
+
+
+def _calibration(home: Home | None, due_days: float) -> CalibrationReport | None:
+    summary: CalibrationSummary | None = home.calibration if home else None
+    line = _line(home, "calibration")
+    if summary is None or line is None:
         return None
     return CalibrationReport(
         name=summary.name[:LONGEST],
@@ -104,8 +131,8 @@ def _calibration(summary: CalibrationSummary | None) -> CalibrationReport | None
         age_days=summary.age_days,
         total_um=round(summary.total_um, 1),
         quality=summary.verdict,
-        due=summary.age_days > DUE_DAYS,
-        due_in_days=round(DUE_DAYS - summary.age_days, 2),
+        due=line.state == "due",
+        due_in_days=round(due_days - summary.age_days, 2),
     )
 
 
@@ -115,6 +142,9 @@ def _alarms(context: Context, home: Home | None) -> tuple[Alarm, ...]:
     for finding in home.findings if home else ():
         if finding.quality in ("bad", "attention"):
             found[finding.text] = (finding.quality, finding.remedy)
+    for line in home.checks if home else ():
+        if line.quality in ("bad", "attention"):
+            found[line.text] = (line.quality, f"{line.action}.")
     scan = context.scanner.state()
     if scan.state == "running":
         for finding in scan.findings:

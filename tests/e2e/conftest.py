@@ -85,6 +85,17 @@ class Demo:
         with self.process.stderr:
             self.errors.extend(self.process.stderr)
 
+    @property
+    def complaints(self) -> list[str]:
+        """What went wrong by its log; that a busy machine held it up for a moment is none."""
+        found, skipping = [], False
+        for line in self.errors:
+            if re.match(r"\d{4}-\d\d-\d\d ", line):
+                skipping = " app.station.watchdog: " in line
+            if not skipping:
+                found.append(line)
+        return found
+
     def end(self) -> int:
         """Ends the demo as Ctrl-C does; returns its exit status."""
         if self.process.poll() is None:

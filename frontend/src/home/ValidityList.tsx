@@ -13,12 +13,13 @@ const WORD: Record<Validity["state"], string> = {
   unsure: "not decided",
 };
 
-/** What must be in order to measure: whether it is, why not, and where it is done. */
+/** What must be in order to measure: whether it is, why not, and where it is done; what comes
+ *  `next` has its button beside the list. */
 export function ValidityList({ checks, next }: { checks: Validity[]; next: string }) {
   return (
     <ul className={styles.list} aria-label="What is valid and what is due">
       {checks.map((check) => (
-        <li key={check.id} className={styles.row} data-state={check.state} data-next={check.page === next || undefined}>
+        <li key={check.id} className={styles.row} data-state={check.state}>
           <QualityMark quality={check.quality} size="1.5rem" />
           <div className={styles.what}>
             <p className={styles.title}>
@@ -29,9 +30,11 @@ export function ValidityList({ checks, next }: { checks: Validity[]; next: strin
             </p>
             <p className={styles.text}>{bound(check.text)}</p>
           </div>
-          <PressButton free kind="quiet" onPress={() => go(check.page)}>
-            {check.action}
-          </PressButton>
+          {check.action !== next && (
+            <PressButton free kind="quiet" onPress={() => go(check.page)}>
+              {check.action}
+            </PressButton>
+          )}
         </li>
       ))}
     </ul>

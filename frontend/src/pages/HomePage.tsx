@@ -21,7 +21,7 @@ export function HomePage() {
       picture={
         <div className={styles.home}>
           {home.calibration && <Active calibration={home.calibration} />}
-          <ValidityList checks={home.checks} next={home.next.page} />
+          <ValidityList checks={home.checks} next={home.next.label} />
         </div>
       }
       card={<Next home={home} />}

@@ -1,0 +1,201 @@
+"""A verification's fold, what is allowed when, and what goes stale."""
+
+import json
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from app.files.gauge import DEFAULT_LIMITS, GaugeFile
+from app.files.gauge_cloud import Fit
+from app.files.verification_figures import errors_of, figures_of, verdict_of
+from app.guide.journal import fold
+from app.guide.verify.flow import view_of
+from app.guide.verify.live import Gauges, Judged, VerifyLive
+from app.guide.verify.rules import why_not
+from app.guide.verify.state import VerifyState, after
+from app.metrology.gauges import NominalPlane, NominalSphere
+from app.metrology.touched_gauge import TouchedPlane, TouchedSphere
+from tests.guide.builders import CONNECTED, Row
+
+PLANE = GaugeFile(shape="plane", name="Plate")
+SPHERE = GaugeFile(shape="sphere", radius_mm=10.0, name="Sphere", standard_uncertainty_um=1.0)
+Entry = tuple[str, Mapping[str, object]]
+
+
+def state_after(*rows: Entry) -> VerifyState:
+    journal = [Row(i + 1, kind, json.loads(json.dumps(p))) for i, (kind, p) in enumerate(rows)]
+    return fold(journal, VerifyState(), after)
+
+
+STARTED: Entry = ("started", {"calibration_id": "c1", "gauge": "plate"})
+TOUCHED: Entry = ("touched", {"q_rad": [0.0] * 6})
+
+
+def fit(**changes: object) -> dict[str, object]:
+    values: dict[str, object] = {
+        "points": 1000,
+        "used": 950,
+        "frames": 60,
+        "rms_um": 12.0,
+        "form_um": 48.0,
+        "centre_mm": [0.0, 0.0, 0.02],
+        "normal": [0.0, 0.0, 1.0],
+        "offset_mm": 0.02,
+        "covariance": [[1e-6, 0, 0], [0, 1e-9, 0], [0, 0, 1e-9]],
+    }
+    return {**values, **changes}
+
+
+def cloud(number: int, **changes: object) -> list[Entry]:
+    return [
+        ("cloud_begun", {"number": number}),
+        ("cloud_ended", {"number": number, "ended": True}),
+        ("cloud_measured", {"number": number, "fit": fit(**changes), "seconds": 7.0}),
+    ]
+
+
+TO_SCAN: list[Entry] = [STARTED, ("gauge_confirmed", {}), ("touch_skipped", {})]
+
+
+def live_of(**changes: object) -> VerifyLive:
+    live = VerifyLive(
+        active_id="c1",
+        active_name="First",
+        gauges=Gauges({"plate": PLANE, "sphere": SPHERE}, ()),
+        gauge=PLANE,
+        limits=DEFAULT_LIMITS,
+        arm=None,
+        touched=None,
+        judged=Judged({}, {}, (), None),
+        arm_link=CONNECTED,
+        sensor_link=replace(CONNECTED, title="Sensor"),
+        still=True,
+        scan_why_not="",
+        scan_points=0,
+        has_hand=False,
+        hand_running=False,
+        busy=None,
+        trouble=None,
+    )
+    return replace(live, **changes)  # type: ignore[arg-type]
+
+
+def test_steps_go_on_and_back_and_what_comes_after_is_stale() -> None:
+    state = state_after(
+        *TO_SCAN, *cloud(1), ("clouds_confirmed", {}), ("went_back", {"to": "touch"})
+    )
+    view = view_of(state, live_of())
+    assert [step.state for step in view.steps] == ["done", "current", "stale", "stale"]
+    assert len(state.good) == 1
+
+
+def test_another_gauge_keeps_what_was_taken_and_does_not_count_it() -> None:
+    rows = [STARTED, ("gauge_confirmed", {}), TOUCHED, ("touch_confirmed", {}), *cloud(1)]
+    rows += [("went_back", {"to": "gauge"}), ("gauge_chosen", {"id": "sphere"})]
+    state = state_after(*rows)
+    assert (state.counted, state.good) == ((), ())
+    state = state_after(*rows, ("gauge_chosen", {"id": "plate"}))
+    assert (len(state.counted), len(state.good)) == (1, 1)
+
+
+def test_a_cloud_is_voided_and_taken_back() -> None:
+    rows = [*TO_SCAN, *cloud(1), *cloud(2)]
+    state = state_after(*rows, ("cloud_voided", {"number": 1, "voided": True}))
+    assert [c.number for c in state.good] == [2]
+    state = state_after(
+        *rows,
+        ("cloud_voided", {"number": 1, "voided": True}),
+        ("cloud_restored", {"number": 1, "voided": False}),
+    )
+    assert [c.number for c in state.good] == [1, 2]
+
+
+def test_while_a_cloud_is_scanned_it_is_ended_or_dropped_first() -> None:
+    state = state_after(*TO_SCAN, ("cloud_begun", {"number": 1}))
+    live = live_of()
+    assert state.open_cloud is not None
+    for name in ("begin_cloud", "confirm_clouds", "back", "abandon", "undo"):
+        assert why_not(state, live, name, {}), name
+    assert why_not(state, live, "finish_cloud", {}) == ""
+    ended = state_after(
+        *TO_SCAN, ("cloud_begun", {"number": 1}), ("cloud_ended", {"number": 1, "ended": True})
+    )
+    assert ended.clouds[0].waiting
+    assert "measured" in why_not(ended, live, "begin_cloud", {})
+
+
+@pytest.mark.parametrize(
+    ("changes", "name", "said"),
+    [
+        ({"active_id": "c2"}, "begin_cloud", "Another calibration"),
+        ({"active_id": ""}, "begin_cloud", "no calibration"),
+        ({"scan_why_not": "The arm sends nothing."}, "begin_cloud", "sends nothing"),
+        ({}, "confirm_clouds", "No cloud"),
+        ({}, "touch", "another step"),
+        ({}, "fly", "no command"),
+        ({}, "stop_hand", "not moving"),
+        ({}, "let_hand", "no simulated hand"),
+    ],
+)
+def test_what_cannot_be_done_says_why(changes: dict[str, object], name: str, said: str) -> None:
+    assert said in why_not(state_after(*TO_SCAN), live_of(**changes), name, {})
+
+
+def test_a_lost_arm_is_said_and_nothing_is_lost() -> None:
+    state = state_after(*TO_SCAN, *cloud(1))
+    lost = replace(CONNECTED, state="lost", text="No data for 3 s")
+    view = view_of(state, live_of(arm_link=lost))
+    assert any("No data for 3 s" in f.text and "kept" in f.remedy for f in view.findings)
+    assert view.progress is not None
+    assert view.progress.done == 1
+
+
+def touched_plane(height_mm: float = 0.0) -> TouchedPlane:
+    nominal = NominalPlane(np.array([0.0, 0.0, height_mm]), np.array([0.0, 0.0, 1.0]))
+    return TouchedPlane(nominal, np.zeros(6), np.diag([4e-6, 1e-9, 1e-9]))
+
+
+def test_a_plane_is_compared_with_the_probe_only_where_it_was_touched() -> None:
+    fits = [
+        Fit.model_validate(fit()),
+        Fit.model_validate(fit(offset_mm=0.05, centre_mm=[0, 0, 0.05])),
+    ]
+    names = {f.name for f in figures_of(fits, PLANE, None, DEFAULT_LIMITS)}
+    assert names == {"form", "rms", "angle_range", "offset_range"}
+    figures = {f.name: f for f in figures_of(fits, PLANE, touched_plane(), DEFAULT_LIMITS)}
+    assert figures["offset"].value == pytest.approx(50.0)
+    assert figures["offset"].clouds == pytest.approx((20.0, 50.0))
+    assert figures["offset"].expanded_uncertainty == pytest.approx(2e3 * np.sqrt(5e-6), rel=1e-6)
+    assert figures["z_error"].value == pytest.approx(-50.0)
+    assert (figures["z_error"].limit, figures["z_error"].decision) == (None, "none")
+    assert figures["offset_range"].value == pytest.approx(30.0)
+    verdict = verdict_of(list(figures.values()), True)
+    assert verdict.result == "pass"
+
+
+def test_a_figure_fails_or_stays_undecided_by_its_uncertainty() -> None:
+    limits = DEFAULT_LIMITS.model_copy(update={"offset": 20.0})
+    near = [Fit.model_validate(fit())]
+    figures = figures_of(near, PLANE, touched_plane(), limits)
+    assert verdict_of(figures, True).result == "uncertain"
+    far = figures_of(near, PLANE, touched_plane(-0.5), limits)
+    verdict = verdict_of(far, True)
+    assert verdict.result == "fail"
+    assert "520 µm, beyond the limit of 20 µm" in verdict.reasons[0]
+
+
+def test_a_sphere_is_judged_by_its_paper_and_its_touched_centre() -> None:
+    covariance = np.diag([1e-6, 1e-6, 4e-6, 1e-6]).tolist()
+    values = fit(radius_mm=9.98, centre_mm=[0.03, 0.0, 0.04], covariance=covariance)
+    one = Fit.model_validate({**values, "normal": None, "offset_mm": None})
+    alone = {f.name: f for f in figures_of([one], SPHERE, None, DEFAULT_LIMITS)}
+    assert set(alone) == {"form", "rms", "radius_error"}
+    assert alone["radius_error"].value == pytest.approx(20.0)
+    assert alone["radius_error"].expanded_uncertainty == pytest.approx(2 * np.hypot(1.0, 1.0))
+    nominal = NominalSphere(np.zeros(3), 10.0)
+    touched = TouchedSphere(nominal, np.zeros(7), 9e-6 * np.eye(3), 10.0, 0.001)
+    errors = errors_of(one, SPHERE, touched)
+    assert errors.centre_error_um == pytest.approx(50.0)
+    assert errors.angle_arcsec is None
