@@ -30,6 +30,7 @@ from app.guide.verify.guide import VerifyGuide, VerifyStation
 from app.metrology.findings import LIMITS, Limits
 from app.metrology.refusal import Refusal
 from app.station.bus import Bus
+from app.station.distance_band import DistanceWatch
 from app.station.jobs import Jobs
 from app.station.lease import Lease
 from app.station.operator_settings import OperatorSettings
@@ -219,6 +220,7 @@ def _use(
     bus: Bus,
 ) -> None:
     """Makes the active calibration the one to scan with."""
+    preview.set_calibration(None)
     if record is None:
         scanner.set_calibration(None)
         return
@@ -231,6 +233,14 @@ def _use(
     rig.arm.set_model(calibration.arm)
     preview.set_stripe_axis(calibration.stripe_axis)
     scanner.set_calibration(calibration)
+    preview.set_calibration(
+        DistanceWatch(
+            calibration.camera,
+            calibration.plane,
+            calibration.depth_range_mm,
+            calibration.stripe_axis,
+        )
+    )
 
 
 def _scan_calibration(record: CalibrationRecord) -> ScanCalibration:

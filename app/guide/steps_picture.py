@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from app.guide.advice import Advice
 from app.guide.body import Body, lost_devices, offer
+from app.guide.framing import first_outline
 from app.guide.live import Live
 from app.guide.pose_pictures import pose_pictures
 from app.guide.state import CalibrationState
@@ -21,7 +22,7 @@ def place_step(state: CalibrationState, live: Live) -> Body:
     """Bring the sensor over the object and clamp the arm."""
     found = live.corners_seen >= FEWEST_CORNERS
     there = live.to_move is None or reached(live.to_move)
-    goal = "Hold the sensor over the object so that the whole of it is in the picture."
+    goal = "Hold the sensor over the object so that it lies about as the dashed outline."
     if live.advice is not None and not there:
         goal = f"For the next pose {live.advice.words}. Follow the dashed outline."
     return Body(
@@ -30,7 +31,7 @@ def place_step(state: CalibrationState, live: Live) -> Body:
             if found and there
             else goal
         ),
-        picture=_camera(live),
+        picture=_camera(state, live),
         number=_to_go(live) or _stillness(live),
         findings=[*lost_devices(live), *_picture_findings(live)],
         actions=[
@@ -44,7 +45,7 @@ def capture_step(state: CalibrationState, live: Live) -> Body:
     """Take the picture while the arm is still."""
     return Body(
         instruction="Hold still and take the picture. The laser switches itself.",
-        picture=_camera(live),
+        picture=_camera(state, live),
         number=_stillness(live),
         findings=[*lost_devices(live), *_picture_findings(live)],
         actions=[
@@ -63,8 +64,15 @@ def _enough(state: CalibrationState, live: Live) -> list[Action]:
     return [offer(state, live, "keep_picture", label)]
 
 
-def _camera(live: Live) -> CameraPicture:
-    return CameraPicture(live.advice.outline if live.advice is not None else ())
+def _camera(state: CalibrationState, live: Live) -> CameraPicture:
+    """With the outline to match: of the advised pose, or of a good first one."""
+    block, sensor = live.chosen.block, live.chosen.sensor
+    if live.advice is not None:
+        return CameraPicture(live.advice.outline)
+    if state.pictures or block is None or sensor is None:
+        return CameraPicture()
+    upright = sensor.stripe_axis == "u"
+    return CameraPicture(first_outline(block, sensor.width_px, sensor.height_px, upright), True)
 
 
 def _to_go(live: Live) -> LiveNumber | None:

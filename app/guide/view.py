@@ -235,9 +235,11 @@ class ObjectPicture:
 
 @dataclass(frozen=True)
 class CameraPicture:
-    """The live picture; ``target`` is the object as it would look from the advised hold."""
+    """The live picture; ``target`` is the object as it would look from the advised hold, or
+    ``about`` so from a good first one."""
 
     target: Sequence[Segment] = ()
+    about: bool = False
     kind: Literal["camera"] = "camera"
 
 

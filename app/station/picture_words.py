@@ -1,20 +1,23 @@
 """What is wrong with the live picture, as findings."""
 
-import numpy as np
-
-from app.metrology.detection.picture import Image, picture_findings
+from app.metrology.detection.picture import Image, PictureMeasures, findings_of, measured
 from app.metrology.refusal import Refusal
-from app.metrology.stripe import saturation_level
 from app.station.findings import Finding
 from app.station.stillness import Stillness
 
 
 def picture_words(image: Image) -> list[Finding]:
     """Exposure, saturation and sharpness in words; empty when all is well."""
+    return measured_words(image)[1]
+
+
+def measured_words(image: Image) -> tuple[PictureMeasures | None, list[Finding]]:
+    """The same with the measures, which a picture that is not grey has none of."""
     try:
-        return [Finding("attention", f.text, f.remedy) for f in picture_findings(image)]
+        measures = measured(image)
     except Refusal as refusal:
-        return [refused(refusal)]
+        return None, [refused(refusal)]
+    return measures, [Finding("attention", f.text, f.remedy) for f in findings_of(measures)]
 
 
 def refused(refusal: Refusal) -> Finding:
@@ -26,12 +29,6 @@ def refused(refusal: Refusal) -> Finding:
 def still_words(stillness: Stillness) -> list[Finding]:
     """Asks to hold still when the arm moves; empty when it is still."""
     return [] if stillness.still else [Finding("attention", stillness.text, "Hold still")]
-
-
-def saturated_percent(image: Image) -> float:
-    """Share of the pixels at full scale, in percent."""
-    clipped = np.count_nonzero(image >= saturation_level(image))
-    return 100.0 * float(clipped) / image.size
 
 
 def _sentence(text: str) -> str:

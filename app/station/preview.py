@@ -15,15 +15,18 @@ import numpy as np
 
 from app.files.scan_settings import AUTOMATIC, ScanSettings
 from app.metrology.crenellated import Crenellated
-from app.metrology.detection.picture import Image
+from app.metrology.detection.picture import Image, PictureMeasures
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import Stripe, saturation_level
+from app.station.aids import Aid, distance_aid, exposure_aid, focus_aid, framing_aid, line_aid
 from app.station.arm_side import ArmSide
 from app.station.bus import Bus
+from app.station.distance_band import Band, DistanceWatch
 from app.station.extraction import Extraction, extraction_by
 from app.station.findings import Finding
 from app.station.object_watch import NOTHING, ObjectWatch, Seen, SeenCorner, Segment
-from app.station.picture_words import picture_words, saturated_percent, still_words
+from app.station.overexposure import Box, saturation
+from app.station.picture_words import measured_words, still_words
 from app.station.sensor_side import SensorSide
 from app.station.stillness import Stillness
 from hardware.clock import now_ns
@@ -54,6 +57,9 @@ class PreviewHeader:
     laser_on: bool
     arm_still: bool
     findings: tuple[Finding, ...]
+    saturated: tuple[Box, ...] = ()
+    band: Band | None = None
+    aids: tuple[Aid, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -84,7 +90,8 @@ class Preview:
         self._viewers = 0
         self._detecting = False
         self._latest: PreviewImage | None = None
-        self._words: tuple[float, tuple[Finding, ...]] = (0.0, ())
+        self._words: tuple[float, PictureMeasures | None, tuple[Finding, ...]] = (0.0, None, ())
+        self._distances: DistanceWatch | None = None
         self._watched = threading.Condition()
         self._stopping = False
         self._thread: threading.Thread | None = None
@@ -152,6 +159,10 @@ class Preview:
         self._settings = settings
         self._extraction = extraction_by(settings, self._axis)
 
+    def set_calibration(self, distances: DistanceWatch | None) -> None:
+        """What tells distances in the picture from now on; None where nothing does."""
+        self._distances = distances
+
     def latest(self) -> PreviewImage | None:
         """The newest picture made; None before the first."""
         return self._latest
@@ -184,10 +195,15 @@ class Preview:
         self._objects.offer(frame, stripe)
         stillness = self._arm.stillness()
         seen = self._seen(stillness)
-        findings = [*still_words(stillness), *self._picture_words(frame.image)]
+        measures, words = self._measured(frame.image)
+        findings = [*still_words(stillness), *words]
         if seen.finding is not None:
             findings.append(seen.finding)
         height, width = frame.image.shape
+        percent, boxes = saturation(frame.image)
+        distances = self._distances
+        if distances is not None and not distances.fits(width, height):
+            distances = None
         header = PreviewHeader(
             seq=sequence,
             width_px=width,
@@ -196,12 +212,39 @@ class Preview:
             stripe=decimated(stripe),
             corners=seen.corners,
             outline=seen.outline,
-            saturated_percent=saturated_percent(frame.image),
+            saturated_percent=percent,
             laser_on=frame.laser_on,
             arm_still=stillness.still,
             findings=tuple(findings),
+            saturated=boxes,
+            band=distances.band if distances is not None else None,
+            aids=tuple(self._aids(frame, stripe, seen, measures, distances)),
         )
         return PreviewImage(header, jpeg(frame.image))
+
+    def _aids(
+        self,
+        frame: Frame,
+        stripe: Stripe | None,
+        seen: Seen,
+        measures: PictureMeasures | None,
+        distances: DistanceWatch | None,
+    ) -> Iterator[Aid]:
+        """Of the line where only that is looked at, else of the object."""
+        line = stripe if stripe is not None and not self._detecting else None
+        if line is not None:
+            yield from some(line_aid(frame.image, line))
+        elif measures is not None:
+            yield exposure_aid(measures)
+            yield from some(focus_aid(measures))
+        height, width = frame.image.shape
+        yield from some(framing_aid(seen.outline, width, height))
+        if distances is None:
+            return
+        away = distances.of_stripe(line) if line is not None else None
+        if seen.focal_px:
+            away = distances.of_object(seen.away_mm, seen.focal_px)
+        yield from some(distance_aid(away) if away is not None else None)
 
     def _seen(self, stillness: Stillness) -> Seen:
         """What was found of the object, unless the camera has been moved since."""
@@ -222,14 +265,20 @@ class Preview:
         except Refusal:
             return None
 
-    def _picture_words(self, image: Image) -> tuple[Finding, ...]:
-        """Words a few times a second: faster, nobody reads them."""
-        made_s, words = self._words
+    def _measured(self, image: Image) -> tuple[PictureMeasures | None, tuple[Finding, ...]]:
+        """Measures and words a few times a second: faster, nobody reads them."""
+        made_s, measures, words = self._words
         now = time.monotonic()
         if now - made_s > WORDS_PERIOD_S:
-            words = tuple(picture_words(image))
-            self._words = (now, words)
-        return words
+            measures, told = measured_words(image)
+            words = tuple(told)
+            self._words = (now, measures, words)
+        return measures, words
+
+
+def some(aid: Aid | None) -> tuple[Aid, ...]:
+    """The aid, where there is one."""
+    return () if aid is None else (aid,)
 
 
 def jpeg(image: Image) -> bytes:

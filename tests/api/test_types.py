@@ -12,7 +12,16 @@ from app import replay
 from app.api import record_schema, schema
 from app.guide import due, view
 from app.metrology.detection import evidence
-from app.station import device_state, findings, lease, operator_settings, preview, rig
+from app.station import (
+    aids,
+    device_state,
+    distance_band,
+    findings,
+    lease,
+    operator_settings,
+    preview,
+    rig,
+)
 from app.store import audit
 
 API = Path(__file__).resolve().parents[2] / "frontend/src/api"
@@ -63,6 +72,8 @@ SHAPES: dict[str, type] = {
     "Account": schema.AccountSummary,
     "Wall": schema.WallSummary,
     "AuditEntry": audit.AuditEntry,
+    "Band": distance_band.Band,
+    "Aid": aids.Aid,
     "RecordedCalibration": record_schema.RecordedCalibration,
     "CalibrationPoint": record_schema.CalibrationPoint,
 }

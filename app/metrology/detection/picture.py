@@ -1,6 +1,6 @@
 """Is a picture fit to measure in: exposure, saturation and sharpness, in words."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
@@ -25,6 +25,8 @@ BLURRED = 0.004
 # Noise over the contrast at which the lower steps between faces are lost.
 NOISY = 0.04
 _SMOOTH_PX = 0.7
+# From a tenth to nine tenths of its height, a step is so many standard deviations wide.
+EDGE_WIDTH = 2.56
 
 
 @dataclass(frozen=True)
@@ -113,6 +115,52 @@ def _blur_of(small: NDArray[np.float32]) -> float:
     return float(np.sqrt(max(blur**2 - _SMOOTH_PX**2, 0.05)))
 
 
+@dataclass(frozen=True)
+class PictureMeasures:
+    """What a picture is worth, in figures.
+
+    ``saturated`` is the share of clipped pixels, ``low`` and ``high`` the levels of the dark
+    and bright parts as shares of full scale, ``blur_px`` the standard deviation of the blur at
+    its edges: None in a dim or clipped picture, where it would mislead, and where there are no
+    edges. ``soft_px`` is what it may be.
+    """
+
+    saturated: float
+    low: float
+    high: float
+    blur_px: float | None
+    soft_px: float
+
+    @property
+    def dark(self) -> bool:
+        """No contrast that could be told from noise."""
+        return self.high - self.low < DARK
+
+    @property
+    def dim(self) -> bool:
+        return self.high < DIM
+
+    @property
+    def overexposed(self) -> bool:
+        return self.saturated > CLIPPED
+
+
+def measured(image: Image) -> PictureMeasures:
+    """The measures of a picture (H, W), grey, 8 to 16 bits; quick enough for live use.
+
+    Raises:
+        Refusal: not a grey image.
+    """
+    step = max(1, min(image.shape) // 500) if image.ndim == 2 else 1
+    thin, clipped = grey_picture(image[::step, ::step])
+    low, high = np.percentile(thin[::2, ::2], (1.0, 99.0)) / 255.0
+    longer = max(image.shape)
+    found = PictureMeasures(float(clipped.mean()), float(low), float(high), None, SOFT * longer)
+    if found.overexposed or found.dark or found.dim:
+        return found
+    return replace(found, blur_px=_blur_px(image))
+
+
 def picture_findings(image: Image) -> list[PictureFinding]:
     """What is wrong with a picture of the object, most serious first; quick enough for live use.
 
@@ -126,66 +174,68 @@ def picture_findings(image: Image) -> list[PictureFinding]:
     Raises:
         Refusal: not a grey image.
     """
-    array = image
-    step = max(1, min(array.shape) // 500) if array.ndim == 2 else 1
-    thin, clipped = grey_picture(array[::step, ::step])
-    share = float(clipped.mean())
-    low, high = np.percentile(thin[::2, ::2], (1.0, 99.0)) / 255.0
-    found = []
-    if share > CLIPPED:
-        found.append(
+    return findings_of(measured(image))
+
+
+def findings_of(picture: PictureMeasures) -> list[PictureFinding]:
+    """What is wrong with a picture by its measures, as ``picture_findings``."""
+    if picture.overexposed:
+        return [
             PictureFinding(
                 "image-saturated",
-                f"{100 * share:.0f} % of the picture is overexposed",
+                f"{100 * picture.saturated:.0f} % of the picture is overexposed",
                 "turn down the exposure until the object's faces keep their grey",
-                share,
+                picture.saturated,
                 CLIPPED,
             )
-        )
-    if high - low < DARK and not found:
-        found.append(
+        ]
+    if picture.dark:
+        contrast = picture.high - picture.low
+        return [
             PictureFinding(
                 "image-dark",
-                f"the picture shows no contrast: {100 * (high - low):.1f} % of full scale",
+                f"the picture shows no contrast: {100 * contrast:.1f} % of full scale",
                 "turn up the light or the exposure, and look at the object",
-                float(high - low),
+                contrast,
                 DARK,
             )
-        )
-    elif high < DIM and not found:
-        found.append(
+        ]
+    if picture.dim:
+        return [
             PictureFinding(
                 "image-dim",
-                f"the picture is dim: its bright parts reach {100 * high:.0f} % of full scale",
+                f"the picture is dim: its bright parts reach {100 * picture.high:.0f} % of full "
+                "scale",
                 "turn up the light or the exposure",
-                float(high),
+                picture.high,
                 DIM,
             )
-        )
-    # In a dim or clipped picture the edges' widths would mislead.
-    return found or _sharpness(array)
+        ]
+    return _sharpness(picture)
 
 
-def _sharpness(array: Image) -> list[PictureFinding]:
-    longer = max(array.shape)
-    shrink = min(1.0, 640 / longer)
+def _blur_px(array: Image) -> float | None:
+    shrink = min(1.0, 640 / max(array.shape))
     grey = array.astype(np.float32)
     if shrink < 1.0:
         grey = np.asarray(
             cv2.resize(grey, None, fx=shrink, fy=shrink, interpolation=cv2.INTER_AREA), np.float32
         )
     blur = edge_blur_px(grey) / shrink
-    if blur > BLURRED * longer and np.isfinite(blur):
-        code, text, limit = "image-blurred", "the picture is blurred", BLURRED * longer
-    elif blur > SOFT * longer and np.isfinite(blur):
-        code, text, limit = "image-soft", "the picture is a little soft", SOFT * longer
-    else:
+    return blur if np.isfinite(blur) else None
+
+
+def _sharpness(picture: PictureMeasures) -> list[PictureFinding]:
+    blur, soft = picture.blur_px, picture.soft_px
+    if blur is None or blur <= soft:
         return []
-    # From a tenth to nine tenths of its height, a step is 2.56 standard deviations wide.
+    code, text, limit = "image-soft", "the picture is a little soft", soft
+    if blur > soft * BLURRED / SOFT:
+        code, text, limit = "image-blurred", "the picture is blurred", soft * BLURRED / SOFT
     return [
         PictureFinding(
             code,
-            f"{text}: its edges are {2.56 * blur:.0f} px wide",
+            f"{text}: its edges are {EDGE_WIDTH * blur:.0f} px wide",
             "focus the camera on the object, bring it into the working distance, and hold it still",
             blur,
             limit,

@@ -243,6 +243,8 @@ export type Picture =
       kind: "camera";
       /** The object as it would look from the advised hold; empty without advice. */
       target: [number, number, number, number][];
+      /** It is only about so, for a first picture. */
+      about: boolean;
     }
   | {
       kind: "still";
@@ -496,4 +498,29 @@ export interface PreviewHeader {
   laser_on: boolean;
   arm_still: boolean;
   findings: Finding[];
+  /** Boxes in which the picture is saturated: left, top, width, height. */
+  saturated: [number, number, number, number][];
+  /** Where the laser's light falls at the ends of the calibrated distance. */
+  band: Band | null;
+  aids: Aid[];
+}
+
+/** Lines in the picture, empty where they lie outside it. */
+export interface Band {
+  near_mm: number;
+  far_mm: number;
+  near: [number, number][];
+  far: [number, number][];
+}
+
+/** A figure with what is wanted; `words` is which way to go, empty where all is well. */
+export interface Aid {
+  name: "exposure" | "focus" | "framing" | "distance";
+  title: string;
+  value: number;
+  unit: string;
+  decimals: number;
+  wanted: string;
+  quality: Quality;
+  words: string;
 }

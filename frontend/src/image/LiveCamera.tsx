@@ -2,15 +2,18 @@ import { useElementSize } from "@mantine/hooks";
 import { type ReactNode, useEffect, useRef, useState } from "react";
 
 import { type Preview, watchPreview } from "../api/preview";
-import type { PreviewHeader } from "../api/types";
-import { age, figures } from "../parts/format";
+import type { Aid, PreviewHeader } from "../api/types";
+import { age, bound, figures } from "../parts/format";
 import { QualityMark } from "../parts/QualityMark";
 import { Readouts } from "../parts/Readouts";
 import { useLive } from "../state/store";
 import styles from "./LiveCamera.module.css";
-import { drawOverlay, drawTarget } from "./overlay";
+import { drawBand, drawOverlay, drawSaturated, drawTarget } from "./overlay";
+import { useRate } from "./useRate";
 
 const OLD_S = 1;
+/** From so many seconds on it is said why there is no newer picture. */
+const AWAY_S = 2;
 
 type Target = [number, number, number, number][];
 
@@ -38,15 +41,17 @@ export function LiveCamera({ target = [], over }: LiveCameraProps) {
   wanted.current = target;
   const newest = useRef(0);
   const [header, setHeader] = useState<PreviewHeader | null>(null);
+  const { rate, count } = useRate();
 
   useEffect(
     () =>
       watchPreview((preview) => {
         if (canvas.current) paint(canvas.current, preview, room.current, wanted.current);
         newest.current = preview.at - preview.header.age_s * 1000;
+        count();
         setHeader(preview.header);
       }),
-    [],
+    [count],
   );
   const old_s = useAge(newest);
   const old = header !== null && old_s > OLD_S;
@@ -61,10 +66,24 @@ export function LiveCamera({ target = [], over }: LiveCameraProps) {
           aria-label="Live picture of the camera"
         />
         {header && over && <Over header={header} width={width} height={height} over={over} />}
+        {header && !old && <Aims aids={header.aids} />}
+        {header && old_s > AWAY_S && <Away old_s={old_s} />}
         {!header && <p className={styles.waiting}>No picture yet. It appears when the camera sends one.</p>}
       </div>
-      {header && <Panel header={header} old_s={old ? old_s : null} line={over !== undefined} />}
+      {header && <Panel header={header} old_s={old ? old_s : null} line={over !== undefined} rate={rate} />}
     </div>
+  );
+}
+
+/** Why the picture stands still, and that nothing need be done for its return. */
+function Away({ old_s }: { old_s: number }) {
+  const heard = useLive((s) => s.connection === "live");
+  const sensor = useLive((s) => s.devices?.sensor.state ?? "lost");
+  const why = !heard ? "The station is away" : sensor === "lost" || sensor === "off" ? "The camera is away" : "No newer picture has come";
+  return (
+    <p className={styles.away} role="status">
+      {bound(`${why} for ${age(old_s)}. The picture goes on by itself.`)}
+    </p>
   );
 }
 
@@ -107,6 +126,8 @@ function paint(
   context.setTransform(1, 0, 0, 1, 0, 0);
   context.drawImage(preview.image, 0, 0, width, height);
   context.scale(density, density);
+  drawSaturated(context, preview.header.saturated, fit);
+  if (preview.header.band) drawBand(context, preview.header.band, fit);
   drawTarget(context, target, fit);
   drawOverlay(context, preview.header, fit);
 }
@@ -125,10 +146,12 @@ interface PanelProps {
   old_s: number | null;
   /** The laser's line is looked at, not the object. */
   line: boolean;
+  /** Pictures a second, as they come to this screen. */
+  rate: number;
 }
 
 /** What the newest picture is worth, in figures, and what is wrong with it beyond the card's findings. */
-function Panel({ header, old_s, line }: PanelProps) {
+function Panel({ header, old_s, line, rate }: PanelProps) {
   const told = useLive((s) => s.flow?.findings);
   const wrong = header.findings.filter(
     ({ quality, text }) =>
@@ -151,16 +174,38 @@ function Panel({ header, old_s, line }: PanelProps) {
       <Readouts
         readouts={[
           old_s === null
-            ? { label: "Picture", value: age(header.age_s), unit: "old" }
+            ? { label: "Picture", value: age(header.age_s), unit: "old", note: rate ? `${figures(rate)} a second` : "" }
             : { label: "Picture", value: age(old_s), unit: "old", quality: "bad" },
           { label: "Laser", value: header.laser_on ? "on" : "off" },
           { label: "Arm", value: header.arm_still ? "still" : "moving", quality: header.arm_still ? "good" : "attention" },
           line
             ? { label: "Line", value: header.stripe.length > 0 ? "found" : "none" }
             : { label: "Corners", value: figures(header.corners.length) },
-          { label: "Saturated", value: figures(header.saturated_percent, 1), unit: "%" },
+          ...header.aids.map(({ title, value, unit, decimals, quality, wanted }) => ({
+            label: title,
+            value: figures(value, decimals),
+            unit,
+            quality,
+            note: `wanted ${wanted} ${unit}`,
+          })),
         ]}
       />
     </>
+  );
+}
+
+/** Which way to go, readable with the part in one hand. */
+function Aims({ aids }: { aids: Aid[] }) {
+  const told = aids.filter(({ words }) => words);
+  if (told.length === 0) return null;
+  return (
+    <ul className={styles.aims} aria-label="To aim, expose and focus">
+      {told.map(({ name, quality, words }) => (
+        <li key={name}>
+          <QualityMark quality={quality} size="1.375rem" />
+          {bound(words)}
+        </li>
+      ))}
+    </ul>
   );
 }

@@ -1,4 +1,5 @@
-import type { ImageCorner } from "../api/types";
+import type { Band, ImageCorner } from "../api/types";
+import { figures } from "../parts/format";
 
 export interface Overlay {
   corners: ImageCorner[];
@@ -7,7 +8,7 @@ export interface Overlay {
 }
 
 /** Of the picture, whatever the scheme: they lie on a grey photograph. */
-export const COLOURS = { outline: "#57b8ff", corner: "#ffe066", stripe: "#ff5a5f", target: "#7dff9b" };
+export const COLOURS = { outline: "#57b8ff", corner: "#ffe066", stripe: "#ff5a5f", target: "#7dff9b", saturated: "#ff3db8", band: "#9fe8ff" };
 
 /** Pixel centres are whole numbers, so the frame begins half a pixel before (0, 0). */
 export function drawOverlay(context: CanvasRenderingContext2D, overlay: Overlay, scale: number): void {
@@ -51,5 +52,54 @@ export function drawTarget(
     context.lineTo(x(u1), x(v1));
   }
   context.stroke();
+  context.restore();
+}
+
+/** What is lost in white: hatched, so that the picture shows through. */
+export function drawSaturated(
+  context: CanvasRenderingContext2D,
+  boxes: [number, number, number, number][],
+  scale: number,
+): void {
+  if (boxes.length === 0) return;
+  context.save();
+  context.beginPath();
+  for (const [left, top, width, height] of boxes) {
+    context.rect(left * scale, top * scale, width * scale, height * scale);
+  }
+  context.clip();
+  context.strokeStyle = COLOURS.saturated;
+  context.lineWidth = 2;
+  context.beginPath();
+  const { width, height } = context.canvas;
+  for (let x = -height; x < width; x += 7) {
+    context.moveTo(x, 0);
+    context.lineTo(x + height, height);
+  }
+  context.stroke();
+  context.restore();
+}
+
+/** The lines between which the laser's light should fall, named by their distances. */
+export function drawBand(context: CanvasRenderingContext2D, band: Band, scale: number): void {
+  context.save();
+  context.strokeStyle = COLOURS.band;
+  context.fillStyle = COLOURS.band;
+  context.lineWidth = 1.5;
+  context.setLineDash([2, 5]);
+  context.font = "600 13px system-ui, sans-serif";
+  context.shadowColor = "#000";
+  context.shadowBlur = 4;
+  for (const [line, words] of [
+    [band.near, `nearest ${figures(band.near_mm)} mm`],
+    [band.far, `furthest ${figures(band.far_mm)} mm`],
+  ] as const) {
+    const first = line[0];
+    if (!first) continue;
+    context.beginPath();
+    for (const [u, v] of line) context.lineTo((u + 0.5) * scale, (v + 0.5) * scale);
+    context.stroke();
+    context.fillText(words, first[0] * scale + 8, Math.max(14, first[1] * scale - 6));
+  }
   context.restore();
 }

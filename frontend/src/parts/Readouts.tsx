@@ -7,6 +7,8 @@ export interface Readout {
   value: string;
   unit?: string;
   quality?: Quality;
+  /** What is wanted, or which way to go. */
+  note?: string;
 }
 
 /** A row of small labelled figures, as an instrument's panel has them; in several rows (``wrap``)
@@ -14,13 +16,14 @@ export interface Readout {
 export function Readouts({ readouts, wrap = false }: { readouts: Readout[]; wrap?: boolean }) {
   const row = (
     <dl className={styles.readouts} data-wrap={wrap || undefined}>
-      {readouts.map(({ label, value, unit, quality }) => (
+      {readouts.map(({ label, value, unit, quality, note }) => (
         <div key={label} className={styles.readout}>
           <dt>{label}</dt>
           <dd>
             {quality && quality !== "neutral" && <QualityMark quality={quality} size="1.125rem" />}
             {value}
             {unit && <span> {unit}</span>}
+            {note && <small>{note}</small>}
           </dd>
         </div>
       ))}
