@@ -108,6 +108,7 @@ def open_context(parts: Parts) -> Context:
     def use_active() -> None:
         _use(store.calibrations.active(), store, rig, preview, scanner, bus)
 
+    use_active()  # an open session then puts its own choice over it
     guide = Guide(
         GuidedStation(bus, rig, preview, scene, jobs, parts.hand),
         store.journal,
@@ -117,8 +118,6 @@ def open_context(parts: Parts) -> Context:
         parts.limits,
         signing,
     )
-    if not guide.running:
-        use_active()
     scan_hand = ScanHand(parts.hand, jobs, bus, lambda: bus.publish("scan", scanner.state()))
     scanner.on_finished = lambda result: _finished(result, store, watch)
     arm_station = ArmStation(bus, rig, jobs, parts.hand)

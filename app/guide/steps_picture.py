@@ -72,7 +72,7 @@ def _camera(state: CalibrationState, live: Live) -> CameraPicture:
     if state.pictures or block is None or sensor is None:
         return CameraPicture()
     upright = sensor.stripe_axis == "u"
-    return CameraPicture(first_outline(block, sensor.width_px, sensor.height_px, upright), True)
+    return CameraPicture(first_outline(block, sensor.width_px, sensor.height_px, upright))
 
 
 def _to_go(live: Live) -> LiveNumber | None:

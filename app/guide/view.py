@@ -235,11 +235,10 @@ class ObjectPicture:
 
 @dataclass(frozen=True)
 class CameraPicture:
-    """The live picture; ``target`` is the object as it would look from the advised hold, or
-    ``about`` so from a good first one."""
+    """The live picture; ``target`` is the object as it would look from the advised hold, or for
+    the first picture about so."""
 
     target: Sequence[Segment] = ()
-    about: bool = False
     kind: Literal["camera"] = "camera"
 
 

@@ -145,7 +145,7 @@ def _results(sheet: CalibrationFile, accepted: Acceptance | None) -> Section:
             ]
         near, far = known.depth_range_mm
         rows.append(
-            ("Calibrated depth, from the camera", "", f"{near:.1f} to {far:.1f} mm", "", "")
+            ("Calibrated distance from the camera", "", f"{near:.1f} to {far:.1f} mm", "", "")
         )
     if left is not None:
         stripe = f"Stripe about the laser plane, rms of {left.stripe_points} points"

@@ -236,19 +236,19 @@ def over_volume(
     words = (
         "Standard uncertainty (k = 1) of a scanned point over the laser's plane, from "
         f"{low:.1f} µm ({low / 1e3:.4f} mm) to {high:.1f} µm ({high / 1e3:.4f} mm). Struck "
-        f"through: outside the calibrated depth of {near:.1f} to {far:.1f} mm, extrapolated."
+        f"through: extrapolated, nearer or further than the calibrated {near:.1f} to {far:.1f} mm "
+        "from the camera."
     )
     return figure, words
 
 
 def _in_plane(points_mm: Floats, camera: Camera, plane: LaserPlane) -> Floats:
-    """(N, 2): across, and away from the camera's centre, within the laser's plane (mm)."""
+    """(N, 2): across, and along the camera's view, of points of the laser's plane (mm)."""
     view = camera.rotation[2]
     depth = view - float(view @ plane.normal) * plane.normal
     depth /= np.linalg.norm(depth)
     across = np.cross(depth, plane.normal)
     off = points_mm - camera.centre_mm
-    # the depth is told as everywhere else: along the camera's view
     return np.column_stack([off @ across, off @ view])
 
 

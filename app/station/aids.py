@@ -15,7 +15,7 @@ from app.station.distance import Distance
 from app.station.findings import Quality
 
 # Shares of the picture that the object's outline takes, and how far off the middle it may lie.
-FILLS, MIDDLE = (0.45, 0.97), 0.15
+FILLS, MIDDLE = (0.35, 0.97), 0.2
 # Of the laser's line: shares of its points that may be clipped, and of full scale it should reach.
 LINE_CLIPPED, LINE_DIM = 0.05, 0.3
 LINE_QUANTILE = 0.9
@@ -41,12 +41,16 @@ def exposure_aid(picture: PictureMeasures) -> Aid:
     if picture.overexposed:
         share = 100 * picture.saturated
         words = f"Too bright: {share:.0f} % saturated"
-        wanted = f"at most {100 * CLIPPED:.0f}"
+        wanted = f"≤ {100 * CLIPPED:.0f}"
         return Aid("exposure", "Saturated", share, "%", 0, wanted, "attention", words)
     level = 100 * picture.high
-    words = f"Too dark: brightest parts at {level:.0f} %" if picture.dim or picture.dark else ""
+    words = ""
+    if picture.dim:
+        words = f"Too dark: brightest parts at {level:.0f} %"
+    elif picture.dark:
+        words = "Nothing is seen: no contrast"
     quality: Quality = "attention" if words else "good"
-    return Aid("exposure", "Brightness", level, "%", 0, f"{100 * DIM:.0f} or more", quality, words)
+    return Aid("exposure", "Brightness", level, "%", 0, f"≥ {100 * DIM:.0f}", quality, words)
 
 
 def line_aid(image: Image, stripe: Stripe) -> Aid | None:
@@ -59,13 +63,13 @@ def line_aid(image: Image, stripe: Stripe) -> Aid | None:
     clipped = 100 * float(np.mean(image[rows, columns] >= full))
     if clipped > 100 * LINE_CLIPPED:
         words = f"Line too bright: {clipped:.0f} % saturated"
-        wanted = f"at most {100 * LINE_CLIPPED:.0f}"
+        wanted = f"≤ {100 * LINE_CLIPPED:.0f}"
         return Aid("exposure", "Line saturated", clipped, "%", 0, wanted, "attention", words)
     level = 100 * float(np.quantile(stripe.intensity, LINE_QUANTILE)) / full
     dim = level < 100 * LINE_DIM
     words = f"Line too dark: {level:.0f} %" if dim else ""
     quality: Quality = "attention" if dim else "good"
-    wanted = f"{100 * LINE_DIM:.0f} or more"
+    wanted = f"≥ {100 * LINE_DIM:.0f}"
     return Aid("exposure", "Line brightness", level, "%", 0, wanted, quality, words)
 
 
@@ -77,7 +81,7 @@ def focus_aid(picture: PictureMeasures) -> Aid | None:
     soft = width > wanted
     words = f"Out of focus: edges {width:.1f} px wide, {wanted:.1f} wanted" if soft else ""
     quality: Quality = "attention" if soft else "good"
-    return Aid("focus", "Edge width", width, "px", 1, f"at most {wanted:.1f}", quality, words)
+    return Aid("focus", "Edge width", width, "px", 1, f"≤ {wanted:.1f}", quality, words)
 
 
 def framing_aid(outline: Sequence[Segment], width_px: int, height_px: int) -> Aid | None:
@@ -110,7 +114,8 @@ def _side(across: float, down: float) -> str:
 
 def distance_aid(distance: Distance) -> Aid:
     """How far the camera is from what it sees, against what was calibrated."""
-    words = {"in": "", "near": "Too near: go away", "far": "Too far: come nearer"}[distance.state]
     wanted = f"{distance.near_mm:.0f} to {distance.far_mm:.0f}"
+    told = f"{distance.mm:.0f} mm, {wanted} wanted"
+    words = {"in": "", "near": f"Too near: {told}", "far": f"Too far: {told}"}[distance.state]
     quality: Quality = "attention" if words else "good"
     return Aid("distance", "Distance", distance.mm, "mm", 0, wanted, quality, words)

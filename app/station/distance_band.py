@@ -1,5 +1,5 @@
 """Where in the picture the laser's light falls at the nearest and the furthest calibrated
-distance, and how far away a line or an object is."""
+distance, and how far away a line is."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -52,11 +52,6 @@ class DistanceWatch:
         away = _distances(self._camera, self._plane, stripe.uv_px[:: max(1, len(stripe.u) // 100)])
         away = away[np.isfinite(away)]
         return distance_of(float(np.median(away)), self._range_mm) if len(away) else None
-
-    def of_object(self, away_mm: float, focal_px: float) -> Distance:
-        """Of an object that a picture by itself puts ``away_mm`` off with a focal length of its
-        own: the two are much alike in one picture, and the calibrated one is the better."""
-        return distance_of(away_mm * self._camera.matrix[0, 0] / focal_px, self._range_mm)
 
 
 def _distances(camera: Camera, plane: LaserPlane, uv_px: Floats) -> Floats:

@@ -11,7 +11,6 @@ from app.metrology.camera import project
 from app.metrology.crenellated import Crenellated, corners
 from app.metrology.detection.corners import ObjectDetection, detect_object
 from app.metrology.detection.visibility import visible_parts
-from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import Stripe
 from app.station.findings import Finding
@@ -46,9 +45,6 @@ class Seen:
     corners: tuple[SeenCorner, ...] = ()
     outline: tuple[Segment, ...] = ()
     finding: Finding | None = None
-    away_mm: float = 0.0
-    """From the block's middle, by the picture alone and its own ``focal_px``."""
-    focal_px: float = 0.0
 
 
 NOTHING = Seen()
@@ -139,21 +135,7 @@ def _search(frame: Frame, stripe: Stripe | None, block: Crenellated) -> Seen:
     except Exception:  # a preview must not end because a picture is odd
         log.exception("the search for the object failed")
         return Seen(stamp_ns, finding=Finding("attention", "The search for the object failed"))
-    camera = found.camera
-    away_mm = float(np.linalg.norm(camera.centre_mm - _middle(block)))
-    return Seen(
-        stamp_ns,
-        seen_corners(found, block),
-        outline(found, block),
-        away_mm=away_mm,
-        focal_px=float(camera.matrix[0, 0]),
-    )
-
-
-def _middle(block: Crenellated) -> Floats:
-    """(3,) between the levels that the laser falls on."""
-    x, y = block.edges_x_mm[0] + block.edges_x_mm[-1], block.front_y_mm + block.back_y_mm
-    return np.array([x, y, block.crest_z_mm + block.floor_z_mm]) / 2
+    return Seen(stamp_ns, seen_corners(found, block), outline(found, block))
 
 
 def seen_corners(found: ObjectDetection, block: Crenellated) -> tuple[SeenCorner, ...]:

@@ -231,20 +231,18 @@ class Preview:
         distances: DistanceWatch | None,
     ) -> Iterator[Aid]:
         """Of the line where only that is looked at, else of the object."""
-        line = stripe if stripe is not None and not self._detecting else None
-        if line is not None:
-            yield from some(line_aid(frame.image, line))
-        elif measures is not None:
+        if frame.laser_on and not self._detecting:
+            if stripe is None:
+                return
+            yield from some(line_aid(frame.image, stripe))
+            away = distances.of_stripe(stripe) if distances is not None else None
+            yield from some(distance_aid(away) if away is not None else None)
+            return
+        if measures is not None:
             yield exposure_aid(measures)
             yield from some(focus_aid(measures))
         height, width = frame.image.shape
         yield from some(framing_aid(seen.outline, width, height))
-        if distances is None:
-            return
-        away = distances.of_stripe(line) if line is not None else None
-        if seen.focal_px:
-            away = distances.of_object(seen.away_mm, seen.focal_px)
-        yield from some(distance_aid(away) if away is not None else None)
 
     def _seen(self, stillness: Stillness) -> Seen:
         """What was found of the object, unless the camera has been moved since."""

@@ -68,9 +68,11 @@ def test_a_moving_arm_and_a_bright_picture_are_told(preview: Preview, bench: Ben
     bench.scene_level = 1.0
     with preview.watch():
         until(lambda: newest(preview).header.saturated_percent > 50)
+        until(lambda: any("saturated" in aid.words for aid in newest(preview).header.aids))
         until(lambda: len(newest(preview).header.findings) > 1)
         header = newest(preview).header
     assert not header.arm_still
+    assert header.saturated
     assert "Moved" in header.findings[0].text
     assert all(finding.quality == "attention" for finding in header.findings)
 

@@ -241,10 +241,8 @@ export type Picture =
   | { kind: "object"; block: BlockGeometry; faces: FaceProgress[]; points: TouchedPoint[] }
   | {
       kind: "camera";
-      /** The object as it would look from the advised hold; empty without advice. */
+      /** The object as it would look from the advised hold, for the first picture about so. */
       target: [number, number, number, number][];
-      /** It is only about so, for a first picture. */
-      about: boolean;
     }
   | {
       kind: "still";

@@ -174,7 +174,7 @@ function Panel({ header, old_s, line, rate }: PanelProps) {
       <Readouts
         readouts={[
           old_s === null
-            ? { label: "Picture", value: age(header.age_s), unit: "old", note: rate ? `${figures(rate)} a second` : "" }
+            ? { label: "Picture", value: age(header.age_s), unit: "old", note: rate ? `${figures(rate)}/s` : "" }
             : { label: "Picture", value: age(old_s), unit: "old", quality: "bad" },
           { label: "Laser", value: header.laser_on ? "on" : "off" },
           { label: "Arm", value: header.arm_still ? "still" : "moving", quality: header.arm_still ? "good" : "attention" },
@@ -186,7 +186,7 @@ function Panel({ header, old_s, line, rate }: PanelProps) {
             value: figures(value, decimals),
             unit,
             quality,
-            note: `wanted ${wanted} ${unit}`,
+            note: `${wanted} ${unit}`,
           })),
         ]}
       />

@@ -1,0 +1,145 @@
+"""What helps to expose, focus, frame and keep the distance, and what is drawn of it."""
+
+import numpy as np
+import pytest
+
+from app.guide.framing import first_outline
+from app.metrology.camera import Camera
+from app.metrology.detection.picture import measured, picture_findings
+from app.metrology.laser_plane import LaserPlane
+from app.metrology.reconstruct import sensor_points
+from app.metrology.stripe import Stripe
+from app.station.aids import distance_aid, exposure_aid, focus_aid, framing_aid, line_aid
+from app.station.distance import distance_of
+from app.station.distance_band import DistanceWatch
+from app.station.overexposure import CELL_PX, saturation
+from tests.files.builders import BLOCK
+
+WIDTH, HEIGHT = 640, 480
+
+
+def picture(level: float, blur_px: float = 0.4) -> np.ndarray:
+    """Bright bars on grey, their edges blurred."""
+    import cv2
+
+    image = np.full((HEIGHT, WIDTH), 40.0)
+    for left in range(60, 600, 120):
+        image[80:400, left : left + 60] = level
+    image = cv2.GaussianBlur(image, (0, 0), blur_px)
+    noise = np.random.default_rng(1).normal(0, 1.0, image.shape)
+    return np.clip(image + noise, 0, 255).astype(np.uint8)
+
+
+def test_a_good_picture_is_called_so_in_figures() -> None:
+    found = measured(picture(180))
+    exposure, focus = exposure_aid(found), focus_aid(found)
+    assert (exposure.quality, exposure.words) == ("good", "")
+    assert exposure.value == pytest.approx(100 * 180 / 255, abs=2)
+    assert focus is not None
+    assert focus.quality == "good"
+    assert 0 < focus.value < 2.56 * 0.0016 * WIDTH
+
+
+def test_too_bright_too_dark_and_out_of_focus_say_by_how_much() -> None:
+    bright = exposure_aid(measured(picture(400)))
+    assert bright.words.startswith("Too bright: ")
+    assert bright.words.endswith(" % saturated")
+    assert bright.value > 3
+    assert exposure_aid(measured(picture(60) // 3)).words.startswith("Too dark")
+    soft = focus_aid(measured(picture(180, blur_px=3.0)))
+    assert soft is not None
+    assert soft.quality == "attention"
+    assert "wanted" in soft.words
+    # the aid and the finding tell of the same width
+    (finding,) = picture_findings(picture(180, blur_px=3.0))
+    assert f"{soft.value:.0f} px wide" in finding.text
+
+
+@pytest.mark.parametrize(
+    ("outline", "words"),
+    [
+        ([(220, 160, 420, 300)], "Come nearer"),
+        ([(2, 2, 638, 478)], "Go further"),
+        ([(20, 100, 320, 380)], "too far left"),
+        ([(160, 100, 480, 380)], ""),
+    ],
+)
+def test_the_object_is_led_into_the_frame(
+    outline: list[tuple[float, float, float, float]], words: str
+) -> None:
+    aid = framing_aid(outline, WIDTH, HEIGHT)
+    assert aid is not None
+    assert words in aid.words
+    assert (aid.words == "") == (words == "")
+    assert framing_aid((), WIDTH, HEIGHT) is None
+
+
+def test_the_lines_exposure_is_of_the_line() -> None:
+    image = np.full((HEIGHT, WIDTH), 10, np.uint8)
+    u = np.arange(100.0, 500.0)
+    v = np.full(400, 240.0)
+    image[240, 100:500] = 180
+    good = line_aid(image, Stripe(u, v, np.full(400, 170.0), np.full(400, 0.1)))
+    assert good is not None
+    assert good.quality == "good"
+    image[240, 100:140] = 255
+    bright = line_aid(image, Stripe(u, v, np.full(400, 170.0), np.full(400, 0.1)))
+    assert bright is not None
+    assert bright.words == "Line too bright: 10 % saturated"
+    assert line_aid(image, Stripe(u[:0], v[:0], v[:0], v[:0])) is None
+
+
+def test_what_is_saturated_is_marked_where_it_is() -> None:
+    image = np.full((HEIGHT, WIDTH), 90, np.uint8)
+    image[100, 100] = 255  # a hot pixel
+    assert saturation(image) == (pytest.approx(100 / image.size), ())
+    image[160:176, 320:384] = 255
+    percent, boxes = saturation(image)
+    assert boxes == ((320, 160, 4 * CELL_PX, CELL_PX),)
+    assert percent == pytest.approx(100 * (16 * 64 + 1) / image.size)
+
+
+def watch(axis: str = "u") -> DistanceWatch:
+    """A camera that looks along z, and a laser plane that crosses its view."""
+    matrix = np.array([[1600.0, 0, 319.5], [0, 1600.0, 239.5], [0, 0, 1]])
+    camera = Camera(matrix, np.eye(3), np.zeros(3), WIDTH, HEIGHT)
+    tilt = np.radians(30.0)
+    normal = np.array([0.0, np.cos(tilt), np.sin(tilt)])
+    if axis == "v":
+        normal = normal[[1, 0, 2]]
+    plane = LaserPlane(normal, float(normal @ [0, 0, 100.0]))
+    return DistanceWatch(camera, plane, (95.0, 108.0), "u" if axis == "u" else "v")
+
+
+@pytest.mark.parametrize("axis", ["u", "v"])
+def test_the_bands_lines_lie_at_its_distances(axis: str) -> None:
+    found = watch(axis)
+    for line, mm in ((found.band.near, 95.0), (found.band.far, 108.0)):
+        assert len(line) == 17
+        points = sensor_points(found._camera, found._plane, np.array(line))
+        np.testing.assert_allclose(np.linalg.norm(points, axis=1), mm, atol=0.05)
+    assert found.fits(WIDTH, HEIGHT)
+    assert not found.fits(HEIGHT, WIDTH)
+
+
+def test_the_distance_of_a_line() -> None:
+    found = watch()
+    u = np.linspace(0, WIDTH - 1, 200)
+    at_mm = found.of_stripe(Stripe(u, np.full(200, 239.5), np.ones(200), np.ones(200)))
+    assert at_mm is not None
+    assert at_mm.mm == pytest.approx(100.5, abs=1)
+    assert at_mm.state == "in"
+    aid = distance_aid(distance_of(120.0, (95.0, 108.0)))
+    assert (aid.quality, aid.words) == ("attention", "Too far: 120 mm, 95 to 108 wanted")
+
+
+@pytest.mark.parametrize("upright", [True, False])
+def test_the_first_outline_fills_the_picture(upright: bool) -> None:
+    lines = first_outline(BLOCK, 1280, 1024, upright)
+    aid = framing_aid(lines, 1280, 1024)
+    assert aid is not None
+    assert aid.words == ""
+    assert aid.value == pytest.approx(68, abs=3)
+    ends = np.array(lines).reshape(-1, 2)
+    wide, tall = np.ptp(ends, axis=0)
+    assert (wide > tall) == upright
