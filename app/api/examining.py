@@ -45,8 +45,16 @@ class Examiner:
             items += [health.device(state), health.losses(state.title, window.over(*counts))]
         temperature = self._context.watch.temperature
         if temperature.there:
-            items.append(health.room(temperature.now, None))
+            items.append(health.room(temperature.now, self._change_c(temperature.now.celsius)))
         return items
+
+    def _change_c(self, now_c: float | None) -> float | None:
+        """By how much it is warmer than when the station was calibrated."""
+        record = self._context.store.calibrations.active()
+        if record is None or now_c is None:
+            return None
+        then_c = self._context.store.temperatures.celsius_near(record.accepted_at)
+        return None if then_c is None else now_c - then_c
 
     def _records(self) -> list[HealthItem]:
         store, watch = self._context.store, self._context.watch

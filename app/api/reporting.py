@@ -45,7 +45,7 @@ def report_of(context: Context) -> StationReport:
         calibration=_calibration(known, context.due.calibration_days),
         verification=_verification(known, context),
         alarms=_alarms(context, known),
-        temperature_c=watch.temperature.now.celsius,
+        temperature_c=_celsius(context, known),
         disk_free_gb=round(devices.disk_free_gb, 1),
         control=holder.name[:80] if holder else None,
     )
@@ -101,6 +101,13 @@ def _activity(context: Context) -> ActivityReport:
     return activity("idle", "Nothing runs")
 
 
+def _celsius(context: Context, home: Home | None) -> float | None:
+    """What the thermometer reads, or what somebody told lately."""
+    if context.watch.temperature.there:
+        return context.watch.temperature.now.celsius
+    return home.temperature_c if home else None
+
+
 def _line(home: Home | None, name: str) -> Validity | None:
     """One of Home's lines."""
     return next((line for line in home.checks if line.id == name), None) if home else None
@@ -144,7 +151,8 @@ def _alarms(context: Context, home: Home | None) -> tuple[Alarm, ...]:
             found[finding.text] = (finding.quality, finding.remedy)
     for line in home.checks if home else ():
         if line.quality in ("bad", "attention"):
-            found[line.text] = (line.quality, f"{line.action}.")
+            text = f"{line.title}: {line.text[:1].lower()}{line.text[1:]}"
+            found[text] = (line.quality, f"{line.action}.")
     scan = context.scanner.state()
     if scan.state == "running":
         for finding in scan.findings:

@@ -115,7 +115,9 @@ class Watch:
         self.logs = LogBook(store.folder)
         self.watchdog = LoopWatchdog()
         self.clock = WallClock()
-        self.temperature = TemperatureWatch(settings.thermometer, lambda celsius: None)
+        self.temperature = TemperatureWatch(
+            settings.thermometer, lambda celsius: store.temperatures.add(celsius, "thermometer")
+        )
         self.losses = {"arm": LossWindow(), "sensor": LossWindow()}
         self.fleet = Fleet()
         self.broker = (

@@ -33,7 +33,7 @@ class TemperatureWatch:
         keep: called with a reading every ten minutes.
     """
 
-    def __init__(self, thermometer: Thermometer | None, keep: Callable[[float], None]) -> None:
+    def __init__(self, thermometer: Thermometer | None, keep: Callable[[float], object]) -> None:
         self._thermometer, self._keep = thermometer, keep
         self._lock = threading.Lock()
         self._now = Temperature(None)

@@ -7,7 +7,7 @@ import signal
 import subprocess
 import sys
 import threading
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import pytest
@@ -49,12 +49,13 @@ def browser() -> Iterator[Browser]:
 
 
 class Demo:
-    """``crenel demo`` in a process of its own."""
+    """``crenel demo`` in a process of its own, or another command that begins as it does."""
 
-    def __init__(self, data: Path) -> None:
+    def __init__(self, data: Path, command: Sequence[str] = ()) -> None:
         self.data = data
         self.process = subprocess.Popen(
-            [
+            command
+            or [
                 *(sys.executable, "-c", "from app.cli import main; main()"),
                 *("demo", "--no-open", "--port", "0", "--data", str(data)),
             ],

@@ -60,7 +60,8 @@ def test_control_passes_from_hand_to_hand(browser: Browser, demo: Demo, pictures
 
     wall = page_of(browser, 1920, 1080)
     wall.goto(wall_link)
-    expect(wall.get_by_role("button", name="Control: Anna")).to_be_visible()
+    expect(wall.get_by_text("Anna", exact=True)).to_be_visible()
+    expect(wall.get_by_role("button", name="STOP")).to_have_count(0)
     assert wall.evaluate("fetch('/api/stop', {method: 'POST'}).then(a => a.status)") == 403
     wall.screenshot(path=pictures / "people-5-wall.png")
 

@@ -75,7 +75,8 @@ function calibrationFact(calibration: CalibrationReport | null): Fact {
 function verificationFact({ verification }: StationReport): Fact {
   if (!verification) return fact("Verified", "not yet", "against a gauge");
   const since = (Date.now() - new Date(verification.at).getTime()) / 86_400_000;
-  return fact("Verified", verification.text, `${days(Math.max(since, 0))} ago`, verification.quality);
+  const words = { good: "passed", attention: "uncertain", bad: "failed", neutral: "done" }[verification.quality];
+  return fact("Verified", words, `${days(Math.max(since, 0))} ago`, verification.quality);
 }
 
 /** How a station is, in one word and one colour. */
