@@ -1,0 +1,30 @@
+"""A simulated station on a broker, with nature's own calibration in use; takes folder and port."""
+
+import sys
+from dataclasses import replace
+from pathlib import Path
+from types import SimpleNamespace
+
+from app.demonstration import parts_of
+from app.main import _listen, _run
+from app.store.store import Store
+from app.supervise.broker import BrokerSettings
+from hardware.twin.station import Twin
+from tests.api.calibrated import use_truth
+
+
+def serve(data: Path, broker_port: int) -> None:
+    listening = _listen("127.0.0.1", 0, 1)
+    with Twin() as twin:
+        parts = parts_of(twin, data, ("127.0.0.1",))
+        store = Store(data)
+        guide = SimpleNamespace(_on_closed=lambda: None)
+        context = SimpleNamespace(store=store, guide=guide)
+        use_truth(SimpleNamespace(twin=twin, data=data, context=context), "truth")  # type: ignore[arg-type]
+        store.close()
+        watching = replace(parts.watching, mqtt=BrokerSettings("127.0.0.1", broker_port))
+        _run(replace(parts, watching=watching), listening, "127.0.0.1", False)
+
+
+if __name__ == "__main__":
+    serve(Path(sys.argv[1]), int(sys.argv[2]))
