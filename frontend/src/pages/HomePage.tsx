@@ -48,7 +48,10 @@ function Next({ home }: { home: Home }) {
   const { next } = home;
   return (
     <>
-      <CardHead title="What to do next" text={next.text} />
+      {/* on a phone it is read first, as a verdict is */}
+      <div data-verdict>
+        <CardHead title="What to do next" text={next.text} />
+      </div>
       <MainAct>
         <PressButton free kind="primary" onPress={() => go(next.page)}>
           {next.label}

@@ -8,7 +8,7 @@ export const TITLES: Record<Page, string> = {
   calibrate: "Calibrate",
   verify: "Verify",
   scan: "Scan",
-  arm: "Arm and tip",
+  arm: "Arm & tip",
   records: "Records",
   supervise: "Supervise",
   health: "Health",
