@@ -9,8 +9,9 @@ from starlette.responses import FileResponse, Response
 from app.api.context import Context, TheContext
 from app.api.problems import NotFound
 from app.api.schema import CalibrationSummary, Home, ScanSummary
+from app.guide.arm.guide import ArmGuide
 from app.guide.arm.view import ArmCheckSummary
-from app.guide.due import Checked, Known, State, next_of, validity_of
+from app.guide.due import Checked, DueLimits, Known, State, next_of, tip_finding, validity_of
 from app.station.findings import Finding, Quality
 from app.store.calibrations import CalibrationRecord
 
@@ -132,6 +133,15 @@ def known_of(context: Context, record: CalibrationRecord | None) -> Known:
         arm=None if arm is None else Checked(arm.at, _state(arm.verdict), _of_arm(arm)),
         warmer_c=_warmer_c(context, record),
     )
+
+
+def tip_of(arm_guide: ArmGuide, limits: DueLimits) -> Finding:
+    """What the last check of the tip says to who is about to touch with it."""
+    tip = next(iter(arm_guide.tip_history()), None)
+    found = None if tip is None else Checked(tip.at, _state(tip.verdict), tip.text)
+    known = Known(None, None, False, found, None, None)
+    lines = validity_of(known, datetime.now(UTC), limits)
+    return tip_finding(next(line for line in lines if line.id == "tip"))
 
 
 def _warmer_c(context: Context, record: CalibrationRecord | None) -> float | None:

@@ -8,6 +8,7 @@ from pathlib import Path
 from app.api.context import Context
 from app.api.entrance import Entrance
 from app.api.machine import stop_everything
+from app.api.records import tip_of
 from app.api.schema import Station
 from app.api.watch import Watch, Watching
 from app.files.arm import read_arm
@@ -122,6 +123,7 @@ def open_context(parts: Parts) -> Context:
     scanner.on_finished = lambda result: _finished(result, store, watch)
     arm_station = ArmStation(bus, rig, jobs, parts.hand)
     arm_guide = ArmGuide(arm_station, store.journal, store.folder, signing)
+    guide.tip = lambda: tip_of(arm_guide, parts.due)
     verify_guide = VerifyGuide(
         VerifyStation(bus, rig, jobs, scanner, scene, parts.hand, parts.name),
         store.journal,

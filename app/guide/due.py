@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Literal
 
-from app.station.findings import Quality
+from app.station.findings import Finding, Quality
 
 CheckName = Literal["calibration", "verification", "tip", "arm"]
 Page = Literal["home", "calibrate", "verify", "scan", "arm", "records"]
@@ -171,6 +171,16 @@ def _checked(
         text = f"Checked {ago(old)} ago; after {ago(limit_days)} a check is due."
         return line("due", text, found.at)
     return line("valid", f"Checked {ago(old)} ago: {found.text}", found.at)
+
+
+def tip_finding(line: Validity) -> Finding:
+    """What whoever begins to touch should know of the tip."""
+    if line.state == "valid":
+        return Finding("good", f"The tip: {line.text[:1].lower()}{line.text[1:]}")
+    remedy = "Check it first, on the page of arm and tip; it takes a minute."
+    words = {"missing": "The tip was never checked.", "failed": f"The tip: {line.text}"}
+    text = words.get(line.state, f"The tip: {line.text[:1].lower()}{line.text[1:]}")
+    return Finding(line.quality, text, remedy)
 
 
 def next_of(lines: Sequence[Validity], calibrating: bool, verifying: bool, blocked: str) -> Next:

@@ -86,6 +86,8 @@ class Guide:
         self.lock = threading.RLock()
         self.changed = threading.Condition(self.lock)
         self.hand_running = False
+        self.tip: Callable[[], Finding | None] = lambda: None
+        """What the last check of the tip says."""
         self.declined = 0
         """Counts what was asked for and declined."""
         self._trouble: Finding | None = None
@@ -156,6 +158,7 @@ class Guide:
             advice=self._advice(),
             to_move=self._to_move(),
             scanning=self._scanning(),
+            tip=self.tip() if state.step == "setup" else None,
             has_hand=self.station.hand is not None,
             busy=Busy(job.text or job.title, job.fraction) if job is not None else None,
             hand_running=self.hand_running,

@@ -73,6 +73,8 @@ class Live:
     to_move: Hold | None
     """What is still to be moved to the advised hold."""
     scanning: bool
+    tip: Finding | None
+    """What the last check of the tip says, while the set-up is looked at."""
     has_hand: bool
     busy: Busy | None
     hand_running: bool

@@ -45,7 +45,11 @@ def setup_step(state: CalibrationState, live: Live) -> Body:
         instruction="Check that the arm with its tip, the object and the sensor are those in use.",
         picture=ChoicesPicture(_choices(state, live), geometry(block) if block else None),
         actions=[offer(state, live, "confirm_setup", "These are in use", primary=True)],
-        findings=[*_serials(live), *live.library.findings],
+        findings=[
+            *_serials(live),
+            *live.library.findings,
+            *([live.tip] if live.tip is not None else []),
+        ],
     )
 
 

@@ -3,16 +3,26 @@
 import contextlib
 import hashlib
 import json
+import shutil
 import time
 import uuid
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 from typing import Any
 
 import httpx
 import pytest
 
 from app.files.verification import read_verification
+from app.guide.verify.commands import measure_waiting
+from app.guide.verify.guide import VerifyGuide, VerifyStation
+from app.station.bus import Bus
+from app.station.jobs import Jobs
+from app.station.rig import Rig
+from app.station.scanner import Scanner
+from app.station.scene import Scene
+from app.store.store import Store
 from hardware.clock import now_ns
 from hardware.interfaces import Button
 from tests.api.calibrated import use_truth
@@ -245,3 +255,38 @@ def enabled(view: View, name: str) -> bool:
 def refusal(answer: httpx.Response) -> str:
     assert answer.status_code == 422, answer.text
     return str(answer.json()["detail"])
+
+
+def test_a_server_killed_while_it_scans_loses_no_cloud(desk: Desk, tmp_path: Path) -> None:
+    """What is on the disk at that moment is all that a next server has."""
+    server, hand = desk.server, desk.server.twin.hand
+    desk.start("plate")
+    desk.do("skip_touch")
+    session = desk.do("begin_cloud")["session_id"]
+    with ThreadPoolExecutor(1) as elsewhere:
+        moving = elsewhere.submit(hand.scan_part, "plate")
+        time.sleep(2.5)
+        left = tmp_path / "left"
+        shutil.copytree(server.data, left)
+        moving.result(30.0)
+    desk.do("finish_cloud")
+
+    store, bus = Store(left), Bus()
+    rig, scene = Rig(bus, server.twin.sensor, server.twin.sensor, left), Scene()  # type: ignore[arg-type]
+    scanner = Scanner(bus, rig, scene, left / "scans")
+    jobs = Jobs(bus)
+    try:
+        station = VerifyStation(bus, rig, jobs, scanner, scene, None)
+        guide = VerifyGuide(station, store.journal, store.calibrations, store.verifications, left)
+        assert guide.state.session_id == session
+        assert guide.state.open_cloud is not None
+        assert guide.view().step == "scan"
+        measure_waiting(guide)
+        jobs.wait(30.0)
+        (cloud,) = guide.view().picture.clouds
+        assert cloud.state == "good", cloud.text
+        assert cloud.points > 1000
+    finally:
+        scanner.close()
+        scene.close()
+        store.close()

@@ -110,6 +110,7 @@ def live_of(
         advice=None,
         to_move=None,
         scanning=False,
+        tip=None,
         has_hand=False,
         busy=None,
         hand_running=False,

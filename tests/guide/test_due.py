@@ -5,7 +5,17 @@ from datetime import UTC, datetime, timedelta
 
 import pytest
 
-from app.guide.due import DUE, Checked, Known, Next, Validity, ago, next_of, validity_of
+from app.guide.due import (
+    DUE,
+    Checked,
+    Known,
+    Next,
+    Validity,
+    ago,
+    next_of,
+    tip_finding,
+    validity_of,
+)
 
 NOW = datetime(2026, 11, 21, 12, 0, tzinfo=UTC)
 
@@ -100,3 +110,12 @@ def test_limits_are_the_stations_own() -> None:
 )  # fmt: skip
 def test_an_age_is_said_as_people_do(days: float, said: str) -> None:
     assert ago(days) == said
+
+
+def test_whoever_begins_to_touch_is_told_of_the_tip() -> None:
+    worn = lines(replace(ALL, tip=done(0.1, "failed", "The tip is worn.")))["tip"]
+    assert tip_finding(lines(ALL)["tip"]).quality == "good"
+    assert (tip_finding(worn).quality, "worn" in tip_finding(worn).text) == ("bad", True)
+    never = tip_finding(lines(NOTHING)["tip"])
+    assert (never.quality, never.text) == ("neutral", "The tip was never checked.")
+    assert never.remedy

@@ -353,6 +353,9 @@ def _actions(state: VerifyState, live: VerifyLive) -> list[Action]:
         hand = [offer("stop_hand", "Stop the hand", primary=True)]
     back = offer("back", "Back")
     if state.step == "gauge":
+        if live.has_hand and not live.hand_running:
+            whole = {"all": True}
+            hand.append(offer("let_hand", "Let the hand do everything", args=whole))
         return [offer("confirm_gauge", "This gauge is clamped", primary=True), *hand, leave]
     if state.step == "touch":
         enough = len(state.counted) >= wanted(live)
