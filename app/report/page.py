@@ -1,7 +1,9 @@
 """A report as one page of HTML that needs nothing else and runs no script."""
 
+import base64
 import html
 from collections.abc import Sequence
+from functools import cache
 
 from app.files.software import SOFTWARE
 from app.report.content import (
@@ -15,10 +17,11 @@ from app.report.content import (
     Table,
     Text,
 )
+from app.report.faces import REGULAR, SEMIBOLD
 from app.report.svg import svg
 from app.report.words import tied
 
-POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:"
+POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; font-src data:"
 """What such a page may load: nothing but what is in it."""
 MARKS = {"good": "Good", "attention": "Attention", "bad": "Bad", "neutral": "Note"}
 
@@ -27,7 +30,7 @@ STYLE = """
 * { box-sizing: border-box; }
 html { color-scheme: only light; background: #eef0f3; }
 body { max-width: 190mm; margin: 0 auto; padding: 14mm 12mm; background: #fff; color: #12161b;
-  font: 10pt/1.45 Inter, "Inter Variable", system-ui, "Segoe UI", "Liberation Sans", sans-serif;
+  font: 10pt/1.45 "Report", system-ui, "Segoe UI", "Liberation Sans", sans-serif;
   font-variant-numeric: tabular-nums; }
 header { display: flex; justify-content: space-between; gap: 8mm; padding-bottom: 4mm;
   border-bottom: 2px solid #12161b; }
@@ -52,11 +55,12 @@ dt { color: #434d59; }
 dd { margin: 0; font-weight: 500; overflow-wrap: anywhere; }
 table { width: 100%; margin: 0 0 3mm; border-collapse: collapse; }
 th, td { padding: 1.2mm 2mm 1.2mm 0; border-bottom: 1px solid #dde1e7; text-align: left;
-  vertical-align: top; overflow-wrap: anywhere; }
+  vertical-align: top; overflow-wrap: break-word; }
 th { border-bottom: 1px solid #12161b; font-size: 8.5pt; font-weight: 600; color: #434d59; }
 tr { break-inside: avoid; }
 .n { text-align: right; padding: 1.2mm 0 1.2mm 3mm; }
-.tight { font-size: 8.5pt; }
+.tight { font-size: 8pt; }
+.tight td:nth-child(2) { word-break: break-all; }
 .findings { list-style: none; margin: 0; padding: 0; }
 .findings li { display: grid; grid-template-columns: 22mm 1fr; gap: 3mm; padding: 1.2mm 0;
   border-bottom: 1px solid #dde1e7; break-inside: avoid; }
@@ -67,7 +71,7 @@ tr { break-inside: avoid; }
 figure { margin: 0; break-inside: avoid; }
 figure svg { display: block; width: 100%; height: auto; font-family: inherit; }
 figcaption { margin-top: 1.5mm; font-size: 8.5pt; color: #434d59; }
-.signatures { display: grid; grid-template-columns: repeat(auto-fit, minmax(70mm, 1fr)); gap: 10mm;
+.signatures { display: grid; grid-template-columns: repeat(auto-fit, minmax(48mm, 1fr)); gap: 10mm;
   margin-top: 14mm; break-inside: avoid; }
 .signatures div { border-top: 1px solid #12161b; padding-top: 1.5mm; font-size: 9pt; }
 footer { margin-top: 10mm; padding-top: 2mm; border-top: 1px solid #dde1e7; font-size: 8pt;
@@ -77,9 +81,21 @@ footer { margin-top: 10mm; padding-top: 2mm; border-top: 1px solid #dde1e7; font
   header { display: block; } .of { text-align: left; margin-top: 2mm; }
   .pictures { grid-template-columns: 1fr !important; }
   .wide { overflow-x: auto; }
+  .wide table { min-width: 34rem; }
 }
 @media print { html { background: #fff; } body { max-width: none; padding: 0; } }
 """
+
+
+@cache
+def _faces() -> str:
+    """The same face as on paper, within the page."""
+    rules = (
+        f"@font-face {{ font-family: Report; font-weight: {weight}; "
+        f"src: url(data:font/ttf;base64,{base64.b64encode(path.read_bytes()).decode()}); }}\n"
+        for weight, path in ((400, REGULAR), (600, SEMIBOLD))
+    )
+    return "".join(rules)
 
 
 def page(report: Report) -> bytes:
@@ -94,7 +110,7 @@ def page(report: Report) -> bytes:
 <meta http-equiv="Content-Security-Policy" content="{POLICY}">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <title>{escape(report.title)} {escape(report.number)}</title>
-<style>{STYLE}</style>
+<style>{_faces()}{STYLE}</style>
 </head>
 <body>
 <header>
@@ -168,7 +184,9 @@ def _table(table: Table) -> str:
         texts = zip(kinds, row, strict=True)
         return "".join(f"<{tag}{kind}>{escape(text)}</{tag}>" for kind, text in texts)
 
-    head = f"<thead><tr>{cells(table.columns, 'th')}</tr></thead>"
+    total = sum(table.widths)
+    shares = "".join(f'<col style="width:{100 * w / total:.1f}%">' for w in table.widths)
+    head = f"<colgroup>{shares}</colgroup><thead><tr>{cells(table.columns, 'th')}</tr></thead>"
     body = "".join(f"<tr>{cells(row, 'td')}</tr>" for row in table.rows)
     kind = ' class="tight"' if table.small else ""
     return f'<div class="wide"><table{kind}>{head}<tbody>{body}</tbody></table></div>'

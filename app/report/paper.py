@@ -4,7 +4,6 @@ import io
 from collections.abc import Sequence
 from functools import cache
 from html import escape
-from pathlib import Path
 
 from reportlab.lib.colors import Color, HexColor
 from reportlab.lib.enums import TA_LEFT, TA_RIGHT
@@ -36,12 +35,12 @@ from app.report.content import (
     Table,
     Text,
 )
+from app.report.faces import REGULAR, SEMIBOLD
 from app.report.figure import FAINT, INK, SOFT
 from app.report.page import MARKS, made_by
 from app.report.paper_figure import BOLD, PLAIN, Drawing
 from app.report.words import tied
 
-FONTS = Path(__file__).parent / "fonts"
 MARGIN = 16 * mm
 WIDTH = A4[0] - 2 * MARGIN
 FRAME = 6.0
@@ -97,9 +96,9 @@ def _laid_out(report: Report, sheets: int) -> tuple[bytes, int]:
 @cache
 def _fonts() -> frozenset[int]:
     """Registers the faces once; the characters that they have."""
-    regular = TTFont(PLAIN, FONTS / "Inter-Regular.ttf")
+    regular = TTFont(PLAIN, REGULAR)
     pdfmetrics.registerFont(regular)
-    pdfmetrics.registerFont(TTFont(BOLD, FONTS / "Inter-SemiBold.ttf"))
+    pdfmetrics.registerFont(TTFont(BOLD, SEMIBOLD))
     pdfmetrics.registerFontFamily(PLAIN, normal=PLAIN, bold=BOLD, italic=PLAIN, boldItalic=BOLD)
     return frozenset(regular.face.charToGlyph)
 

@@ -47,10 +47,7 @@ def verification_report(folder: Path) -> Report:
     """
     sheet = read_verification(folder)
     result = sheet.verdict.result
-    reasons = [
-        Finding(QUALITIES[figure.decision], f"{figure.title}: {figure.reason}")
-        for figure in sheet.figures
-    ]
+    reasons = [Finding(QUALITIES[figure.decision], _reason(figure)) for figure in sheet.figures]
     notes = [Finding("neutral", note) for note in sheet.notes]
     signatures = Signatures([("Operator", sheet.operator), ("Approved", ""), ("Date", "")])
     sections = [
@@ -71,6 +68,12 @@ def verification_report(folder: Path) -> Report:
         verdict=Verdict(QUALITIES[result], WORDS[result], sheet.verdict.text),
         sections=sections,
     )
+
+
+def _reason(figure: FigurePart) -> str:
+    """The figure's own sentence, beginning with what it is about."""
+    told = figure.reason.startswith(figure.title)
+    return figure.reason if told else f"{figure.title}: {figure.reason}"
 
 
 def _facts(sheet: VerificationFile) -> list[tuple[str, str]]:
@@ -208,7 +211,7 @@ def _clouds(sheet: VerificationFile) -> list[Section]:
     sections = [Section("Clouds", [table], together=False)]
     if len(sheet.clouds) > 1 and told:
         plots = [_plot(sheet, name, title) for name, title, _ in told]
-        sections.append(Section("Over the clouds", [Pictures(plots, 2)], together=False))
+        sections.append(Section("Over the clouds", [Pictures(plots, 3)], together=False))
     return sections
 
 

@@ -54,6 +54,23 @@ class Visit:
             last = self.ask(path)
 
 
+def look_at_the_record(visit: Visit) -> None:
+    """The accepted calibration as a page of its own, and its report in a tab of its own."""
+    page = visit.page
+    page.get_by_role("button", name="Look at it").first.click()
+    expect(page.get_by_text("It is in use.")).to_be_visible()
+    page.get_by_text("Poses", exact=True).click()
+    expect(page.get_by_text("found minus computed")).to_be_visible()
+    visit.look("calibration-record")
+    with page.expect_popup() as opened:
+        page.get_by_role("link", name="Report", exact=True).click()
+    report = opened.value
+    expect(report.get_by_role("heading", name="Calibration report")).to_be_visible()
+    expect(report.get_by_role("img", name="Error budget")).to_be_visible()
+    report.close()
+    page.get_by_role("button", name="All records").click()
+
+
 @pytest.mark.timeout(900)
 def test_the_whole_path_from_the_first_page_to_a_saved_cloud(
     demo: Demo, browser: Browser, pictures: Path, tmp_path: Path
@@ -69,6 +86,7 @@ def test_the_whole_path_from_the_first_page_to_a_saved_cloud(
     page.get_by_role("link", name="Records").click()
     expect(page.get_by_text("active")).to_be_visible()
     visit.look("records")
+    look_at_the_record(visit)
     page.get_by_role("button", name="Open").first.click()
     expect(page.get_by_text("Passed").or_(page.get_by_text("Uncertain")).first).to_be_visible()
     page.get_by_role("link", name="Home").click()

@@ -79,7 +79,7 @@ export function LiveCamera({ target = [], over }: LiveCameraProps) {
 function Away({ old_s }: { old_s: number }) {
   const heard = useLive((s) => s.connection === "live");
   const sensor = useLive((s) => s.devices?.sensor.state ?? "lost");
-  const why = !heard ? "The station is away" : sensor === "lost" || sensor === "off" ? "The camera is away" : "No newer picture has come";
+  const why = !heard ? "The station has been away" : sensor === "lost" || sensor === "off" ? "The camera has been away" : "No newer picture has come";
   return (
     <p className={styles.away} role="status">
       {bound(`${why} for ${age(old_s)}. The picture goes on by itself.`)}
