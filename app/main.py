@@ -244,6 +244,7 @@ def make_server(app: FastAPI, serving: Serving = LOCAL) -> "StationServer":
         ssl_certfile=serving.tls_certificate,
         ssl_keyfile=serving.tls_key,
         forwarded_allow_ips=list(serving.proxies),
+        log_config=None,  # its words go where all others go
         log_level="warning",
         access_log=False,
         ws="websockets-sansio",

@@ -1,7 +1,7 @@
 """What stations tell one another over MQTT: the payloads, and the topics they go to.
 
 Every payload is one JSON object. ``crenel mqtt-schema`` prints the JSON schema of them,
-and docker/MQTT.md tells the rest.
+and docker/SUPERVISION.md tells the rest.
 """
 
 import re

@@ -17,6 +17,17 @@ from app.store.store import Store
 from tests.e2e.conftest import ROOT, Demo
 from tests.supervise.mosquitto import BINARY, Mosquitto
 
+TOLD = """
+const Plain = Notification;
+window.told = [];
+window.Notification = class extends Plain {
+  constructor(title, options) {
+    super(title, options);
+    window.told.push(`${title}. ${options.body}`);
+  }
+};
+"""
+
 
 @pytest.fixture(scope="module")
 def broker(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Mosquitto]:
@@ -41,6 +52,8 @@ def station(broker: Mosquitto, tmp_path_factory: pytest.TempPathFactory) -> Iter
 @pytest.fixture(scope="module")
 def admin(browser: Browser, station: Demo) -> Iterator[Page]:
     page = page_of(browser, 1440, 900)
+    page.context.grant_permissions(["notifications"])
+    page.add_init_script(TOLD)
     page.goto(station.link)
     yield page
     page.context.close()
@@ -100,16 +113,35 @@ def test_the_health_page(admin: Page, pictures: Path) -> None:
     admin.screenshot(path=pictures / "health-2.png")
 
 
+def test_a_browser_is_told_once_it_was_asked_to(admin: Page) -> None:
+    press = admin.get_by_role("button", name="Notify me here")
+    expect(press).to_be_visible()
+    assert admin.evaluate("told.length") == 0
+    press.click()
+    expect(admin.get_by_role("button", name="Notify here no more")).to_be_visible()
+    assert ask(admin, "scan/start") == 200
+    assert ask(admin, "scan/stop") == 200
+    admin.wait_for_function("told.length > 0", timeout=15_000)
+    (words,) = admin.evaluate("told")
+    assert words.startswith("Demonstration: done. ")
+    assert words.endswith("points saved")
+
+
+def ask(page: Page, path: str, body: str = "{}") -> int:
+    """The status of a request that this page makes."""
+    headers = "{'Content-Type': 'application/json'}"
+    asked = f"{{method: 'POST', headers: {headers}, body: '{body}'}}"
+    return int(page.evaluate(f"fetch('/api/{path}', {asked}).then(a => a.status)"))
+
+
 def test_it_ends_in_order_while_it_scans_and_is_watched(
     station: Demo, admin: Page, wall: Page, pictures: Path
 ) -> None:
     """Told to end, with live sockets and a 3D view open, a scan running and recording."""
     wall.set_viewport_size({"width": 1120, "height": 630})  # it is drawn without a graphics card
     wall.get_by_role("button", name="This station").click()
-    for path, body in (("start", "{}"), ("hand", '{"on": true}')):
-        headers = "{'Content-Type': 'application/json'}"
-        asked = f"{{method: 'POST', headers: {headers}, body: '{body}'}}"
-        assert admin.evaluate(f"fetch('/api/scan/{path}', {asked}).then(a => a.status)") == 200
+    assert ask(admin, "scan/start") == 200
+    assert ask(admin, "scan/hand", '{"on": true}') == 200
     expect(wall.get_by_text("points/s")).to_be_visible()
     expect(wall.get_by_text("laser is on")).to_be_visible()
     wall.wait_for_timeout(3000)
@@ -124,7 +156,7 @@ def test_it_ends_in_order_while_it_scans_and_is_watched(
     expect(wall.get_by_text("not heard for")).to_be_visible(timeout=30_000)
     wall.screenshot(path=pictures / "supervise-3-ended.png")
     store = Store(station.data)
-    (scan,) = store.scans.all()
+    scan, *_ = store.scans.all()
     recording = open_recording(scan.folder / "scan.mcap")
     stripes = sum(isinstance(record, StripeRecord) for record in recording.records())
     assert recording.cut == ""

@@ -63,8 +63,9 @@ function Inside({ report, station }: { report: StationReport; station: StationSh
       </div>
       {live && alarm && (
         <p className={styles.alarm} data-quality={alarm.quality}>
-          {bound(alarm.text)}
-          {report.alarms.length > 1 && <span> and {figures(report.alarms.length - 1)} more</span>}
+          {report.alarms.length > 1
+            ? `${bound(alarm.text.replace(/\.$/, ""))}, and ${figures(report.alarms.length - 1)} more`
+            : bound(alarm.text)}
         </p>
       )}
       <dl className={styles.facts}>
