@@ -180,7 +180,7 @@ def _buttons(
         waiting: list[tuple[int, Callable[[ButtonEvent], None]]] = []
         if guide.running and any(guide.state.step == step for step, _ in BUTTONS):
             waiting.append((guide.state.rev, lambda event: press(guide, event)))
-        if verify_button(verify_guide, "primary"):
+        if verify_button(verify_guide, str(event.button)):
             waiting.append(
                 (verify_guide.state.rev, lambda event: press_verify(verify_guide, event))
             )

@@ -218,6 +218,10 @@ def test_touches_come_from_the_button_and_are_taken_back(desk: Desk) -> None:
     press(Button.UNDO, False, now_ns() + 50_000_000)
     view = desk.wait(lambda view: len(view["picture"]["touches"]) == 3)
     assert "3 of at least 4" in refusal(desk.command("confirm_touch"))
+    press(Button.BACK, True, now_ns())
+    press(Button.BACK, False, now_ns() + 50_000_000)
+    view = desk.wait(lambda view: view["step"] == "gauge")
+    assert [step["state"] for step in view["steps"]] == ["current", "stale", "todo", "todo"]
 
 
 def test_another_calibration_meanwhile_is_told_in_one_sentence(desk: Desk) -> None:

@@ -64,16 +64,17 @@ def button_of(guide: VerifyGuide, button: str) -> str:
     if not guide.running:
         return ""
     if guide.state.step == "touch":
-        return {"primary": "touch", "undo": "undo"}.get(button, "")
+        return {"primary": "touch", "undo": "undo", "back": "back"}.get(button, "")
     if guide.state.step == "scan":
         scanning = guide.state.open_cloud is not None
         main = "finish_cloud" if scanning else "begin_cloud"
-        return {"primary": main, "undo": "undo"}.get(button, "")
-    return ""
+        return {"primary": main, "undo": "undo", "back": "back"}.get(button, "")
+    return "back" if button == "back" and guide.state.step == "review" else ""
 
 
 def press(guide: VerifyGuide, event: Press) -> None:
-    """The arm's buttons: primary takes a touch, begins and ends a cloud; undo takes back."""
+    """The arm's buttons: primary takes a touch, begins and ends a cloud; undo takes back, and
+    back goes a step back."""
     with guide.lock:
         name = button_of(guide, str(event.button))
         if not name or not event.pressed:

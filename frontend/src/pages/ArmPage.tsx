@@ -1,5 +1,6 @@
 import { useState } from "react";
 
+import { NextStep } from "../home/NextStep";
 import { startArm } from "../api/armCommands";
 import { ArmCard } from "../arm/ArmCard";
 import { ArmPictureView } from "../arm/ArmPictureView";
@@ -65,6 +66,7 @@ function NotStarted() {
             </p>
             <PressButton onPress={() => startArm("identify")}>Identify the arm</PressButton>
           </div>
+          <NextStep />
         </>
       }
     />

@@ -6,6 +6,7 @@ import { BigNumber } from "../parts/BigNumber";
 import { CardHead } from "../parts/CardHead";
 import { Download } from "../parts/Download";
 import { Findings } from "../parts/Findings";
+import { NextStep } from "../home/NextStep";
 import { useLive } from "../state/store";
 import { ReplayCard } from "../scan/ReplayCard";
 import { ScanFigures } from "../scan/ScanFigures";
@@ -40,6 +41,7 @@ export function ScanPage() {
               <Download href={`/api/scans/${scan.scan_id}/cloud.ply`}>Save as PLY</Download>
             )}
             <Findings findings={scan.findings} />
+            {scan.state === "blocked" && <NextStep />}
           </Actions>
         </>
       }
