@@ -119,3 +119,22 @@ def view(
         print_json(asdict(found))
         return
     print_table("The 3D view after a long scan", COLUMNS, table(found))
+
+
+@bench.command()
+@refusing
+def viewers(
+    number: Annotated[int, typer.Option(min=2, help="Browsers that look on.")] = 20,
+    seconds: Annotated[float, typer.Option(min=4.0, help="How long they do.")] = 30.0,
+    as_json: AsJson = False,
+) -> None:
+    """Many browsers on one station while it scans, one of them slow: how old their state is."""
+    from app.bench.viewers import COLUMNS, run, table
+    from hardware.twin.swift import Pace
+
+    with progress_bar("Watching", not as_json) as tell:
+        found = run(Pace(profiles_hz=60.0, width_px=1280), number, seconds, tell)
+    if as_json:
+        print_json(asdict(found))
+        return
+    print_table("A scan of 60 frames a second, watched by many", COLUMNS, table(found))

@@ -5,7 +5,6 @@ The station runs as it does for an operator, in a process of its own; the viewer
 """
 
 import contextlib
-import multiprocessing
 import socket
 import tempfile
 import threading
@@ -20,6 +19,7 @@ import numpy as np
 
 from app.api.access import cookie_for
 from app.api.context import Context
+from app.bench.apart import PATIENCE_S, apart
 from app.bench.watching import watching
 from app.files.progress import Progress, no_progress
 from app.files.recording import StripeRecord, open_recording
@@ -39,7 +39,6 @@ from hardware.twin.swift import (
 )
 
 FOCAL_PX = 4400.0
-PATIENCE_S = 120.0
 SETTLING_S = 60.0
 """What the memory grows by is told from then on, or from a quarter of a shorter run."""
 MB = 1 << 20
@@ -166,7 +165,7 @@ def _scan(
         last_mb = station.memory_mb
         joined_s = _join(station, pace)
         http.post("/api/stop").raise_for_status()
-        scan = _stopped(http)
+        scan = stopped(http)
         seen = watched()
     recording = next((folder / "scans").glob("*/scan.mcap"))
     recorded = sum(
@@ -198,7 +197,8 @@ def _join(station: _Station, pace: Pace) -> float:
         return watched().whole_s
 
 
-def _stopped(http: httpx.Client) -> dict[str, float]:
+def stopped(http: httpx.Client) -> dict[str, float]:
+    """The scan's state once it has ended."""
     deadline_s = time.monotonic() + PATIENCE_S
     while (scan := http.get("/api/scan").json())["state"] in ("running", "stopping"):
         if time.monotonic() > deadline_s:
@@ -210,20 +210,9 @@ def _stopped(http: httpx.Client) -> dict[str, float]:
 @contextlib.contextmanager
 def _station(data: Path, pace: Pace) -> Iterator[_Station]:
     """A station on the swift devices, serving in a process of its own."""
-    context = multiprocessing.get_context("spawn")
-    ours, theirs = context.Pipe()
-    process = context.Process(target=_serve, args=(theirs, data, pace), daemon=True)
-    process.start()
-    if not ours.poll(PATIENCE_S):
-        process.kill()
-        raise TimeoutError("the station does not start")
-    port, start_ns, signed_in = ours.recv()
-    try:
-        yield _Station(port, process.pid or 0, start_ns, signed_in)
-    finally:
-        ours.send("stop")
-        process.join(20.0)
-        process.kill()
+    with apart(_serve, data, pace) as (pipe, pid):
+        port, start_ns, signed_in = pipe.recv()
+        yield _Station(port, pid, start_ns, signed_in)
 
 
 def _serve(pipe: Connection, data: Path, pace: Pace) -> None:

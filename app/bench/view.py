@@ -5,7 +5,6 @@ viewer reads the 3D view's socket through the station's server.
 """
 
 import contextlib
-import multiprocessing
 import tempfile
 import time
 from collections.abc import Iterator
@@ -16,7 +15,8 @@ from pathlib import Path
 import httpx
 import numpy as np
 
-from app.bench.live import MB, PATIENCE_S, memory_mb, serving, sign_in
+from app.bench.apart import apart
+from app.bench.live import MB, memory_mb, serving, sign_in
 from app.bench.watching import watching
 from app.files.cloud_points import Points, packed
 from app.files.progress import Progress, no_progress
@@ -100,20 +100,9 @@ def _station(data: Path, points: int) -> Iterator[tuple[Connection, int, int, di
 
     Yields its pipe, port and id, and the header of a browser that is signed in there.
     """
-    context = multiprocessing.get_context("spawn")
-    ours, theirs = context.Pipe()
-    process = context.Process(target=_serve, args=(theirs, data, points), daemon=True)
-    process.start()
-    if not ours.poll(PATIENCE_S):
-        process.kill()
-        raise TimeoutError("the station does not start")
-    try:
-        port, signed_in = ours.recv()
-        yield ours, port, process.pid or 0, signed_in
-    finally:
-        ours.send("stop")
-        process.join(20.0)
-        process.kill()
+    with apart(_serve, data, points) as (pipe, pid):
+        port, signed_in = pipe.recv()
+        yield pipe, port, pid, signed_in
 
 
 def _serve(pipe: Connection, data: Path, points: int) -> None:

@@ -1,0 +1,14 @@
+"""The bench of many viewers, with a few of them for a few seconds."""
+
+from app.bench.viewers import run, table
+from hardware.twin.swift import Pace
+
+
+def test_viewers_get_states_pictures_and_points_while_one_takes_nothing() -> None:
+    found = run(Pace(profiles_hz=20.0, width_px=500, height_px=128), 3, 6.0)
+    assert found.states > 20
+    assert 0 < found.age_median_s <= found.age_95_s
+    assert found.pictures_hz > 0
+    assert found.view_mb_s > 0
+    assert found.lost_alone == found.lost_watched == 0
+    assert len(table(found)) == 5
