@@ -9,6 +9,7 @@ import asyncio
 import contextlib
 import math
 import re
+from urllib.parse import quote
 
 import httpx
 import msgspec
@@ -21,7 +22,7 @@ from websockets.typing import Subprotocol
 
 from app.api.access import until_signed_out
 from app.api.context import TheContext, context_of
-from app.api.problems import problem
+from app.api.problems import NotFound, problem
 from app.station.picking import ViewCamera
 from app.station.viewing import Viewing
 
@@ -78,7 +79,7 @@ async def page(path: str, context: TheContext) -> Response:
     """The viewer's own page."""
     if KEY.fullmatch(path.rstrip("/")):
         path = ""
-    address = f"http://127.0.0.1:{context.scene.port}/{path}"
+    address = f"http://127.0.0.1:{context.scene.port}/{quote(path)}"
     try:
         async with (
             httpx.AsyncClient(trust_env=False, timeout=10.0) as client,
@@ -88,6 +89,8 @@ async def page(path: str, context: TheContext) -> Response:
             body = b"".join([part async for part in found.aiter_raw()])
     except httpx.HTTPError:
         return problem(503, "viewer-gone", "The 3D view does not answer.", "Load the page again.")
+    if found.status_code == 404:
+        raise NotFound("There is no such page of the 3D view.")
     headers = {name: found.headers[name] for name in PASSED_HEADERS if name in found.headers}
     return Response(body, found.status_code, {**headers, "Cache-Control": "no-cache"})
 
