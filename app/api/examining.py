@@ -3,8 +3,10 @@
 import shutil
 import sys
 import time
+from collections.abc import Callable
 from datetime import UTC, datetime
 from importlib.metadata import PackageNotFoundError, version
+from typing import TypeVar, cast
 from urllib.parse import urlsplit
 
 from app.api.context import Context
@@ -14,7 +16,10 @@ from app.station.health import Health, HealthItem
 from app.station.host import memory, versions, writable
 from app.station.moments import utc_now
 
+T = TypeVar("T")
 DATABASE_EVERY_S = 600.0
+RECORDS_EVERY_S = 30.0
+"""What asks the disk is looked at less often than the rest."""
 AN_HOUR_S = 3600.0
 PACKAGES = ("numpy", "scipy", "numba", "opencv-python-headless", "fastapi", "uvicorn", "viser")
 
@@ -24,8 +29,7 @@ class Examiner:
 
     def __init__(self, context: Context) -> None:
         self._context = context
-        self._database = ""
-        self._database_looked_s: float | None = None
+        self._kept: dict[str, tuple[float, object]] = {}
 
     def look(self) -> Health:
         """All checks as of now."""
@@ -59,24 +63,32 @@ class Examiner:
     def _records(self) -> list[HealthItem]:
         store, watch = self._context.store, self._context.watch
         free_gb = shutil.disk_usage(store.folder).free / 1e9
-        now_s = time.monotonic()
-        if self._database_looked_s is None or now_s - self._database_looked_s > DATABASE_EVERY_S:
-            self._database, self._database_looked_s = store.check(), now_s
+        damage = self._every(DATABASE_EVERY_S, "database", store.check)
+        trouble = self._every(RECORDS_EVERY_S, "folder", lambda: writable(store.folder / "scans"))
+        ahead_days = self._every(RECORDS_EVERY_S, "ahead", self._ahead_days)
         size_mb = (store.folder / "station.db").stat().st_size / 1e6
         last, load = watch.backups.last, self._context.scanner.load()
         pace = load.bytes_written / 1e6 / max(load.seconds, 1.0) if load else None
         return [
             health.disk(free_gb, pace),
-            health.folder(str(store.folder), writable(store.folder / "scans")),
-            health.database(size_mb, self._database),
+            health.folder(str(store.folder), trouble),
+            health.database(size_mb, damage),
             health.backup(
                 None if last is None else max(_days_since(last.at), 0.0),
                 "" if last is None else last.folder,
                 watch.backups.same_disk,
                 watch.backups.trouble,
             ),
-            health.clock(watch.clock.jumps, watch.clock.last_jump_s, self._ahead_days()),
+            health.clock(watch.clock.jumps, watch.clock.last_jump_s, ahead_days),
         ]
+
+    def _every(self, period_s: float, name: str, look: Callable[[], T]) -> T:
+        """What was seen the last time, looked at again after the period."""
+        known = self._kept.get(name)
+        if known is None or time.monotonic() - known[0] > period_s:
+            known = (time.monotonic(), look())
+            self._kept[name] = known
+        return cast(T, known[1])
 
     def _ahead_days(self) -> float:
         """By how much the newest record is later than now."""

@@ -7,9 +7,10 @@ from collections.abc import Coroutine
 from app.api.context import Context
 from app.api.examining import Examiner
 from app.api.reporting import report_of
+from app.api.schema import Home
 from app.station.bus import Event
 from app.station.moments import utc_now
-from app.supervise.messages import StationEvent, StationReport
+from app.supervise.messages import StationEvent
 from app.supervise.notices import kind_of
 
 log = logging.getLogger(__name__)
@@ -44,28 +45,30 @@ async def observe(context: Context) -> None:
 
 
 async def _reports(context: Context) -> None:
-    due: str | None = None
+    due: set[tuple[str, str | None]] = set()
     while True:
         try:
             report = await asyncio.to_thread(report_of, context)
             context.bus.publish("report", report)
             if context.watch.broker is not None:
                 context.watch.broker.report(report)
-            due = _tell_due(context, report, due)
+            due = _tell_due(context, due)
         except Exception:  # the station lives on, and the next may succeed
             log.exception("the station's report could not be made")
         await asyncio.sleep(REPORT_S)
 
 
-def _tell_due(context: Context, report: StationReport, told: str | None) -> str | None:
-    """Tells once that a calibration has come due."""
-    calibration = report.calibration
-    if calibration is None or not calibration.due:
-        return None
-    if told != calibration.accepted_at:
-        days = f"{calibration.age_days:.0f} days"
-        context.watch.tell("due", f"{report.name}: the calibration is {days} old. Calibrate again.")
-    return calibration.accepted_at
+def _tell_due(context: Context, told: set[tuple[str, str | None]]) -> set[tuple[str, str | None]]:
+    """Tells once of each thing that has come due; what is due now."""
+    home = context.bus.latest("home")
+    if not isinstance(home, Home):
+        return told
+    due = {(line.id, line.at): line for line in home.checks if line.state == "due"}
+    for key in due.keys() - told:
+        line = due[key]
+        text = f"{line.title}: {line.text[:1].lower()}{line.text[1:]} {line.action}."
+        context.watch.tell("due", text[:400])
+    return set(due)
 
 
 async def _stations(context: Context) -> None:

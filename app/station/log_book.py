@@ -103,7 +103,9 @@ class LogBook:
         """The newest lines of a level or above that contain the words, newest first."""
         found: list[LogLine] = []
         wanted = words.lower().split()
-        for line in self._newest_first():
+        # most lines are passed over without being parsed; these signs are spelled otherwise in JSON
+        plain = [word for word in wanted if not set(word) & {'"', "\\"}]
+        for line in self._newest_first(plain):
             hay = f"{line.text} {line.logger} {line.thread} {line.trace}".lower()
             if LEVELS[line.level] >= LEVELS[level] and all(word in hay for word in wanted):
                 found.append(line)
@@ -111,14 +113,15 @@ class LogBook:
                     break
         return found
 
-    def _newest_first(self) -> Iterator[LogLine]:
+    def _newest_first(self, words: list[str]) -> Iterator[LogLine]:
         for path in self.files():
             try:
                 raw = path.read_text("utf-8", "replace").splitlines()
             except OSError:  # rotated away meanwhile
                 continue
             for text in reversed(raw):
-                line = _parsed(text)
+                low = text.lower()
+                line = _parsed(text) if all(word in low for word in words) else None
                 if line is not None:
                     yield line
 

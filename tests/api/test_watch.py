@@ -7,6 +7,7 @@ import re
 import time
 import zipfile
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import httpx
@@ -17,6 +18,8 @@ from prometheus_client.parser import text_string_to_metric_families
 from websockets.sync.client import connect
 
 from app.api.access import cookie_for
+from app.api.observer import _tell_due
+from app.api.schema import Home
 from app.api.watch import Watching
 from app.station.health import ORDER
 from app.store.accounts import Role
@@ -283,6 +286,23 @@ def test_notifications_go_where_the_administrator_says(server: Server, receiver:
     assert wrong.json()["code"] == "webhook-url"
     server.http.post("/api/notifications", json={**change, "url": "", "secret": ""})
     assert server.http.post("/api/notifications/test").json()["code"] == "no-webhook"
+
+
+def test_what_comes_due_is_told_once(server: Server, receiver: Receiver) -> None:
+    home = server.context.bus.latest("home")
+    assert isinstance(home, Home)
+    change = {"url": receiver.url, "secret": "", "done": False, "fault": False, "due": True}
+    server.http.post("/api/notifications", json=change).raise_for_status()
+    old = replace(home.checks[0], state="due", text="It is old.", at="2026-01-01T00:00:00Z")
+    told = _tell_due(server.context, set())
+    server.context.bus.publish("home", replace(home, checks=(old, *home.checks[1:])))
+    for _ in range(3):
+        told = _tell_due(server.context, told)
+    server.context.bus.publish("home", home)
+    until(lambda: receiver.taken)
+    texts = [json.loads(body)["text"] for _, body in receiver.taken]
+    assert texts.count(f"Calibration: it is old. {old.action}.") == 1
+    server.http.post("/api/notifications", json={**change, "url": ""}).raise_for_status()
 
 
 def test_a_backup_of_the_running_station_is_a_station(server: Server) -> None:
