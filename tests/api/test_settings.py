@@ -4,6 +4,8 @@ from pathlib import Path
 
 import pytest
 
+from app.files.gauge import DEFAULT_LIMITS
+from app.guide.due import DUE
 from app.metrology.findings import LIMITS, Limits
 from app.metrology.refusal import Refusal
 from app.settings import read_settings
@@ -110,3 +112,18 @@ def test_a_missing_file_is_named(tmp_path: Path) -> None:
         read_settings(tmp_path / "station.toml")
     assert caught.value.code == "settings-missing"
     assert "crenel demo" in caught.value.line
+
+
+def test_limits_of_a_verification_and_what_is_due_are_the_stations_own(tmp_path: Path) -> None:
+    file = tmp_path / "station.toml"
+    devices = '[arm]\ndriver = "a"\n[sensor]\ndriver = "s"\n'
+    file.write_text(f"{devices}[verification]\nform = 40\n[due]\nverification_days = 1\n")
+    settings = read_settings(file)
+    assert settings.verification.form == 40
+    assert settings.verification.rms == DEFAULT_LIMITS.rms
+    assert settings.due.verification_days == 1
+    assert settings.due.calibration_days == DUE.calibration_days
+    for wrong in ("[verification]\nform = -1", "[verification]\nfrom = 4", "[due]\ntip_hours = 0"):
+        file.write_text(f"{devices}{wrong}\n")
+        with pytest.raises(Refusal, match=r"form|from|tip_hours"):
+            read_settings(file)
