@@ -1,6 +1,8 @@
 """The guided verification, and the record of those that were accepted."""
 
-from fastapi import APIRouter, Request
+from typing import Annotated
+
+from fastapi import APIRouter, Path, Request
 from pydantic_core import to_json
 from starlette.responses import FileResponse, Response
 
@@ -19,6 +21,7 @@ from app.station.jobs import Job, Progress
 from app.store.verifications import VerificationRecord
 
 router = APIRouter(prefix="/api")
+CloudNumber = Annotated[int, Path(ge=1, le=999)]
 STUDY_TITLE = "Rebuilding the clouds with every calibration"
 
 
@@ -94,7 +97,7 @@ def verification(verification_id: str, context: TheContext) -> Response:
 
 
 @router.get("/verifications/{verification_id}/cloud/{number}/map")
-def cloud_map(verification_id: str, number: int, context: TheContext) -> Response:
+def cloud_map(verification_id: str, number: CloudNumber, context: TheContext) -> Response:
     """A cloud's deviations from its fitted shape, of an open session too."""
     guide = context.verify_guide
     if guide.running and guide.state.session_id == verification_id:

@@ -199,3 +199,25 @@ def test_a_sphere_is_judged_by_its_paper_and_its_touched_centre() -> None:
     errors = errors_of(one, SPHERE, touched)
     assert errors.centre_error_um == pytest.approx(50.0)
     assert errors.angle_arcsec is None
+
+
+@pytest.mark.parametrize(
+    ("name", "args"),
+    [
+        ("choose_gauge", {"id": ["plate"]}),
+        ("choose_gauge", {}),
+        ("void_touch", {"index": False}),
+        ("void_cloud", {"number": True}),
+        ("void_cloud", {"number": {}}),
+        ("back", {"to": ["gauge"]}),
+        ("back", {"to": "review"}),
+    ],
+)
+def test_arguments_that_name_nothing_are_declined(name: str, args: dict[str, object]) -> None:
+    rows = {
+        "choose_gauge": [STARTED],
+        "void_touch": [STARTED, ("gauge_confirmed", {}), TOUCHED],
+        "void_cloud": [*TO_SCAN, *cloud(1)],
+        "back": [*TO_SCAN],
+    }[name]
+    assert why_not(state_after(*rows), live_of(), name, args)

@@ -139,7 +139,9 @@ def _fit(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
 def _choose_arm(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
     if state.seats:
         return "The seats were taken with another arm."
-    return "" if args.get("id") in live.library.arms else "There is no such arm."
+    chosen = args.get("id")
+    known = isinstance(chosen, str) and chosen in live.library.arms
+    return "" if known else "There is no such arm."
 
 
 def _set_limit(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:

@@ -80,7 +80,9 @@ def wanted(live: VerifyLive) -> int:
 
 
 def _choose(state: VerifyState, live: VerifyLive, args: Args) -> str:
-    return "" if args.get("id") in live.gauges.known else "There is no such gauge."
+    chosen = args.get("id")
+    known = isinstance(chosen, str) and chosen in live.gauges.known
+    return "" if known else "There is no such gauge."
 
 
 def _confirm_gauge(state: VerifyState, live: VerifyLive, args: Args) -> str:
@@ -107,7 +109,8 @@ def _undo(state: VerifyState, live: VerifyLive, args: Args) -> str:
 
 
 def _void_touch(state: VerifyState, live: VerifyLive, args: Args) -> str:
-    known = any(touch.index == args.get("index") for touch in state.counted)
+    index = args.get("index")
+    known = type(index) is int and any(touch.index == index for touch in state.counted)
     return "" if known else "There is no such touch."
 
 
@@ -137,7 +140,8 @@ def _scanning(state: VerifyState, live: VerifyLive, args: Args) -> str:
 def _cloud(state: VerifyState, live: VerifyLive, args: Args) -> str:
     if state.open_cloud is not None:
         return "Finish this cloud, or drop it."
-    known = any(cloud.number == args.get("number") for cloud in state.listed)
+    number = args.get("number")
+    known = type(number) is int and any(cloud.number == number for cloud in state.listed)
     return "" if known else "There is no such cloud."
 
 
