@@ -37,6 +37,14 @@ def of_check(record_id: RecordId, form: Form, context: TheContext) -> Response:
     return _report(context.store.folder / "sessions" / record_id, form)
 
 
+@router.get("/arm/tips/{record_id}/report.{form}")
+def of_tip(record_id: RecordId, form: Form, context: TheContext) -> Response:
+    """The report on a finished check of the tip."""
+    if all(check.id != record_id for check in context.arm_guide.tip_history()):
+        raise NotFound(f"There is no check of the tip {record_id}.")
+    return _report(context.store.folder / "sessions" / record_id, form)
+
+
 @router.get("/verifications/{record_id}/report.{form}")
 def of_verification(record_id: RecordId, form: Form, context: TheContext) -> Response:
     """The report on a verification."""

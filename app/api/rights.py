@@ -74,6 +74,7 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ("GET", "/api/calibration-history"): LOOK,
     ("GET", "/api/calibrations/{record_id}/report.{form}"): LOOK,
     ("GET", "/api/arm/checks/{record_id}/report.{form}"): LOOK,
+    ("GET", "/api/arm/tips/{record_id}/report.{form}"): LOOK,
     ("GET", "/api/verifications/{record_id}/report.{form}"): LOOK,
     ("GET", "/api/scans"): LOOK,
     ("GET", "/api/scans/{scan_id}/cloud.ply"): LOOK,

@@ -96,15 +96,11 @@ def open_context(parts: Parts) -> Context:
     lease = Lease(bus)
     simulated = parts.hand is not None
 
-    def in_control() -> str:
-        holder = lease.control.holder
-        return holder.name if holder else ""
-
     def celsius_now() -> float | None:
         reading = store.temperatures.newest()
         return reading.celsius if reading else None
 
-    signing = Signing(parts.name, simulated, in_control, celsius_now)
+    signing = Signing(parts.name, simulated, lambda: lease.last_name, celsius_now)
 
     def use_active() -> None:
         _use(store.calibrations.active(), store, rig, preview, scanner, bus)

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +14,7 @@ from app.metrology.refusal import Refusal
 
 # Expanded uncertainty, k = 2, of a shift between two calibrations.
 K = 2.0
+REMEMBERED = 1024
 
 
 @dataclass(frozen=True)
@@ -39,47 +41,81 @@ class HistoryEntry:
     since: Since | None
 
 
+@dataclass(frozen=True)
+class _Stamped:
+    """A file as it is now: what was read of it holds until it is written anew."""
+
+    path: Path
+    written_ns: int
+
+
+@dataclass(frozen=True)
+class _Head:
+    arm: str
+    sensor: str
+    good_um: float | None
+    temperature_c: float | None
+
+
+@dataclass(frozen=True)
+class _Moved:
+    drift: Drift
+    expected_um: float
+    expected_arcsec: float | None
+
+
 def history(files: Sequence[tuple[str, Path]]) -> list[HistoryEntry]:
     """Of calibrations by their ids and files, the oldest first.
 
-    A file that cannot be read any more is passed over.
+    A file that cannot be read any more is passed over. What was read once is remembered.
     """
     entries: list[HistoryEntry] = []
-    newest: dict[tuple[str, str], tuple[str, CalibrationFile]] = {}
+    newest: dict[tuple[str, str], tuple[str, _Stamped]] = {}
     for name, path in files:
         try:
-            sheet, accepted = CalibrationFile.read(path), read_acceptance(path.parent)
-        except Refusal:
+            file = _Stamped(path, path.stat().st_mtime_ns)
+            head = _head(file)
+        except (Refusal, OSError):
             continue
-        of = (sheet.serial_numbers.arm, sheet.serial_numbers.sensor)
+        of = (head.arm, head.sensor)
         before = newest.get(of)
-        entries.append(
-            HistoryEntry(
-                name,
-                accepted.good_um if accepted else None,
-                accepted.temperature_c if accepted else None,
-                _since(before, sheet) if before else None,
-            )
+        moved = _moved(before[1], file) if before else None
+        since = (
+            Since(before[0], moved.drift, moved.expected_um, moved.expected_arcsec)
+            if before and moved
+            else None
         )
-        newest[of] = (name, sheet)
+        entries.append(HistoryEntry(name, head.good_um, head.temperature_c, since))
+        newest[of] = (name, file)
     return entries
 
 
-def _since(before: tuple[str, CalibrationFile], sheet: CalibrationFile) -> Since | None:
-    name, old = before
-    was, now = old.uncertainty, sheet.uncertainty
-    if was is None or now is None or now.map is None:
+@lru_cache(maxsize=REMEMBERED)
+def _head(file: _Stamped) -> _Head:
+    sheet, accepted = CalibrationFile.read(file.path), read_acceptance(file.path.parent)
+    return _Head(
+        sheet.serial_numbers.arm,
+        sheet.serial_numbers.sensor,
+        accepted.good_um if accepted else None,
+        accepted.temperature_c if accepted else None,
+    )
+
+
+@lru_cache(maxsize=REMEMBERED)
+def _moved(before: _Stamped, now: _Stamped) -> _Moved | None:
+    old, new = (CalibrationFile.read(file.path) for file in (before, now))
+    was, known = old.uncertainty, new.uncertainty
+    if was is None or known is None or known.map is None:
         return None
-    inside = np.array(now.map.calibrated)
-    uv_px = np.array(now.map.uv_px).reshape(-1, 2)
-    found = drift(_mounted(old), _mounted(sheet), uv_px[inside] if inside.any() else uv_px)
+    inside = np.array(known.map.calibrated)
+    uv_px = np.array(known.map.uv_px).reshape(-1, 2)
+    found = drift(_mounted(old), _mounted(new), uv_px[inside] if inside.any() else uv_px)
     if found is None:
         return None
-    planes = (was.plane, now.plane)
-    return Since(
-        name,
+    planes = (was.plane, known.plane)
+    return _Moved(
         found,
-        expected_um=K * float(np.hypot(was.total_um, now.total_um)),
+        expected_um=K * float(np.hypot(was.total_um, known.total_um)),
         expected_arcsec=(
             K * float(np.hypot(planes[0].angle_arcsec, planes[1].angle_arcsec))
             if planes[0] is not None and planes[1] is not None

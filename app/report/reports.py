@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from app.files.arm_check import ARM_CHECK
+from app.files.tip_check import TIP_CHECK
 from app.files.verification import VERIFICATION
 from app.metrology.refusal import Refusal
 from app.report.arm_check import arm_check_report
@@ -10,11 +11,13 @@ from app.report.calibration import CALIBRATION, calibration_report
 from app.report.content import Report
 from app.report.page import page
 from app.report.paper import paper
+from app.report.tip_check import tip_check_report
 from app.report.verification import verification_report
 
 KINDS = (
     (VERIFICATION, verification_report),
     (ARM_CHECK, arm_check_report),
+    (TIP_CHECK, tip_check_report),
     (CALIBRATION, calibration_report),
 )
 FORMS = {".html": page, ".pdf": paper}

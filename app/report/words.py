@@ -40,4 +40,5 @@ def temperature(value_c: float | None) -> str:
 
 def tied(text: str) -> str:
     """The text with numbers not parted from their units, and minus signs as printed."""
-    return _MINUS.sub("−", _UNITS.sub("\u00a0", text))
+    tight = _UNITS.sub("\u00a0", text).replace("k = ", "k\u00a0=\u00a0")
+    return _MINUS.sub("−", tight)

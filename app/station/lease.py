@@ -42,6 +42,8 @@ class Lease:
         self._lock = threading.RLock()
         self._control = Control()
         self._beat_s = 0.0
+        self.last_name = ""
+        """Of whoever has control, or had it last: what the arm's button does is theirs."""
         bus.publish("control", self._control)
 
     @property
@@ -156,6 +158,7 @@ class Lease:
     def _set(self, control: Control) -> None:
         if control != self._control:
             self._control = control
+            self.last_name = control.holder.name if control.holder else self.last_name
             self._bus.publish("control", control)
 
     @staticmethod

@@ -214,6 +214,9 @@ def test_a_tip_is_checked_on_a_sphere_and_home_knows_of_it(
     assert tip["diameter_mm"] == pytest.approx(3.0, abs=0.15)
     assert len(view["picture"]["touches"]) == 9
     newest, *others = server.http.get("/api/arm/tips").json()
+    report = server.http.get(f"/api/arm/tips/{newest['id']}/report.html").text
+    assert "Operator: Demo" in report
+    assert "Every file has the content that the result was made from." in report
     assert len(others) == before + 1
     assert newest["text"] == view["findings"][-1]["text"]
     home = server.http.get("/api/home").json()

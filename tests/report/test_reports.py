@@ -20,8 +20,9 @@ from app.files.calibration import CalibrationFile, Input
 from app.files.documents import sha256_of
 from app.files.gauge_cloud import MAP, MapFile
 from app.files.software import SOFTWARE
+from app.files.tip_check import TIP_CHECK, TipCheckFile
 from app.files.verification import VerificationFile, write_verification
-from app.metrology.arm_model.observations import Observations, Seat
+from app.metrology.arm_model.observations import Observations, Seat, Sphere
 from app.metrology.refusal import Refusal
 from app.report.calibration import calibration_report
 from app.report.figure import magnification
@@ -181,6 +182,35 @@ def test_an_arm_checks_report(tmp_path: Path) -> None:
     for told in ("Beyond the limit", "71.0 µm", "0.0710 mm", "≤ 60 µm", "Ben", "Not to standard"):
         assert told in printed, told
     assert report_as(tmp_path, ".pdf") == report_as(tmp_path, ".pdf")
+
+
+def test_a_tip_checks_report(tmp_path: Path) -> None:
+    touches = np.random.default_rng(5).normal(0.2, 0.3, (9, 6))
+    write_arm(tmp_path / "arm.json", ARM)
+    write_observations(tmp_path, Observations((), (Sphere("Sphere 1", 25.0, touches),), ()))
+    TipCheckFile.model_validate(
+        {
+            "checked_at": "2026-11-21T07:30:00+00:00",
+            "operator": "Ben",
+            "arm_name": ARM.name,
+            "arm_serial": ARM.serial_number,
+            "sphere_mm": 25.0,
+            "touches": 9,
+            "diameter_mm": 5.9,
+            "expected_mm": 6.0,
+            "error_um": -100.0,
+            "expanded_uncertainty_um": 20.0,
+            "scatter_um": 12.0,
+            "limit_um": 60.0,
+            "decision": "fail",
+            "words": "The tip is worn.",
+            "inputs": [Input(file="arm.json", sha256=sha256_of(tmp_path / "arm.json"))],
+            "software": SOFTWARE,
+        }
+    ).write(tmp_path / TIP_CHECK)
+    printed = text_of(report_as(tmp_path, ".pdf"))
+    for told in ("Fail", "The tip is worn.", "−100.0 µm", "± 20.0 µm", "5.9000 mm", "not stated"):
+        assert told in printed, told
 
 
 def test_a_verifications_report(tmp_path: Path) -> None:

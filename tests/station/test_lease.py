@@ -35,6 +35,7 @@ def test_whoever_acts_first_has_it_and_all_are_told() -> None:
 
 def test_it_lapses_without_beats_and_goes_to_whoever_asked() -> None:
     lease, clock, bus = leased()
+    assert lease.last_name == ""
     lease.act(ANNA)
     clock.now_s += LAPSES_S - 1
     lease.beat("a")
@@ -46,6 +47,7 @@ def test_it_lapses_without_beats_and_goes_to_whoever_asked() -> None:
     assert bus.latest("control") == Control(BEN)
     clock.now_s += LAPSES_S + 1
     assert lease.control == Control()
+    assert lease.last_name == "Ben"
 
 
 def test_a_late_beat_does_not_bring_it_back() -> None:

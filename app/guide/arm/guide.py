@@ -13,12 +13,13 @@ import numpy as np
 
 from app.files.arm import read_arm
 from app.files.arm_check import ARM_CHECK, ArmCheckFile
-from app.files.arm_identification import ARM, ARTICULATION, write_observations
+from app.files.arm_identification import ARM, ARTICULATION, SPHERES, write_observations
 from app.files.atomic import write_atomically
 from app.files.calibration import Input
 from app.files.documents import sha256_of
 from app.files.failures import files_refused
 from app.files.software import SOFTWARE
+from app.files.tip_check import TIP_CHECK, TipCheckFile
 from app.guide.arm.flow import quality_of, view_of
 from app.guide.arm.live import ArmLive
 from app.guide.arm.rules import why_not
@@ -389,6 +390,7 @@ class ArmGuide:
             return
         payload = to_payload(found, arm.tip.diameter_mm, limit_um)
         told = finding_of(payload)
+        self._keep_tip_check(arm, sphere, {**payload, "words": told.text})
         self.append(
             "tip_checked",
             {
@@ -404,15 +406,38 @@ class ArmGuide:
 
     # -- the session's folder -------------------------------------------------
 
+    def _signed(self, tables: Sequence[str]) -> dict[str, object]:
+        """Of a record made now: when, where and by whom, and the files it was made from."""
+        signing = self.signing
+        return {
+            "checked_at": datetime.now(UTC).isoformat(timespec="seconds"),
+            "operator": signing.operator(),
+            "station": signing.station,
+            "simulated": signing.simulated,
+            "temperature_c": signing.temperature_c(),
+            "inputs": tuple(
+                Input(file=name, sha256=sha256_of(self.folder / name)) for name in (ARM, *tables)
+            ),
+            "software": SOFTWARE,
+        }
+
+    def _keep_tip_check(self, arm: Arm, sphere: Artefact, found: Mapping[str, object]) -> None:
+        TipCheckFile.model_validate(
+            {
+                **self._signed([SPHERES]),
+                **found,
+                "arm_name": arm.name,
+                "arm_serial": arm.serial_number,
+                "sphere_mm": sphere.size_mm,
+                "sphere_standard_uncertainty_mm": sphere.standard_uncertainty_mm,
+            }
+        ).write(self.folder / TIP_CHECK)
+
     def _keep_check(self, arm: Arm, found: Articulation, verdict: Quality) -> None:
         """What the check found, and what from, so that its report can be made of the folder."""
-        folder, signing = self.folder, self.signing
         ArmCheckFile.model_validate(
             {
-                "checked_at": datetime.now(UTC).isoformat(timespec="seconds"),
-                "operator": signing.operator(),
-                "station": signing.station,
-                "simulated": signing.simulated,
+                **self._signed([ARTICULATION]),
                 "arm_name": arm.name,
                 "arm_serial": arm.serial_number,
                 "points": found.points,
@@ -421,14 +446,8 @@ class ArmGuide:
                 "encoders_two_sigma_um": found.encoders_two_sigma_um.tolist(),
                 "limit_um": self.state.limit_um,
                 "verdict": verdict,
-                "temperature_c": signing.temperature_c(),
-                "inputs": tuple(
-                    Input(file=name, sha256=sha256_of(folder / name))
-                    for name in (ARM, ARTICULATION)
-                ),
-                "software": SOFTWARE,
             }
-        ).write(folder / ARM_CHECK)
+        ).write(self.folder / ARM_CHECK)
 
     def _keep_arm(self) -> None:
         entry = self.library().arms[self.state.arm]

@@ -52,6 +52,7 @@ function TipRow({ check }: { check: TipCheckSummary }) {
         <dt>Diameter</dt>
         <dd>{figures(check.diameter_mm, 3)} mm</dd>
       </dl>
+      <Reports of={`/api/arm/tips/${check.id}`} />
     </li>
   );
 }
