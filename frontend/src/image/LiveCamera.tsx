@@ -156,7 +156,7 @@ function Panel({ header, old_s, line, rate }: PanelProps) {
   const wrong = header.findings.filter(
     ({ quality, text }) =>
       !line &&
-      (quality === "attention" || quality === "bad") && !told?.some((finding) => finding.text === text),
+      (quality === "attention" || quality === "bad") && !told?.some((finding) => bare(finding.text) === bare(text)),
   );
   return (
     <>
@@ -192,6 +192,11 @@ function Panel({ header, old_s, line, rate }: PanelProps) {
       />
     </>
   );
+}
+
+/** The card ends its sentences, the picture's words have no end. */
+function bare(text: string): string {
+  return text.replace(/\.$/, "");
 }
 
 /** Which way to go, readable with the part in one hand. */
