@@ -35,13 +35,21 @@ async def observe(context: Context) -> None:
     ]
     if watch.broker is not None:
         works.append(watch.broker.run())
-    tasks = [asyncio.create_task(work) for work in works]
+    tasks = [asyncio.create_task(_told(work)) for work in works]
     try:
-        await asyncio.gather(*tasks)
-    finally:
+        await asyncio.wait(tasks)
+    finally:  # each is cancelled once: the broker's last words are spoken after that
         for task in tasks:
             task.cancel()
         await asyncio.wait(tasks, timeout=END_S)
+
+
+async def _told(work: Coroutine[object, object, None]) -> None:
+    """One of these works failing ends none of the others."""
+    try:
+        await work
+    except Exception:
+        log.exception("a part of the station's supervision has ended")
 
 
 async def _reports(context: Context) -> None:

@@ -1,5 +1,7 @@
 """A wall screen, several stations by a real broker, the Health page, and the station's end."""
 
+import asyncio
+import json
 import os
 import signal
 import subprocess
@@ -7,13 +9,17 @@ import sys
 import time
 import zipfile
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+import aiomqtt
 import pytest
+from jsonschema import Draft202012Validator
 from playwright.sync_api import Browser, Page, expect
 
 from app.files.recording import StripeRecord, open_recording
 from app.store.store import Store
+from app.supervise.messages import schema
 from tests.e2e.conftest import ROOT, Demo
 from tests.supervise.mosquitto import BINARY, Mosquitto
 
@@ -113,6 +119,28 @@ def test_the_health_page(admin: Page, pictures: Path) -> None:
     admin.screenshot(path=pictures / "health-2.png")
 
 
+def retained(broker: Mosquitto, kind: str) -> dict[str, object]:
+    """What the broker keeps of the station; asked for on a thread of its own, without a browser."""
+
+    async def ask() -> dict[str, object]:
+        async with aiomqtt.Client("127.0.0.1", broker.port) as client:
+            await client.subscribe(f"crenel/demonstration/{kind}")
+            message = await anext(aiter(client.messages))
+            return dict(json.loads(bytes(message.payload)))  # type: ignore[arg-type]
+
+    with ThreadPoolExecutor(1) as thread:
+        return thread.submit(lambda: asyncio.run(asyncio.wait_for(ask(), 10.0))).result()
+
+
+def test_what_the_station_publishes_is_as_the_schema_says(broker: Mosquitto, admin: Page) -> None:
+    document = json.loads(json.dumps(schema()))
+    for kind, shape in (("report", "StationReport"), ("presence", "Presence")):
+        payload = retained(broker, kind)
+        Draft202012Validator({**document, "$ref": f"#/$defs/{shape}"}).validate(payload)
+        assert payload["name"] == "Demonstration"
+    assert payload["state"] == "online"
+
+
 def test_a_browser_is_told_once_it_was_asked_to(admin: Page) -> None:
     press = admin.get_by_role("button", name="Notify me here")
     expect(press).to_be_visible()
@@ -135,7 +163,7 @@ def ask(page: Page, path: str, body: str = "{}") -> int:
 
 
 def test_it_ends_in_order_while_it_scans_and_is_watched(
-    station: Demo, admin: Page, wall: Page, pictures: Path
+    station: Demo, broker: Mosquitto, admin: Page, wall: Page, pictures: Path
 ) -> None:
     """Told to end, with live sockets and a 3D view open, a scan running and recording."""
     wall.set_viewport_size({"width": 1120, "height": 630})  # it is drawn without a graphics card
@@ -153,6 +181,7 @@ def test_it_ends_in_order_while_it_scans_and_is_watched(
     print(f"ended {took_s:.1f} s after SIGTERM")  # 5 s are allowed, on a machine that has time
     assert took_s < 10.0
     assert status in (0, 128 + signal.SIGTERM, -signal.SIGTERM)
+    assert retained(broker, "presence")["state"] == "off"
     expect(wall.get_by_text("not heard for")).to_be_visible(timeout=30_000)
     wall.screenshot(path=pictures / "supervise-3-ended.png")
     store = Store(station.data)

@@ -97,6 +97,7 @@ def test_a_station_that_is_killed_or_hangs_is_lost_within_five_seconds(broker: M
         killed.kill()
         paused.send_signal(signal.SIGSTOP)
         took_s = await watch.until(lambda: watch.state("killed") == watch.state("paused") == "lost")
+        print(f"both lost after {took_s:.1f} s")
         assert took_s < LOST_WITHIN_S
         assert watch.state("well") == "live"
         found = watch.shown("paused")
