@@ -48,6 +48,9 @@ def browser() -> Iterator[Browser]:
         running.close()
 
 
+QUIET = ("app.station.watchdog", "app.api.observer")
+
+
 class Demo:
     """``crenel demo`` in a process of its own, or another command that begins as it does."""
 
@@ -88,11 +91,12 @@ class Demo:
 
     @property
     def complaints(self) -> list[str]:
-        """What went wrong by its log; that a busy machine held it up for a moment is none."""
+        """What went wrong by its log: not what it tells the operator, as of a device that a busy
+        machine kept waiting, nor that it was held up itself for a moment."""
         found, skipping = [], False
         for line in self.errors:
             if re.match(r"\d{4}-\d\d-\d\d ", line):
-                skipping = " app.station.watchdog: " in line
+                skipping = any(f" {name}: " in line for name in QUIET)
             if not skipping:
                 found.append(line)
         return found

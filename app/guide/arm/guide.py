@@ -32,7 +32,7 @@ from app.guide.journal import Journal, Row, fold
 from app.guide.library import Library, read_library
 from app.guide.signing import UNSIGNED, Signing
 from app.guide.touching import sentence
-from app.guide.verify.guide import read_gauges
+from app.guide.verify.gauges import read_gauges
 from app.guide.view import Busy
 from app.metrology.arm import Arm
 from app.metrology.arm_model.articulation import Articulation, check_articulation

@@ -25,6 +25,7 @@ from app.guide.journal import Journal, Row, fold
 from app.guide.session_folder import CALIBRATION
 from app.guide.touching import sentence
 from app.guide.verify.flow import view_of
+from app.guide.verify.gauges import gauge_path, read_gauges
 from app.guide.verify.live import Gauges, Judged, VerifyLive
 from app.guide.verify.rules import why_not
 from app.guide.verify.state import ENDS, Cloud, VerifyState, after
@@ -383,28 +384,3 @@ class VerifyGuide:
             if cloud is not None and self.station.scanner.recording() != self.folder / cloud.name:
                 self.append("cloud_ended", {"number": cloud.number, "ended": True})
             return next((cloud for cloud in self.state.clouds if cloud.waiting), None)
-
-
-SUFFIXES = (".nominal.json", ".json")
-
-
-def read_gauges(folder: Path) -> Gauges:
-    """Reads ``*.json`` of a folder; the id is the file's name without its endings."""
-    known: dict[str, GaugeFile] = {}
-    findings: list[Finding] = []
-    for path in sorted(folder.glob("*.json")):
-        try:
-            known.setdefault(_id_of(path), read_gauge(path))
-        except Refusal as refusal:
-            line = refusal.line.replace(f"{folder}/", "")
-            findings.append(Finding("attention", line, "Correct or remove the file."))
-    return Gauges(known, tuple(findings))
-
-
-def _id_of(path: Path) -> str:
-    return next(path.name.removesuffix(end) for end in SUFFIXES if path.name.endswith(end))
-
-
-def gauge_path(folder: Path, gauge: str) -> Path:
-    """The file of a gauge by its id."""
-    return next(path for path in sorted(folder.glob("*.json")) if _id_of(path) == gauge)

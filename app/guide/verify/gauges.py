@@ -1,0 +1,32 @@
+"""The gauges of a data folder, from their papers."""
+
+from pathlib import Path
+
+from app.files.gauge import GaugeFile, read_gauge
+from app.guide.verify.live import Gauges
+from app.metrology.refusal import Refusal
+from app.station.findings import Finding
+
+SUFFIXES = (".nominal.json", ".json")
+
+
+def read_gauges(folder: Path) -> Gauges:
+    """Reads ``*.json`` of a folder; the id is the file's name without its endings."""
+    known: dict[str, GaugeFile] = {}
+    findings: list[Finding] = []
+    for path in sorted(folder.glob("*.json")):
+        try:
+            known.setdefault(_id_of(path), read_gauge(path))
+        except Refusal as refusal:
+            line = refusal.line.replace(f"{folder}/", "")
+            findings.append(Finding("attention", line, "Correct or remove the file."))
+    return Gauges(known, tuple(findings))
+
+
+def _id_of(path: Path) -> str:
+    return next(path.name.removesuffix(end) for end in SUFFIXES if path.name.endswith(end))
+
+
+def gauge_path(folder: Path, gauge: str) -> Path:
+    """The file of a gauge by its id."""
+    return next(path for path in sorted(folder.glob("*.json")) if _id_of(path) == gauge)

@@ -1,0 +1,107 @@
+"""What is drawn of a verification: touches, clouds, figures. Pure."""
+
+from dataclasses import asdict
+
+import numpy as np
+
+from app.guide.touching import sentence
+from app.guide.verify.live import VerifyLive
+from app.guide.verify.state import Cloud, VerifyState
+from app.guide.verify.view import (
+    CloudLine,
+    CloudState,
+    FigureLine,
+    TouchLine,
+    VerdictLine,
+    VerifyPicture,
+)
+from app.metrology.arm import tip_centres
+from app.metrology.deviation_map import flat_places
+from app.metrology.frames import Floats
+from app.metrology.refusal import Refusal
+from app.metrology.touched_gauge import TouchedPlane, TouchedSphere
+
+
+def picture_of(state: VerifyState, live: VerifyLive) -> VerifyPicture:
+    """The picture."""
+    verdict = live.judged.verdict if state.step == "review" else None
+    return VerifyPicture(
+        shape=live.gauge.shape if live.gauge else None,
+        radius_mm=live.gauge.radius_mm if live.gauge else None,
+        touches=_touches(state, live),
+        touch_rms_um=touch_rms_um(live),
+        scanning=state.open_cloud is not None,
+        clouds=[_cloud(state, live, cloud) for cloud in state.listed],
+        figures=[
+            FigureLine(
+                figure.name,
+                figure.title,
+                figure.unit,
+                figure.value,
+                figure.expanded_uncertainty,
+                figure.limit,
+                figure.decision,
+                figure.reason,
+                figure.clouds,
+            )
+            for figure in live.judged.figures
+        ],
+        verdict=VerdictLine(verdict.result, verdict.text) if verdict else None,
+    )
+
+
+def touch_rms_um(live: VerifyLive) -> float | None:
+    """How well the touches agree with the gauge's shape."""
+    touched = live.touched
+    return None if touched is None or isinstance(touched, Refusal) else touched.rms_mm * 1e3
+
+
+def _touches(state: VerifyState, live: VerifyLive) -> list[TouchLine]:
+    touched, counted = live.touched, state.counted
+    if live.arm is None or not isinstance(touched, TouchedPlane | TouchedSphere):
+        return [TouchLine(touch.index, None, None, None) for touch in counted]
+    tips = tip_centres(live.arm, np.array([touch.q_rad for touch in counted]))
+    places = _flat(touched, tips)
+    return [
+        TouchLine(touch.index, float(x), float(y), float(residual) * 1e3)
+        for touch, (x, y), residual in zip(counted, places, touched.residuals_mm, strict=True)
+    ]
+
+
+def _flat(touched: TouchedPlane | TouchedSphere, tips: Floats) -> Floats:
+    """(N, 2) as seen from above the gauge, about its middle."""
+    if isinstance(touched, TouchedPlane):
+        return flat_places(tips - touched.nominal.point_mm, touched.nominal.normal)
+    away = tips - touched.nominal.centre_mm
+    on_it = away / np.linalg.norm(away, axis=1)[:, None] * touched.nominal.radius_mm
+    return flat_places(on_it, np.array([0.0, 0.0, 1.0]))
+
+
+def _cloud(state: VerifyState, live: VerifyLive, cloud: Cloud) -> CloudLine:
+    fit = live.judged.fits.get(cloud.number)
+    shown: CloudState = "good"
+    text = ""
+    if cloud.voided:
+        shown = "aside"
+    elif not cloud.ended:
+        return CloudLine(cloud.number, "scanning", "", live.scan_points, 0)
+    elif cloud.refused is not None:
+        why = f": {cloud.refused['why']}" if cloud.refused["why"] else ""
+        return CloudLine(cloud.number, "refused", sentence(f"{cloud.refused['what']}{why}"), 0, 0)
+    elif fit is None:
+        return CloudLine(cloud.number, "measuring", "", 0, 0)
+    if fit is None:
+        return CloudLine(cloud.number, shown, text, 0, 0)
+    if fit.warnings:
+        text = sentence(fit.warnings[0])
+    return CloudLine(
+        cloud.number,
+        shown,
+        text,
+        fit.points,
+        fit.used,
+        fit.rms_um,
+        fit.form_um,
+        **asdict(live.judged.errors[cloud.number]),
+        map_url=f"/api/verifications/{state.session_id}/cloud/{cloud.number}/map",
+    )
