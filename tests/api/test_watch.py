@@ -80,9 +80,9 @@ def test_what_runs_is_told_step_by_step(touching: Server) -> None:
         assert isinstance(report, dict)
         return dict(report["activity"])
 
-    until(lambda: activity()["kind"] == "calibrating")
+    until(lambda: activity()["step"] == 3)
     told = activity()
-    assert told["step"] == 3
+    assert told["kind"] == "calibrating"
     assert told["steps"] == 7
     assert told["title"] == touching.flow()["title"]
 

@@ -172,7 +172,7 @@ def test_it_ends_in_order_while_it_scans_and_is_watched(
     assert ask(admin, "scan/hand", '{"on": true}') == 200
     expect(wall.get_by_text("points/s")).to_be_visible()
     expect(wall.get_by_text("laser is on")).to_be_visible()
-    wall.wait_for_timeout(3000)
+    wall.wait_for_timeout(1500)
     wall.screenshot(path=pictures / "supervise-2-scanning.png")
     began_s = time.monotonic()
     station.process.send_signal(signal.SIGTERM)
