@@ -160,7 +160,7 @@ def test_a_whole_calibration_by_the_hand(server: Server, tmp_path: Path) -> None
     assert summary["arm_serial"] == "TWIN-A1"
     home = http.get("/api/home").json()
     assert home["calibration"]["id"] == summary["id"]
-    assert home["next"]["page"] == "scan"
+    assert home["next"]["page"] == "verify"
     file = http.get(f"/api/calibrations/{summary['id']}/calibration.json")
     assert file.json() == kept
     assert_reported(http, f"/api/calibrations/{summary['id']}", folder)
