@@ -138,3 +138,17 @@ def viewers(
         print_json(asdict(found))
         return
     print_table("A scan of 60 frames a second, watched by many", COLUMNS, table(found))
+
+
+@bench.command()
+@refusing
+def faults(as_json: AsJson = False) -> None:
+    """Devices that fail in every step: how soon it is said, and whether anything is lost."""
+    from app.bench.faults import COLUMNS, run, table
+
+    with progress_bar("Failing", not as_json) as tell:
+        found = run(tell)
+    if as_json:
+        print_json({"failures": [asdict(row) for row in found]})
+        return
+    print_table("Devices that fail on the way", COLUMNS, table(found))

@@ -5,9 +5,7 @@ The station runs as it does for an operator, in a process of its own; the viewer
 """
 
 import contextlib
-import socket
 import tempfile
-import threading
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -17,9 +15,8 @@ from pathlib import Path
 import httpx
 import numpy as np
 
-from app.api.access import cookie_for
 from app.api.context import Context
-from app.bench.apart import PATIENCE_S, apart
+from app.bench.apart import GUEST, PATIENCE_S, apart, served, sign_in
 from app.bench.watching import watching
 from app.files.progress import Progress, no_progress
 from app.files.recording import StripeRecord, open_recording
@@ -68,7 +65,6 @@ class LiveBench:
 
 
 COLUMNS = ("measure", "value")
-GUEST = "Bench"
 
 
 def table(found: LiveBench) -> list[tuple[str, str]]:
@@ -234,7 +230,6 @@ def _serve(pipe: Connection, data: Path, pace: Pace) -> None:
 def serving(data: Path, pace: Pace) -> Iterator[tuple[Context, int, SwiftClock]]:
     """A station on the swift devices that serves from a thread; its port, and their clock."""
     from app.api.wiring import Parts
-    from app.main import build_app, make_server
 
     pool, clock = stripe_pictures(pace), SwiftClock()
     parts = Parts(
@@ -244,23 +239,8 @@ def serving(data: Path, pace: Pace) -> Iterator[tuple[Context, int, SwiftClock]]
         lambda: SwiftSensor(pace, clock, pool),
         guest=GUEST,
     )
-    app = build_app(parts)
-    server = make_server(app)
-    with socket.socket() as listening:
-        listening.bind(("127.0.0.1", 0))
-        listening.listen()
-        thread = threading.Thread(target=server.run, kwargs={"sockets": [listening]})
-        thread.start()
-        while not server.started:
-            time.sleep(0.05)
-        yield app.state.context, int(listening.getsockname()[1]), clock
-        server.should_exit = True
-        thread.join(15.0)
-
-
-def sign_in(station: Context, port: int) -> dict[str, str]:
-    """The header of a browser that is signed in at the station on a port."""
-    return {"Cookie": f"{cookie_for(port)}={station.store.sign_ins.begin(GUEST, 'bench')}"}
+    with served(parts) as (station, port):
+        yield station, port, clock
 
 
 def swift_calibration(pace: Pace) -> ScanCalibration:

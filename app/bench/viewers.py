@@ -19,8 +19,8 @@ import httpx
 import numpy as np
 from websockets.asyncio.client import connect
 
-from app.bench.apart import apart
-from app.bench.live import serving, sign_in, stopped, swift_calibration
+from app.bench.apart import apart, sign_in
+from app.bench.live import serving, stopped, swift_calibration
 from app.bench.watching import PROTOCOL
 from app.files.progress import Progress, no_progress
 from app.station.bus import Bus

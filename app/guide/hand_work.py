@@ -23,6 +23,9 @@ def hand_work(guide: Guide, hand: Hand, whole: bool) -> Callable[[Progress], Non
 
     def work(progress: Progress) -> None:
         try:
+            # the sensor may have been elsewhere since: a simulated arm begins at its rest
+            if guide.state.step == "capture" and not _hold(guide, hand, progress):
+                return
             while guide.hand_running:
                 step = guide.state.step
                 STEP_WORKS[step](guide, hand, progress)
@@ -99,15 +102,18 @@ def _await_point(guide: Guide, before: int, declined: int) -> bool:
         return len(guide.state.contacts) > before
 
 
-def _place(guide: Guide, hand: Hand, progress: Progress) -> None:
+def _hold(guide: Guide, hand: Hand, progress: Progress) -> bool:
+    """Brings the sensor to where the next picture is wanted; False when the hand was stopped."""
     advice = guide.live().advice
     if advice is None:
         progress("The hand holds the sensor over the object", 0.2)
-        there = hand.hold_over_object()
-    else:
-        progress(f"The hand goes to the next pose: {advice.words}", 0.2)
-        there = hand.hold_at(advice.q_rad)
-    if there:
+        return hand.hold_over_object()
+    progress(f"The hand goes to the next pose: {advice.words}", 0.2)
+    return hand.hold_at(advice.q_rad)
+
+
+def _place(guide: Guide, hand: Hand, progress: Progress) -> None:
+    if _hold(guide, hand, progress):
         progress("The hand holds still", 0.8)
         _await(guide, lambda: _ready_to_capture(guide), SENSOR_TIMEOUT_S)
         _confirm(guide, "confirm_place")

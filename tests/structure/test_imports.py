@@ -15,6 +15,7 @@ ROOMS_ALLOWED = {
     # it measures all of them, up to the whole station
     "app.bench": {
         "app.bench",
+        "app.demonstration",
         "app.main",
         "app.api",
         "app.station",

@@ -48,7 +48,7 @@ export function LogList() {
           Read again
         </PressButton>
       </div>
-      <ol className={styles.log}>
+      <ol className={styles.log} tabIndex={0} aria-label="Lines of the log">
         {lines?.map((line, i) => (
           <li key={`${line.at}${i}`} data-level={line.level}>
             <time>{timeOf(line.at)}</time>

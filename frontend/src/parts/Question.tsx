@@ -22,7 +22,15 @@ export function Question({ action, opened, onClose, onAct, no = "No, go on", fre
     await onAct(action);
   };
   return (
-    <Modal opened={opened} onClose={onClose} withCloseButton={false} centered radius="md" size="md" aria-label={action.label}>
+    <Modal
+      opened={opened}
+      onClose={onClose}
+      withCloseButton={false}
+      centered
+      radius="md"
+      size="md"
+      attributes={{ content: { "aria-label": action.label } }}
+    >
       <p className={styles.question}>{action.confirm}</p>
       <div className={styles.answers}>
         <button type="button" className={styles.no} data-autofocus onClick={onClose}>

@@ -15,7 +15,8 @@ export interface Readout {
  *  where one has no room for six. */
 export function Readouts({ readouts, wrap = false }: { readouts: Readout[]; wrap?: boolean }) {
   const row = (
-    <dl className={styles.readouts} data-wrap={wrap || undefined}>
+    // one row may be wider than its place, and scrolls by the keyboard, too
+    <dl className={styles.readouts} data-wrap={wrap || undefined} tabIndex={wrap ? undefined : 0}>
       {readouts.map(({ label, value, unit, quality, note }) => (
         <div key={label} className={styles.readout}>
           <dt>{label}</dt>

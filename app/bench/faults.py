@@ -1,0 +1,210 @@
+"""The simulated station with its devices failing in every step of a calibration and in a scan.
+
+Times are as a browser sees them: from the fault until the live connection tells of it, and
+from its end until the device is told to be there again.
+"""
+
+import contextlib
+import json
+import tempfile
+import time
+import uuid
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import httpx
+from websockets.sync.client import connect
+from websockets.sync.connection import Connection
+
+from app.bench.apart import GUEST, PATIENCE_S, served, sign_in
+from app.demonstration import parts_of
+from app.files.progress import Progress, no_progress
+from hardware.twin.faults import Faults
+from hardware.twin.station import Twin, TwinConfig
+
+View = dict[str, Any]
+POLL_S = 0.05
+CAUGHT_UP_S = 0.02
+TOUCHES = 4
+"""Done in their step before the devices fail there."""
+
+
+@dataclass(frozen=True)
+class Failure:
+    """One way to fail."""
+
+    name: str
+    device: str
+    begin: Callable[[Faults], None]
+
+
+def _unplug(faults: Faults) -> None:
+    faults.unplugged = True
+
+
+def _spoil(faults: Faults) -> None:
+    faults.corrupt_rate = faults.garbage_rate = 1.0
+
+
+def _lose_camera(faults: Faults) -> None:
+    faults.camera_lost = True
+
+
+FAILURES = (
+    Failure("arm unplugged", "arm", _unplug),
+    Failure("garbage on the arm's line", "arm", _spoil),
+    Failure("camera lost", "sensor", _lose_camera),
+)
+
+
+@dataclass(frozen=True)
+class FaultRow:
+    """What came of one failure in one step."""
+
+    step: str
+    failure: str
+    said_s: float
+    back_s: float
+    kept: bool
+    """Whether everything that was taken before was there afterwards, in the same step."""
+
+
+COLUMNS = ("step", "failure", "said after", "there again after", "what was taken")
+
+
+def table(rows: list[FaultRow]) -> list[tuple[str, ...]]:
+    return [
+        (
+            row.step,
+            row.failure,
+            f"{row.said_s:.2f} s",
+            f"{row.back_s:.2f} s",
+            "kept" if row.kept else "LOST",
+        )
+        for row in rows
+    ]
+
+
+def run(progress: Progress = no_progress) -> list[FaultRow]:
+    """Every failure in every step; ``TimeoutError`` where the station does not go on."""
+    with (
+        tempfile.TemporaryDirectory(prefix="crenel-bench-") as folder,
+        Twin(TwinConfig(pace=4.0)) as twin,
+    ):
+        parts = replace(parts_of(twin, Path(folder)), guest=GUEST)
+        with served(parts) as (station, port):
+            signed_in = sign_in(station, port)
+            with (
+                httpx.Client(
+                    base_url=f"http://127.0.0.1:{port}", headers=signed_in, timeout=30.0
+                ) as http,
+                connect(f"ws://127.0.0.1:{port}/api/live", additional_headers=signed_in) as live,
+            ):
+                return list(_walk(_Bench(http, live, twin), progress))
+
+
+def done(view: View) -> int:
+    """How much of a step is done."""
+    return int((view["progress"] or {"done": 0})["done"])
+
+
+class _Bench:
+    """The station under test, from its browser's end."""
+
+    def __init__(self, http: httpx.Client, live: Connection, twin: Twin) -> None:
+        self.http, self._live, self._twin = http, live, twin
+
+    def view(self) -> View:
+        return dict(self.http.get("/api/flow").json())
+
+    def until(self, enough: Callable[[View], bool]) -> View:
+        deadline_s = time.monotonic() + PATIENCE_S
+        while not enough(view := self.view()):
+            if time.monotonic() > deadline_s:
+                raise TimeoutError(f"the flow stays at {view['step']}")
+            time.sleep(POLL_S)
+        return view
+
+    def command(self, name: str, **args: object) -> None:
+        """As soon as the station lets it."""
+
+        def accepted(view: View) -> bool:
+            body = {"name": name, "args": args, "rev": view["rev"], "key": uuid.uuid4().hex}
+            return self.http.post("/api/flow/command", json=body).status_code == 200
+
+        self.until(accepted)
+
+    def rest(self) -> None:
+        """Ends what the hand is at."""
+        self.http.post("/api/stop").raise_for_status()
+        self.until(lambda view: view["busy"] is None)
+
+    def fail(self, step: str, taken: Callable[[], object] | None = None) -> Iterator[FaultRow]:
+        """Every failure; ``taken`` tells what must be there afterwards as before."""
+        taken = taken or self.taken
+        for failure in FAILURES:
+            before = taken()
+            self._catch_up()
+            failed_s = time.monotonic()
+            failure.begin(self._twin.faults)
+            said_s = self._told(failure.device, False) - failed_s
+            self._twin.faults.clear()
+            mended_s = time.monotonic()
+            back_s = self._told(failure.device, True) - mended_s
+            yield FaultRow(step, failure.name, said_s, back_s, before == taken())
+
+    def taken(self) -> tuple[str, int, int]:
+        """The step, and how much there is in it."""
+        view = self.view()
+        points = len(view["picture"].get("points") or ())
+        return view["step"], points, done(view)
+
+    def _catch_up(self) -> None:
+        """Takes what has come before, which tells nothing of what is to come."""
+        with contextlib.suppress(TimeoutError):
+            while True:
+                self._live.recv(timeout=CAUGHT_UP_S)
+
+    def _told(self, device: str, there: bool) -> float:
+        """When the live connection tells that a device is there, or is not."""
+        deadline_s = time.monotonic() + PATIENCE_S
+        while time.monotonic() < deadline_s:
+            message = self._live.recv(timeout=PATIENCE_S)
+            told = json.loads(message) if isinstance(message, str) else {}
+            if told.get("name") != "devices":
+                continue
+            if (told["value"][device]["state"] == "connected") is there:
+                return time.monotonic()
+        raise TimeoutError(f"nothing is told of the {device}")
+
+
+def _walk(bench: _Bench, progress: Progress) -> Iterator[FaultRow]:
+    """A calibration by the hand, and a scan with it, failing at each step."""
+    bench.http.post("/api/flow/start").raise_for_status()
+    bench.until(lambda view: bool(view["actions"][0]["enabled"]))
+    progress(0.0, "devices")
+    yield from bench.fail("devices")
+    bench.command("confirm_devices")
+    progress(0.1, "setup")
+    yield from bench.fail("setup")
+    bench.command("let_hand", all=True)
+    bench.until(lambda view: len(view["picture"].get("points") or ()) >= TOUCHES)
+    bench.rest()
+    progress(0.3, "touch")
+    yield from bench.fail("touch")
+    bench.command("let_hand", all=True)
+    bench.until(lambda view: view["step"] == "capture")
+    bench.rest()
+    progress(0.6, "capture")
+    yield from bench.fail("capture")
+    bench.command("let_hand", all=True)
+    bench.until(lambda view: view["step"] == "review" and view["busy"] is None)
+    progress(0.8, "review")
+    yield from bench.fail("review")
+    bench.command("accept")
+    bench.http.post("/api/scan/start", json={"name": "Bench"}).raise_for_status()
+    progress(0.9, "scan")
+    yield from bench.fail("scan", lambda: bench.http.get("/api/scan").json()["state"])
+    bench.http.post("/api/scan/stop").raise_for_status()

@@ -1,0 +1,14 @@
+"""Devices that fail in every step of the flow come back, and nothing that was taken is lost."""
+
+from app.bench.faults import FAILURES, run, table
+
+STEPS = ("devices", "setup", "touch", "capture", "review", "scan")
+
+
+def test_failing_devices_are_told_of_and_come_back_and_nothing_is_lost() -> None:
+    found = run()
+    assert [(row.step, row.failure) for row in found] == [
+        (step, failure.name) for step in STEPS for failure in FAILURES
+    ]
+    assert all(row.kept for row in found), table(found)
+    assert all(row.said_s > 0 and row.back_s > 0 for row in found)
