@@ -64,5 +64,9 @@ def test_a_page_is_light(browser: Browser, demo: Demo) -> None:
     page.on("response", weigh)
     page.goto(demo.link)
     page.get_by_role("link", name="Calibrate").wait_for()
+    painted_ms = page.evaluate(
+        "performance.getEntriesByName('first-contentful-paint')[0].startTime"
+    )
+    print(f"first paint after {painted_ms:.0f} ms, {sum(weights.values())} bytes")
     assert sum(weights.values()) > 10_000
     assert sum(weights.values()) < MOST_BYTES, weights
