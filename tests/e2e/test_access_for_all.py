@@ -13,6 +13,7 @@ PAGES = (
 )
 MOST_BYTES = 500_000
 """Of everything that a page's first visit loads, the 3D view aside, as sent by gzip."""
+PAINTED = "performance.getEntriesByName('first-contentful-paint')[0].startTime"
 # what is drawn in the 3D view belongs to viser
 WHERE = {"exclude": [["iframe"]]}
 
