@@ -21,10 +21,10 @@ from starlette.responses import Response
 from app.api.context import Context, TheContext
 from app.api.records import summary_of
 from app.api.watch import BUCKETS_S
+from app.guide.due import SECONDS_A_DAY
 
 router = APIRouter()
 VERDICTS = ("good", "attention", "bad")
-SECONDS_A_DAY = 86400.0
 F = TypeVar("F", GaugeMetricFamily, CounterMetricFamily)
 
 

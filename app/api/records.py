@@ -11,7 +11,16 @@ from app.api.problems import NotFound
 from app.api.schema import CalibrationSummary, Home, ScanSummary
 from app.guide.arm.guide import ArmGuide
 from app.guide.arm.view import ArmCheckSummary
-from app.guide.due import Checked, DueLimits, Known, State, next_of, tip_finding, validity_of
+from app.guide.due import (
+    Checked,
+    DueLimits,
+    Known,
+    State,
+    age_days,
+    next_of,
+    tip_finding,
+    validity_of,
+)
 from app.station.findings import Finding, Quality
 from app.store.calibrations import CalibrationRecord
 
@@ -19,7 +28,6 @@ router = APIRouter(prefix="/api")
 PASSING = ("busy", "arm-lost", "sensor-lost")
 """Why a scan cannot start now that a calibration does not mend."""
 RESULTS: dict[str, State] = {"pass": "valid", "fail": "failed", "uncertain": "unsure"}
-SECONDS_A_DAY = 86400.0
 
 
 @router.get("/home")
@@ -77,13 +85,12 @@ def _download(path: Path, media_type: str, name: str) -> Response:
 
 def summary_of(record: CalibrationRecord) -> CalibrationSummary:
     """A calibration as it is listed."""
-    accepted = datetime.fromisoformat(record.accepted_at)
-    age_days = (datetime.now(UTC) - accepted).total_seconds() / SECONDS_A_DAY
     return CalibrationSummary(
         id=record.id,
         name=record.name,
         accepted_at=record.accepted_at,
-        age_days=max(round(age_days, 2), 0.0),
+        # to the minute
+        age_days=round(age_days(record.accepted_at, datetime.now(UTC)), 3),
         total_um=record.figures.total_um,
         verdict=record.figures.verdict,
         active=record.active,
