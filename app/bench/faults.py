@@ -100,7 +100,12 @@ def run(progress: Progress = no_progress) -> list[FaultRow]:
                 httpx.Client(
                     base_url=f"http://127.0.0.1:{port}", headers=signed_in, timeout=30.0
                 ) as http,
-                connect(f"ws://127.0.0.1:{port}/api/live", additional_headers=signed_in) as live,
+                connect(
+                    f"ws://127.0.0.1:{port}/api/live",
+                    additional_headers=signed_in,
+                    # between failures nobody reads, and so nobody answers pings
+                    ping_interval=None,
+                ) as live,
             ):
                 return list(_walk(_Bench(http, live, twin), progress))
 

@@ -12,7 +12,7 @@ import httpx
 
 from tests.entering import enter
 
-PATIENCE_S = 60.0
+PATIENCE_S = 200.0
 # what the server imports is imported once, and each process begins with it
 CONTEXT = multiprocessing.get_context("forkserver")
 CONTEXT.set_forkserver_preload(["app.main", "app.demonstration", "hardware.twin.station"])

@@ -39,22 +39,23 @@ class Run:
     def view(self, flow: str) -> View:
         return dict(self.http.get(f"/api/{flow}").json())
 
+    def ask(self, flow: str, name: str, **args: object) -> bool:
+        """Gives a command on the present view; whether it was done."""
+        rev = self.view(flow)["rev"]
+        body = {"name": name, "args": args, "rev": rev, "key": uuid.uuid4().hex}
+        return self.http.post(f"/api/{flow}/command", json=body).status_code == 200
+
     def command(self, flow: str, name: str, **args: object) -> None:
         """A command that must be done; a device that has just come back may be late for it."""
         deadline = time.monotonic() + PATIENCE_S
-        while True:
-            rev = self.view(flow)["rev"]
-            body = {"name": name, "args": args, "rev": rev, "key": uuid.uuid4().hex}
-            answer = self.http.post(f"/api/{flow}/command", json=body)
-            if answer.status_code == 200:
-                return
-            assert time.monotonic() < deadline, answer.text
+        while not self.ask(flow, name, **args):
+            assert time.monotonic() < deadline, (name, self.view(flow)["findings"])
             time.sleep(0.05)
 
     def watch(self, flow: str, enough: Callable[[View], bool]) -> View:
         deadline = time.monotonic() + PATIENCE_S
         while not enough(view := self.view(flow)):
-            assert time.monotonic() < deadline, view
+            assert time.monotonic() < deadline, (view["step"], view["busy"], view["findings"])
             time.sleep(0.03)
         return view
 
@@ -115,9 +116,15 @@ def go_on(run: Run, flow: str, step: str, count: int) -> View:
     """Until so much is done in a step: by the operator in the first ones, then by the hand."""
     if step == "setup":
         run.command(flow, "confirm_devices")
-    elif not reached(run.view(flow), step, count):
-        run.command(flow, "let_hand", all=True)
-    return run.watch(flow, lambda view: reached(view, step, count))
+
+    def there(view: View) -> bool:
+        """So far by the hand, which rests where something was declined until it is let again."""
+        done = reached(view, step, count)
+        if not done and view["busy"] is None and step != "setup":
+            run.ask(flow, "let_hand", all=True)
+        return done
+
+    return run.watch(flow, there)
 
 
 def assert_resumed(before: View, after: View) -> None:
