@@ -5,11 +5,12 @@ from typing import Any
 
 import numpy as np
 
-from tests.api.conftest import Server
 
+def use_truth(server: Any, name: str) -> str:
+    """Accepts a true calibration of the server's twin under this session's name.
 
-def use_truth(server: Server, name: str) -> str:
-    """Accepts a true calibration of the server's twin under this session's name."""
+    ``server`` has the twin, the data folder and the context of one.
+    """
     truth: dict[str, Any] = json.loads(json.dumps(server.twin.truth()))
     T_cam_sensor = np.array(truth["camera"]["T_cam_sensor"])
     matrix = np.array(truth["camera"]["matrix"])

@@ -7,9 +7,11 @@ import threading
 from collections.abc import Iterator
 from multiprocessing.connection import Connection
 from pathlib import Path
+from types import SimpleNamespace
 
 import httpx
 
+from tests.api.calibrated import use_truth
 from tests.entering import enter
 
 PATIENCE_S = 200.0
@@ -18,7 +20,7 @@ CONTEXT = multiprocessing.get_context("forkserver")
 CONTEXT.set_forkserver_preload(["app.main", "app.demonstration", "hardware.twin.station"])
 
 
-def _serve(pipe: Connection, data: Path) -> None:
+def _serve(pipe: Connection, data: Path, calibrated: bool) -> None:
     """In the process: the demonstration, with a hand in a hurry."""
     from app.demonstration import parts_of
     from app.main import build_app, make_server
@@ -28,18 +30,24 @@ def _serve(pipe: Connection, data: Path) -> None:
         listening.bind(("127.0.0.1", 0))
         listening.listen()
         app = build_app(parts_of(twin, data))
+        context = app.state.context
+        if calibrated and context.store.calibrations.active() is None:
+            use_truth(SimpleNamespace(twin=twin, data=data, context=context), "truth")
         server = make_server(app)
         thread = threading.Thread(target=server.run, kwargs={"sockets": [listening]}, daemon=True)
         thread.start()
-        pipe.send((listening.getsockname()[1], app.state.context.entrance.code))
+        pipe.send((listening.getsockname()[1], context.entrance.code))
         thread.join()
 
 
 @contextlib.contextmanager
-def demonstration(data: Path) -> Iterator[tuple[httpx.Client, int]]:
-    """A client that entered, and the process's id; killed at the end if it still runs."""
+def demonstration(data: Path, calibrated: bool = False) -> Iterator[tuple[httpx.Client, int]]:
+    """A client that entered, and the process's id; killed at the end if it still runs.
+
+    ``calibrated``: a true calibration of the simulated sensor is in use from the beginning.
+    """
     ours, theirs = CONTEXT.Pipe()
-    process = CONTEXT.Process(target=_serve, args=(theirs, data), daemon=True)
+    process = CONTEXT.Process(target=_serve, args=(theirs, data, calibrated), daemon=True)
     process.start()
     assert ours.poll(PATIENCE_S)
     port, code = ours.recv()
