@@ -4,9 +4,9 @@ Times are as a browser sees them: from the fault until the live connection tells
 from its end until the device is told to be there again.
 """
 
-import contextlib
 import json
 import tempfile
+import threading
 import time
 import uuid
 from collections.abc import Callable, Iterator
@@ -26,7 +26,7 @@ from hardware.twin.station import Twin, TwinConfig
 
 View = dict[str, Any]
 POLL_S = 0.05
-CAUGHT_UP_S = 0.02
+DEVICES = ("arm", "sensor")
 TOUCHES = 4
 """Done in their step before the devices fail there."""
 
@@ -100,14 +100,10 @@ def run(progress: Progress = no_progress) -> list[FaultRow]:
                 httpx.Client(
                     base_url=f"http://127.0.0.1:{port}", headers=signed_in, timeout=30.0
                 ) as http,
-                connect(
-                    f"ws://127.0.0.1:{port}/api/live",
-                    additional_headers=signed_in,
-                    # between failures nobody reads, and so nobody answers pings
-                    ping_interval=None,
-                ) as live,
+                connect(f"ws://127.0.0.1:{port}/api/live", additional_headers=signed_in) as live,
+                _Told(live) as told,
             ):
-                return list(_walk(_Bench(http, live, twin), progress))
+                return list(_walk(_Bench(http, told, twin), progress))
 
 
 def done(view: View) -> int:
@@ -115,11 +111,56 @@ def done(view: View) -> int:
     return int((view["progress"] or {"done": 0})["done"])
 
 
+class _Told:
+    """What the live connection tells of the devices, read all the time as a browser does.
+
+    A connection that nobody reads answers no pings, and the station ends it.
+    """
+
+    def __init__(self, live: Connection) -> None:
+        self._live = live
+        self._there: dict[str, bool] = {}
+        self._changed = threading.Condition()
+        self._thread = threading.Thread(target=self._read, daemon=True)
+
+    def __enter__(self) -> "_Told":
+        self._thread.start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._live.close()
+        self._thread.join()
+
+    def _read(self) -> None:
+        for message in self._live:
+            told = json.loads(message) if isinstance(message, str) else {}
+            if told.get("name") != "devices":
+                continue
+            with self._changed:
+                self._there = {
+                    device: told["value"][device]["state"] == "connected" for device in DEVICES
+                }
+                self._changed.notify_all()
+
+    def when(self, device: str, there: bool) -> float:
+        """The monotonic time in s at which a device is told to be there, or not to be.
+
+        Raises:
+            TimeoutError: it is not told.
+        """
+        with self._changed:
+            if not self._changed.wait_for(
+                lambda: self._there.get(device) is there, timeout=PATIENCE_S
+            ):
+                raise TimeoutError(f"nothing is told of the {device}")
+            return time.monotonic()
+
+
 class _Bench:
     """The station under test, from its browser's end."""
 
-    def __init__(self, http: httpx.Client, live: Connection, twin: Twin) -> None:
-        self.http, self._live, self._twin = http, live, twin
+    def __init__(self, http: httpx.Client, told: _Told, twin: Twin) -> None:
+        self.http, self._told, self._twin = http, told, twin
 
     def view(self) -> View:
         return dict(self.http.get("/api/flow").json())
@@ -151,13 +192,13 @@ class _Bench:
         taken = taken or self.taken
         for failure in FAILURES:
             before = taken()
-            self._catch_up()
+            self._told.when(failure.device, True)
             failed_s = time.monotonic()
             failure.begin(self._twin.faults)
-            said_s = self._told(failure.device, False) - failed_s
+            said_s = self._told.when(failure.device, False) - failed_s
             self._twin.faults.clear()
             mended_s = time.monotonic()
-            back_s = self._told(failure.device, True) - mended_s
+            back_s = self._told.when(failure.device, True) - mended_s
             yield FaultRow(step, failure.name, said_s, back_s, before == taken())
 
     def taken(self) -> tuple[str, int, int]:
@@ -165,24 +206,6 @@ class _Bench:
         view = self.view()
         points = len(view["picture"].get("points") or ())
         return view["step"], points, done(view)
-
-    def _catch_up(self) -> None:
-        """Takes what has come before, which tells nothing of what is to come."""
-        with contextlib.suppress(TimeoutError):
-            while True:
-                self._live.recv(timeout=CAUGHT_UP_S)
-
-    def _told(self, device: str, there: bool) -> float:
-        """When the live connection tells that a device is there, or is not."""
-        deadline_s = time.monotonic() + PATIENCE_S
-        while time.monotonic() < deadline_s:
-            message = self._live.recv(timeout=PATIENCE_S)
-            told = json.loads(message) if isinstance(message, str) else {}
-            if told.get("name") != "devices":
-                continue
-            if (told["value"][device]["state"] == "connected") is there:
-                return time.monotonic()
-        raise TimeoutError(f"nothing is told of the {device}")
 
 
 def _walk(bench: _Bench, progress: Progress) -> Iterator[FaultRow]:
