@@ -10,11 +10,11 @@ from typing import TypeVar, cast
 from urllib.parse import urlsplit
 
 from app.api.context import Context
+from app.files.moments import utc_now
 from app.files.software import SOFTWARE
 from app.station import health
 from app.station.health import Health, HealthItem
 from app.station.host import memory, versions, writable
-from app.station.moments import utc_now
 
 T = TypeVar("T")
 DATABASE_EVERY_S = 600.0

@@ -9,9 +9,9 @@ from starlette.responses import Response
 from app.api.context import Context, TheContext
 from app.api.examining import Examiner
 from app.api.support import bundle
+from app.files.moments import utc_now
 from app.station.health import Health
 from app.station.log_book import Level, LogLine
-from app.station.moments import utc_now
 from app.store.backup import BackupMade
 
 router = APIRouter(prefix="/api")

@@ -8,8 +8,8 @@ from app.api.context import Context
 from app.api.examining import Examiner
 from app.api.reporting import report_of
 from app.api.schema import Home
+from app.files.moments import utc_now
 from app.station.bus import Event
-from app.station.moments import utc_now
 from app.supervise.messages import StationEvent
 from app.supervise.notices import kind_of
 

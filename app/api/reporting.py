@@ -4,13 +4,13 @@ import time
 
 from app.api.context import Context
 from app.api.schema import CalibrationSummary, Home
+from app.files.moments import utc_now
 from app.guide.arm.view import ArmView
 from app.guide.due import Validity
 from app.guide.verify.view import VerifyView
 from app.guide.view import FlowView
 from app.station.device_state import DeviceState
 from app.station.findings import Quality
-from app.station.moments import utc_now
 from app.supervise.messages import (
     ActivityReport,
     Alarm,

@@ -15,8 +15,8 @@ from pydantic_core import to_jsonable_python
 from app.api.context import Context
 from app.api.examining import Examiner, packages, software
 from app.api.reporting import report_of
+from app.files.moments import utc_now
 from app.metrology.refusal import Refusal
-from app.station.moments import utc_now
 from app.station.redaction import Redactor, secrets_in, secrets_of
 
 JOURNAL_ROWS = 5000

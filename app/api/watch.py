@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from app.files.moments import utc_now
 from app.metrology.refusal import Refusal
 from app.station.bus import Bus
 from app.station.health import Health
@@ -14,7 +15,6 @@ from app.station.host import WallClock
 from app.station.jobs import Jobs
 from app.station.log_book import LogBook
 from app.station.losses import LossWindow
-from app.station.moments import utc_now
 from app.station.scanner import ScanResult
 from app.station.temperature import TemperatureWatch, Thermometer
 from app.station.watchdog import LoopWatchdog

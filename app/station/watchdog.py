@@ -8,7 +8,7 @@ import time
 import traceback
 from dataclasses import dataclass, replace
 
-from app.station.moments import utc_now
+from app.files.moments import utc_now
 
 log = logging.getLogger(__name__)
 LIMIT_S = 0.25

@@ -2,7 +2,8 @@
 
 from dataclasses import dataclass
 
-from app.store.database import Database, utc_now
+from app.files.moments import utc_now
+from app.store.database import Database
 
 LONGEST = 200
 

@@ -16,9 +16,9 @@ from pathlib import Path
 
 from app.files.atomic import write_atomically
 from app.files.failures import files_refused, refusal_of
+from app.files.moments import utc_now
 from app.files.software import SOFTWARE
 from app.metrology.refusal import Refusal
-from app.store.database import utc_now
 
 DATABASE = "station.db"
 NOTE = "backup.json"

@@ -6,7 +6,8 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any, Literal
 
-from app.store.database import Database, utc_now
+from app.files.moments import utc_now
+from app.store.database import Database
 from app.store.journal import JournalRow, append_row
 
 COLUMNS = "id, session_id, name, file, accepted_at, figures, active"

@@ -8,7 +8,6 @@ import sqlite3
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
-from datetime import UTC, datetime
 from pathlib import Path
 
 from app.metrology.refusal import Refusal
@@ -124,11 +123,6 @@ CREATE INDEX temperature_in_time ON temperature (at);
 SCHEMAS = (FIRST, ACCESS, SUPERVISION, VERIFICATIONS)
 """What each version of the database adds to the one before."""
 SCHEMA_VERSION = len(SCHEMAS)
-
-
-def utc_now() -> str:
-    """The wall time for a person to read, ISO 8601 in UTC to the millisecond."""
-    return datetime.now(UTC).isoformat(timespec="milliseconds").replace("+00:00", "Z")
 
 
 class Database:

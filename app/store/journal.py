@@ -5,7 +5,8 @@ import sqlite3
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from app.store.database import Database, utc_now
+from app.files.moments import utc_now
+from app.store.database import Database
 
 
 @dataclass(frozen=True, slots=True)

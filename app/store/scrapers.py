@@ -7,7 +7,8 @@ import hashlib
 import secrets
 from dataclasses import dataclass
 
-from app.store.database import Database, utc_now
+from app.files.moments import utc_now
+from app.store.database import Database
 
 TOKEN_BYTES = 32
 

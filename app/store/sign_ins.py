@@ -9,8 +9,9 @@ import sqlite3
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
 
+from app.files.moments import utc_now
 from app.store.accounts import Role
-from app.store.database import Database, utc_now
+from app.store.database import Database
 
 IDLE = timedelta(hours=14)
 """A person's browser that was not used for so long must sign in again: longer than a shift."""

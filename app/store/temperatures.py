@@ -3,7 +3,8 @@
 from dataclasses import dataclass
 from datetime import datetime, timedelta
 
-from app.store.database import Database, utc_now
+from app.files.moments import utc_now
+from app.store.database import Database
 
 NEAR = timedelta(hours=3)
 """A reading says nothing of a time further away than this."""
