@@ -14,6 +14,7 @@ export default defineConfig({
     chunkSizeWarningLimit: 600,
   },
   server: {
+    fs: { allow: [".", "../app/strings"] },
     proxy: {
       "/api": { target: station, ws: true },
       "/viewer": { target: station, ws: true },

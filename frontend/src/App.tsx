@@ -15,12 +15,18 @@ import { ScanPage } from "./pages/ScanPage";
 import { SettingsPage } from "./pages/SettingsPage";
 import { SupervisePage } from "./pages/SupervisePage";
 import { VerifyPage } from "./pages/VerifyPage";
+import { useLanguage } from "./state/language";
 import { TITLES, usePage } from "./state/router";
 import { useLive } from "./state/store";
 
 const PAGE = { home: HomePage, calibrate: CalibratePage, verify: VerifyPage, scan: ScanPage, arm: ArmPage, records: RecordsPage, supervise: SupervisePage, health: HealthPage, settings: SettingsPage, people: PeoplePage };
 
 export function App() {
+  // all words change at once: nothing that was rendered in another language is kept
+  return <Shown key={useLanguage()} />;
+}
+
+function Shown() {
   const page = usePage();
   const Page = PAGE[page];
   const session = useLive((s) => s.session);

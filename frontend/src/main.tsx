@@ -21,6 +21,7 @@ import { createRoot } from "react-dom/client";
 import { startLive } from "./api/live";
 import { startSession } from "./api/session";
 import { App } from "./App";
+import { startLanguage } from "./state/language";
 import { unlockSound } from "./state/sounds";
 import { startTelling } from "./state/telling";
 import { theme } from "./theme";
@@ -34,6 +35,7 @@ void startSession();
 window.addEventListener("hashchange", () => void startSession());
 unlockSound();
 startTelling();
+await startLanguage();
 createRoot(root).render(
   <StrictMode>
     <MantineProvider theme={theme} defaultColorScheme="auto">
