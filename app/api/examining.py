@@ -49,16 +49,14 @@ class Examiner:
             items += [health.device(state), health.losses(state.title, window.over(*counts))]
         temperature = self._context.watch.temperature
         if temperature.there:
-            items.append(health.room(temperature.now, self._change_c(temperature.now.celsius)))
+            items.append(health.room(temperature.now, self._warmer_c()))
         return items
 
-    def _change_c(self, now_c: float | None) -> float | None:
-        """By how much it is warmer than when the station was calibrated."""
-        record = self._context.store.calibrations.active()
-        if record is None or now_c is None:
-            return None
-        then_c = self._context.store.temperatures.celsius_near(record.accepted_at)
-        return None if then_c is None else now_c - then_c
+    def _warmer_c(self) -> float | None:
+        """Than when the station was calibrated."""
+        store = self._context.store
+        record = store.calibrations.active()
+        return None if record is None else store.temperatures.change_since(record.accepted_at)
 
     def _records(self) -> list[HealthItem]:
         store, watch = self._context.store, self._context.watch
@@ -93,8 +91,9 @@ class Examiner:
     def _ahead_days(self) -> float:
         """By how much the newest record is later than now."""
         store = self._context.store
-        newest = [record.accepted_at for record in store.calibrations.all()[:1]]
-        newest += [scan.started_at for scan in store.scans.all()[:1]]
+        calibration, scan = store.calibrations.newest(), store.scans.newest()
+        newest = [calibration.accepted_at] if calibration else []
+        newest += [scan.started_at] if scan else []
         ahead = max((-_days_since(at) for at in newest), default=0.0)
         return ahead if ahead > 1 / 1440 else 0.0
 

@@ -5,9 +5,7 @@ from starlette.status import HTTP_204_NO_CONTENT
 
 from app.api.context import Context, TheContext
 from app.api.schema import Exposure, ScanStart, ScanState, Switch
-from app.guide.arm.commands import stop_hand as stop_arm_hand
-from app.guide.commands import stop_hand
-from app.guide.verify.commands import stop_hand as stop_verify_hand
+from app.guide.commanding import stop_hand
 from app.metrology.refusal import Refusal
 from app.station.rig import Devices
 
@@ -80,8 +78,7 @@ def stop_everything(context: Context) -> None:
     """In the order of danger; what was scanned is saved."""
     context.rig.sensor.laser_off()
     context.scan_hand.stop()
-    stop_hand(context.guide)
-    stop_arm_hand(context.arm_guide)
-    stop_verify_hand(context.verify_guide)
+    for guide in (context.guide, context.arm_guide, context.verify_guide):
+        stop_hand(guide)
     context.scanner.stop()
     context.rig.sensor.laser_off()

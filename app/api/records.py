@@ -127,7 +127,7 @@ def known_of(context: Context, record: CalibrationRecord | None) -> Known:
     """What the station remembers of all that must be in order."""
     store, arm_guide = context.store, context.arm_guide
     verified = store.verifications.newest_of(record.id) if record else None
-    tip, arm = next(iter(arm_guide.tip_history()), None), next(iter(arm_guide.history()), None)
+    tip, arm = arm_guide.last_tip_check(), arm_guide.last_check()
     return Known(
         calibration=None
         if record is None
@@ -135,28 +135,20 @@ def known_of(context: Context, record: CalibrationRecord | None) -> Known:
         verification=None
         if verified is None
         else Checked(verified.accepted_at, RESULTS[verified.figures.result], verified.figures.text),
-        verified_before=bool(store.verifications.all()),
+        verified_before=store.verifications.newest() is not None,
         tip=None if tip is None else Checked(tip.at, _state(tip.verdict), tip.text),
         arm=None if arm is None else Checked(arm.at, _state(arm.verdict), _of_arm(arm)),
-        warmer_c=_warmer_c(context, record),
+        warmer_c=None if record is None else store.temperatures.change_since(record.accepted_at),
     )
 
 
 def tip_of(arm_guide: ArmGuide, limits: DueLimits) -> Finding:
     """What the last check of the tip says to who is about to touch with it."""
-    tip = next(iter(arm_guide.tip_history()), None)
+    tip = arm_guide.last_tip_check()
     found = None if tip is None else Checked(tip.at, _state(tip.verdict), tip.text)
     known = Known(None, None, False, found, None, None)
     lines = validity_of(known, datetime.now(UTC), limits)
     return tip_finding(next(line for line in lines if line.id == "tip"))
-
-
-def _warmer_c(context: Context, record: CalibrationRecord | None) -> float | None:
-    now = context.store.temperatures.newest()
-    then = None if record is None else context.store.temperatures.near(record.accepted_at)
-    if now is None or then is None or now.at == then.at:
-        return None  # one reading alone tells of no change
-    return now.celsius - then.celsius
 
 
 def _state(verdict: Quality) -> State:

@@ -37,7 +37,7 @@ def expose(context: TheContext) -> StationSettings:
 @router.post("/delay/find")
 def find_delay(context: TheContext) -> StationSettings:
     """Looks for the delay between arm and camera in the last scan."""
-    scan = next(iter(context.store.scans.all()), None)
+    scan = context.store.scans.newest()
     if scan is None:
         raise Refusal(
             "no-scan",

@@ -1,31 +1,15 @@
 """What the operator can tell the flow to do; each command leaves a row in the journal."""
 
-from collections.abc import Callable, Mapping
-from typing import Protocol
+from collections.abc import Callable
 
 from app.guide import taking, works
+from app.guide.commanding import AT_ANY_REV, Args, Press, start_hand, start_job, stop_hand
 from app.guide.confirming import CONFIRMATIONS, confirm
 from app.guide.guide import Guide
 from app.guide.hand_work import hand_work
 from app.guide.state import STEPS
 from app.guide.view import FlowView
 from app.metrology.refusal import Refusal
-from app.station.jobs import Job, Progress
-
-Args = Mapping[str, object]
-AT_ANY_REV = ("stop_hand",)
-"""Stopping must not wait for a fresh view."""
-
-
-class Press(Protocol):
-    """A button of the arm going down or up."""
-
-    @property
-    def stamp_ns(self) -> int: ...
-    @property
-    def button(self) -> str: ...
-    @property
-    def pressed(self) -> bool: ...
 
 
 def command(guide: Guide, name: str, args: Args, rev: int, key: str) -> FlowView:
@@ -126,17 +110,17 @@ def _poses_changed(guide: Guide) -> None:
     guide.folder.keep_images(guide.state.pictures)
     if guide.state.step == "solve" and guide.state.advice is None:
         title = "Working out which pose would help most"
-        _job(guide, title, lambda _progress: works.keep_advice(guide))
+        start_job(guide, title, lambda _progress: works.keep_advice(guide))
 
 
 def _capture(guide: Guide, args: Args, key: str | None) -> None:
     guide.append("capture_started", {}, key)
-    _job(guide, "Taking the picture", lambda progress: works.capture(guide, progress))
+    start_job(guide, "Taking the picture", lambda progress: works.capture(guide, progress))
 
 
 def _solve(guide: Guide, args: Args, key: str | None) -> None:
     guide.append("solve_started", {}, key)
-    _job(guide, "Calibrating", lambda progress: works.calibrate(guide, progress))
+    start_job(guide, "Calibrating", lambda progress: works.calibrate(guide, progress))
 
 
 def _let_hand(guide: Guide, args: Args, key: str | None) -> None:
@@ -144,24 +128,12 @@ def _let_hand(guide: Guide, args: Args, key: str | None) -> None:
     assert hand is not None
     whole = args.get("all") is True
     guide.append("hand_started", {"all": whole}, key)
-    guide.hand_running = True
-    try:
-        _job(guide, "The hand at work", hand_work(guide, hand, whole))
-    except Refusal:
-        guide.hand_running = False
-        raise
+    start_hand(guide, hand_work(guide, hand, whole))
 
 
 def _stop_hand(guide: Guide, args: Args, key: str | None) -> None:
     stop_hand(guide)
     guide.append("hand_stopped", {}, key)
-
-
-def stop_hand(guide: Guide) -> None:
-    """Ends the hand's work early; idempotent."""
-    guide.hand_running = False
-    if guide.station.hand is not None:
-        guide.station.hand.cancel()
 
 
 def _accept(guide: Guide, args: Args, key: str | None) -> None:
@@ -198,12 +170,3 @@ ACTS: dict[str, Callable[[Guide, Args, str | None], None]] = {
     "repeat": _repeat,
     "abandon": _abandon,
 }
-
-
-def _job(guide: Guide, title: str, work: Callable[[Progress], None]) -> None:
-    def done(job: Job[None]) -> None:
-        if job.refusal is not None:
-            guide.decline(job.refusal)
-        guide.refresh()
-
-    guide.station.jobs.start(title, work, done)

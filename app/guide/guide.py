@@ -1,7 +1,5 @@
 """Walks the operator through the calibration: journal, station and view, brought together."""
 
-import secrets
-import threading
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
@@ -13,16 +11,16 @@ from app.guide.advice import Advice, remaining
 from app.guide.advice import from_payload as advice_from
 from app.guide.calibration_flow import view_of
 from app.guide.hand import Hand
-from app.guide.journal import Calibrations, Journal, fold
+from app.guide.journal import Calibrations, Journal
 from app.guide.live import ConnectedArm, ConnectedSensor, Live
 from app.guide.outcome import Outcome, from_payload
 from app.guide.permissions import why_not
 from app.guide.seen_poses import SeenPoses
+from app.guide.session import GuidedSession, new_session_id
 from app.guide.session_folder import SessionFolder
 from app.guide.sheets import CHOOSING, Sheets, best_guess
 from app.guide.signing import UNSIGNED, Signing
 from app.guide.state import ENDS, FIELDS, KINDS, CalibrationState, after
-from app.guide.touching import sentence
 from app.guide.view import Busy, CalibrationResult, FlowView
 from app.metrology.adjustment.block_start import SeenPose
 from app.metrology.adjustment.pose_advice import Hold
@@ -60,12 +58,13 @@ class Station:
     hand: Hand | None
 
 
-class Guide:
+class Guide(GuidedSession[CalibrationState, FlowView]):
     """The one calibration session of a station: its journal, and what is shown of it.
 
-    All methods may be called from any thread. ``on_closed`` is called after a
-    session was accepted or abandoned.
+    ``on_closed`` is called after a session was accepted or abandoned.
     """
+
+    station: Station
 
     def __init__(
         self,
@@ -77,38 +76,21 @@ class Guide:
         limits: Limits = LIMITS,
         signing: Signing = UNSIGNED,
     ) -> None:
-        self.station = station
+        super().__init__(station, journal, KIND, "flow", CalibrationState(), after)
         self.signing = signing
         self.limits = limits
         """What a calibration's verdict goes by."""
         self.seen_poses = SeenPoses()
         self.calibrations = calibrations
-        self.lock = threading.RLock()
-        self.changed = threading.Condition(self.lock)
-        self.hand_running = False
         self.tip: Callable[[], Finding | None] = lambda: None
         """What the last check of the tip says."""
-        self.declined = 0
-        """Counts what was asked for and declined."""
-        self._trouble: Finding | None = None
-        self._journal = journal
         self._data_folder = data_folder
         self._on_closed = on_closed
-        self._published: FlowView | None = None
-        session = journal.latest_session(KIND)
-        self.state = CalibrationState()
-        if session is not None:
-            self.state = fold(journal.rows(session.id), self.state, after)
-        self.sheets = Sheets(self._folder_of(session.id if session else "none"), limits)
+        self.sheets = Sheets(self._folder_of(self.state.session_id or "none"), limits)
         self._outcome: tuple[Mapping[str, object] | None, Outcome | None] = (None, None)
         self._captured: dict[int, tuple[Mapping[str, object], Outcome]] = {}
         self._advised: tuple[Mapping[str, object] | None, Advice | None] = (None, None)
         self._bring_station_in_line()
-
-    @property
-    def running(self) -> bool:
-        """Whether a session is open."""
-        return bool(self.state.session_id) and not self.state.ended
 
     @property
     def folder(self) -> SessionFolder:
@@ -125,15 +107,6 @@ class Guide:
         """The flow as of now."""
         with self.lock:
             return view_of(self.state, self.live())
-
-    def refresh(self) -> FlowView:
-        """Publishes the view if it changed, and returns it."""
-        with self.lock:
-            view = self.view()
-            if view != self._published:
-                self._published = view
-                self.station.bus.publish("flow", view)
-            return view
 
     def live(self) -> Live:
         """The station as the flow sees it."""
@@ -223,7 +196,7 @@ class Guide:
     def start(self) -> FlowView:
         """Begins a session; an open one is resumed instead."""
         with self.lock:
-            if not self.state.session_id or self.state.ended:
+            if not self.running:
                 self._begin("devices", None)
             return self.refresh()
 
@@ -243,8 +216,7 @@ class Guide:
             choices = best_guess(
                 library, self.state, self._connected_arm(), self._connected_sensor()
             )
-        stamp = datetime.now(UTC).strftime("%Y%m%d-%H%M%S")
-        session_id = f"{stamp}-{secrets.token_hex(2)}"
+        session_id = new_session_id()
         self.sheets = Sheets(self._folder_of(session_id), self.limits)
         self.state = CalibrationState(session_id=session_id, choices=choices)
         if step == "touch":
@@ -297,7 +269,7 @@ class Guide:
     def _bring_station_in_line(self) -> None:
         """The rig, the preview and the 3D view work with what the session chose."""
         state, station = self.state, self.station
-        if not state.session_id or state.ended:
+        if not self.running:
             station.preview.detect(None)
             return
         chosen = self.sheets.chosen(state)
@@ -314,17 +286,6 @@ class Guide:
         else:
             station.scene.clear_block()
 
-    def decline(self, refusal: Refusal) -> None:
-        """Shows why something was not done, until something is."""
-        with self.lock:
-            why = f": {refusal.why}" if refusal.why else ""
-            text = f"{refusal.what[:1].upper()}{refusal.what[1:]}{why}".rstrip(".")
-            self._trouble = Finding("attention", f"{text}.", sentence(refusal.remedy))
-            self.declined += 1
-            self.station.bus.event("refused", refusal.line, "attention")
-            self.changed.notify_all()
-            self.refresh()
-
     def refuse_unless_possible(
         self, name: str, args: Mapping[str, object], rev: int | None, by_hand: bool = False
     ) -> None:
@@ -339,7 +300,3 @@ class Guide:
             raise StaleCommand(self.view())
         if reason := why_not(self.state, live, name, args):
             raise Refusal("not-now", reason)
-
-    def knows_key(self, key: str) -> bool:
-        """Whether a command with this idempotency key has acted already."""
-        return self._journal.knows_key(key)

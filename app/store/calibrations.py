@@ -86,6 +86,10 @@ class CalibrationStore:
     def get(self, calibration_id: str) -> CalibrationRecord | None:
         return self._one("WHERE id = ?", calibration_id)
 
+    def newest(self) -> CalibrationRecord | None:
+        """The last that was accepted, in use or not."""
+        return self._one("ORDER BY accepted_at DESC, rowid DESC LIMIT 1")
+
     def all(self) -> list[CalibrationRecord]:
         """Every accepted calibration, newest first."""
         return self._read("ORDER BY accepted_at DESC, rowid DESC")

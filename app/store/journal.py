@@ -94,6 +94,14 @@ class JournalStore:
 
     def history(self, session_kind: str, kind: str) -> Sequence[JournalRow]:
         """The rows of one kind in all sessions of a kind, oldest first."""
+        return self._of_kind("ORDER BY number", session_kind, kind)
+
+    def latest(self, session_kind: str, kind: str) -> JournalRow | None:
+        """The newest row of one kind in all sessions of a kind."""
+        found = self._of_kind("ORDER BY number DESC LIMIT 1", session_kind, kind)
+        return found[0] if found else None
+
+    def _of_kind(self, clause: str, session_kind: str, kind: str) -> list[JournalRow]:
         return [
             JournalRow(
                 row["number"], row["session_id"], row["at"], kind, json.loads(row["payload"])
@@ -101,7 +109,7 @@ class JournalStore:
             for row in self._database.read(
                 "SELECT number, session_id, at, payload FROM journal"
                 " JOIN session ON session.id = journal.session_id"
-                " WHERE session.kind = ? AND journal.kind = ? ORDER BY number",
+                f" WHERE session.kind = ? AND journal.kind = ? {clause}",
                 session_kind,
                 kind,
             )

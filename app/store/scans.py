@@ -58,6 +58,11 @@ class ScanStore:
         found = self._read("WHERE id = ?", scan_id)
         return found[0] if found else None
 
+    def newest(self) -> ScanRecord | None:
+        """The last that was begun."""
+        found = self._read("ORDER BY started_at DESC, rowid DESC LIMIT 1")
+        return found[0] if found else None
+
     def all(self) -> list[ScanRecord]:
         """Every scan, newest first."""
         return self._read("ORDER BY started_at DESC, rowid DESC")

@@ -43,6 +43,13 @@ class TemperatureStore:
         best = min(found, key=lambda pair: pair[0], default=None)
         return best[1] if best is not None and best[0] <= NEAR else None
 
+    def change_since(self, at: str) -> float | None:
+        """By how many °C it is warmer now; None where one of the two times is not known."""
+        now, then = self.newest(), self.near(at)
+        if now is None or then is None or now.at == then.at:
+            return None  # one reading alone tells of no change
+        return now.celsius - then.celsius
+
     def celsius_near(self, at: str) -> float | None:
         """The temperature at a time, where it is known."""
         reading = self.near(at)

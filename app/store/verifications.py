@@ -88,6 +88,11 @@ class VerificationStore:
         )
         return found[0] if found else None
 
+    def newest(self) -> VerificationRecord | None:
+        """The last of all."""
+        found = self._read("ORDER BY accepted_at DESC, rowid DESC LIMIT 1")
+        return found[0] if found else None
+
     def all(self) -> list[VerificationRecord]:
         """Every accepted verification, newest first."""
         return self._read("ORDER BY accepted_at DESC, rowid DESC")

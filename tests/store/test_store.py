@@ -34,6 +34,8 @@ def test_a_journal_comes_back_in_order_after_reopening(tmp_path: Path) -> None:
     again = Store(tmp_path)
     assert again.journal.rows("s1") == [first, second]
     assert again.journal.last_number() == second.number > first.number
+    assert again.journal.latest("calibration", "point_taken") == first
+    assert again.journal.latest("verification", "point_taken") is None
     assert again.journal.latest_session("calibration") is not None
     assert again.journal.latest_session("verification") is None
     again.close()
@@ -119,6 +121,7 @@ def test_scans_are_listed_newest_first(tmp_path: Path) -> None:
     for scan in scans:
         store.scans.add(scan)
     assert store.scans.all() == scans[::-1]
+    assert store.scans.newest() == scans[1]
     assert store.scans.get("n0") == scans[0]
     assert store.scans.get("n9") is None
     store.close()

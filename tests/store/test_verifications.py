@@ -47,6 +47,7 @@ def test_the_newest_verification_of_a_calibration_is_found_again(tmp_path: Path)
     assert newest is not None
     assert (newest.id, newest.folder) == ("v2", again.folder / "verifications/v2")
     assert [record.id for record in again.verifications.all()] == ["v2", "v1"]
+    assert again.verifications.newest() == newest
     session = again.journal.latest_session("verify")
     assert session is not None
     assert session.ended_at is not None
@@ -81,6 +82,8 @@ def test_a_temperature_counts_only_near_its_time(
     assert newest is not None
     assert newest.celsius == 21.5
     assert store.temperatures.near("2026-11-21T14:00:00Z") is None
+    assert store.temperatures.change_since("2026-11-21T08:00:00Z") == 1.5
+    assert store.temperatures.change_since("2026-11-21T09:30:00Z") is None, "one reading alone"
     store.close()
 
 

@@ -1,28 +1,13 @@
 """What the operator can tell an arm session to do; each command leaves a row in the journal."""
 
-from collections.abc import Callable, Mapping
-from typing import Protocol
+from collections.abc import Callable
 
 from app.guide.arm import works
 from app.guide.arm.guide import ArmGuide
 from app.guide.arm.hand_work import hand_work
 from app.guide.arm.view import ArmView
+from app.guide.commanding import AT_ANY_REV, Args, Press, start_hand, start_job, stop_hand
 from app.metrology.refusal import Refusal
-from app.station.jobs import Job, Progress
-
-Args = Mapping[str, object]
-AT_ANY_REV = ("stop_hand",)
-
-
-class Press(Protocol):
-    """A button of the arm going down or up."""
-
-    @property
-    def stamp_ns(self) -> int: ...
-    @property
-    def button(self) -> str: ...
-    @property
-    def pressed(self) -> bool: ...
 
 
 def command(guide: ArmGuide, name: str, args: Args, rev: int, key: str) -> ArmView:
@@ -60,27 +45,19 @@ def press(guide: ArmGuide, event: Press) -> None:
         guide.refresh()
 
 
-def stop_hand(guide: ArmGuide) -> None:
-    """Ends the hand's work early; idempotent."""
-    if guide.hand_running and guide.station.hand is not None:
-        guide.hand_running = False
-        guide.station.hand.cancel()
-
-
 def _fit(guide: ArmGuide, args: Args, key: str | None) -> None:
-    _job(guide, "Identifying the arm", lambda progress: works.fit(guide, progress))
+    start_job(
+        guide,
+        "Identifying the arm",
+        lambda progress: works.fit(guide, progress),
+    )
 
 
 def _let_hand(guide: ArmGuide, args: Args, key: str | None) -> None:
     hand = guide.station.hand
     assert hand is not None
     guide.append("hand_started", {}, key)
-    guide.hand_running = True
-    try:
-        _job(guide, "The hand at work", hand_work(guide, hand))
-    except Refusal:
-        guide.hand_running = False
-        raise
+    start_hand(guide, hand_work(guide, hand))
 
 
 def _drop(guide: ArmGuide, args: Args, key: str | None) -> None:
@@ -118,12 +95,3 @@ def _again(guide: ArmGuide, key: str | None) -> None:
     purpose = guide.state.purpose
     guide.append("ended", {})
     guide.begin(purpose, key)
-
-
-def _job(guide: ArmGuide, title: str, work: Callable[[Progress], None]) -> None:
-    def done(job: Job[None]) -> None:
-        if job.refusal is not None:
-            guide.decline(job.refusal)
-        guide.refresh()
-
-    guide.station.jobs.start(title, work, done)

@@ -1,7 +1,5 @@
 """The one arm session of a station: its journal, its points, and what is shown of it."""
 
-import secrets
-import threading
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
@@ -28,10 +26,10 @@ from app.guide.arm.state import POINTS, ArmState, Artefact, Purpose, after
 from app.guide.arm.tip import LIMIT_UM, finding_of, to_payload
 from app.guide.arm.view import ArmCheckSummary, ArmView, TipCheckSummary
 from app.guide.hand import Hand
-from app.guide.journal import Journal, Row, fold
+from app.guide.journal import Journal, Row
 from app.guide.library import Library, read_library
+from app.guide.session import GuidedSession, new_session_id
 from app.guide.signing import UNSIGNED, Signing
-from app.guide.touching import sentence
 from app.guide.verify.gauges import read_gauges
 from app.guide.view import Busy
 from app.metrology.arm import Arm
@@ -40,7 +38,7 @@ from app.metrology.arm_model.observations import Bar, Observations, Seat, Sphere
 from app.metrology.refusal import Refusal
 from app.metrology.tip_check import check_tip
 from app.station.bus import Bus
-from app.station.findings import Finding, Quality
+from app.station.findings import Quality
 from app.station.jobs import Jobs
 from app.station.rig import Rig
 
@@ -54,6 +52,7 @@ class ArmJournal(Journal, Protocol):
     """A journal whose rows can be read over all sessions of a kind."""
 
     def history(self, session_kind: str, kind: str) -> Sequence[Row]: ...
+    def latest(self, session_kind: str, kind: str) -> Row | None: ...
 
 
 @dataclass(frozen=True)
@@ -66,8 +65,10 @@ class ArmStation:
     hand: Hand | None
 
 
-class ArmGuide:
-    """All methods may be called from any thread."""
+class ArmGuide(GuidedSession[ArmState, ArmView]):
+    """The latest check, tip check or identification."""
+
+    station: ArmStation
 
     def __init__(
         self,
@@ -76,27 +77,14 @@ class ArmGuide:
         data_folder: Path,
         signing: Signing = UNSIGNED,
     ) -> None:
-        self.station = station
+        super().__init__(station, journal, KIND, "arm", ArmState(), after)
         self.signing = signing
-        self.lock = threading.RLock()
-        self.hand_running = False
         self.data_folder = data_folder
-        self._journal = journal
-        self._trouble: Finding | None = None
+        self._past = journal
         self._left_mm: float | None = None
         self._seen_ns = 0
-        self._published: ArmView | None = None
         self._library: tuple[float, Library] | None = None
         self._own: tuple[str, Arm | None] = ("", None)
-        self.state = ArmState()
-        session = journal.latest_session(KIND)
-        if session is not None:
-            self.state = fold(journal.rows(session.id), self.state, after)
-
-    @property
-    def running(self) -> bool:
-        """Whether a session is open."""
-        return bool(self.state.session_id) and not self.state.ended
 
     @property
     def folder(self) -> Path:
@@ -114,11 +102,7 @@ class ArmGuide:
         """Takes the points that have come, and publishes the view if it changed."""
         with self.lock:
             self._take_points()
-            view = self.view()
-            if view != self._published:
-                self._published = view
-                self.station.bus.publish("arm", view)
-            return view
+            return super().refresh()
 
     def live(self) -> ArmLive:
         """The station as the session sees it."""
@@ -159,12 +143,22 @@ class ArmGuide:
 
     def history(self) -> list[ArmCheckSummary]:
         """Every check that was finished, newest first."""
-        rows = self._journal.history(KIND, "checked")
+        rows = self._past.history(KIND, "checked")
         return [_summary(row) for row in reversed(rows)]
+
+    def last_check(self) -> ArmCheckSummary | None:
+        """The newest check that was finished."""
+        row = self._past.latest(KIND, "checked")
+        return None if row is None else _summary(row)
+
+    def last_tip_check(self) -> TipCheckSummary | None:
+        """The newest check of the tip that was finished."""
+        row = self._past.latest(KIND, "tip_checked")
+        return None if row is None else _tip_summary(row)
 
     def tip_history(self) -> list[TipCheckSummary]:
         """Every check of the tip that was finished, newest first."""
-        rows = self._journal.history(KIND, "tip_checked")
+        rows = self._past.history(KIND, "tip_checked")
         return [_tip_summary(row) for row in reversed(rows)]
 
     # -- sessions ------------------------------------------------------------
@@ -178,8 +172,7 @@ class ArmGuide:
 
     def begin(self, purpose: Purpose, key: str | None) -> None:
         """A new session with the last one's limit, and the connected arm's sheet."""
-        stamp = datetime.now(UTC).strftime("%Y%m%d-%H%M%S")
-        session_id = f"{stamp}-{secrets.token_hex(2)}"
+        session_id = new_session_id()
         payload = {
             "purpose": purpose,
             "arm": self._best_guess(),
@@ -197,9 +190,9 @@ class ArmGuide:
         if self.state.purpose == purpose and self.state.session_id:
             return self.state.limit_um
         kind = "tip_checked" if purpose == "tip" else "checked"
-        rows = self._journal.history(KIND, kind)
-        if rows:
-            last = rows[-1].payload["limit_um"]
+        row = self._past.latest(KIND, kind)
+        if row is not None:
+            last = row.payload["limit_um"]
             return last if isinstance(last, float | int) else None
         return LIMIT_UM if purpose == "tip" else None
 
@@ -208,9 +201,9 @@ class ArmGuide:
         hand = self.station.hand
         if hand is not None:
             return Artefact("sphere", hand.ball_mm)
-        rows = self._journal.history(KIND, "tip_checked")
-        if rows and isinstance(rows[-1].payload.get("sphere"), dict):
-            return Artefact(**rows[-1].payload["sphere"])  # type: ignore[arg-type]  # as written
+        row = self._past.latest(KIND, "tip_checked")
+        if row is not None and isinstance(row.payload.get("sphere"), dict):
+            return Artefact(**row.payload["sphere"])  # type: ignore[arg-type]  # as written
         spheres = [
             gauge
             for gauge in read_gauges(self.data_folder / "gauges").known.values()
@@ -243,10 +236,6 @@ class ArmGuide:
             if kind == "ended":
                 self._journal.end_session(self.state.session_id)
 
-    def knows_key(self, key: str) -> bool:
-        """Whether a command with this idempotency key has acted already."""
-        return self._journal.knows_key(key)
-
     def refuse_unless_possible(
         self, name: str, args: Mapping[str, object], rev: int | None, by_hand: bool = False
     ) -> None:
@@ -262,14 +251,6 @@ class ArmGuide:
             )
         if reason := why_not(self.state, live, name, args):
             raise Refusal("not-now", reason)
-
-    def decline(self, refusal: Refusal) -> None:
-        """Shows why something was not done, until something is."""
-        with self.lock:
-            why = f": {refusal.why}" if refusal.why else ""
-            text = sentence(f"{refusal.what}{why}")
-            self._trouble = Finding("attention", text, sentence(refusal.remedy))
-            self.station.bus.event("refused", refusal.line, "attention")
 
     # -- seats ---------------------------------------------------------------
 

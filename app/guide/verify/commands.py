@@ -1,9 +1,9 @@
 """What the operator can tell a verification to do; each command leaves a row in the journal."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Protocol
 
+from app.guide.commanding import AT_ANY_REV, Args, Press, start_hand, start_job, stop_hand
 from app.guide.verify import works
 from app.guide.verify.guide import VerifyGuide
 from app.guide.verify.hand_work import hand_work
@@ -11,21 +11,7 @@ from app.guide.verify.state import STEPS, Cloud
 from app.guide.verify.view import VerifyView
 from app.guide.verify.works import Temperatures
 from app.metrology.refusal import Refusal
-from app.station.jobs import Job, Progress
-
-Args = Mapping[str, object]
-AT_ANY_REV = ("stop_hand",)
-
-
-class Press(Protocol):
-    """A button of the arm going down or up."""
-
-    @property
-    def stamp_ns(self) -> int: ...
-    @property
-    def button(self) -> str: ...
-    @property
-    def pressed(self) -> bool: ...
+from app.station.jobs import Progress
 
 
 @dataclass(frozen=True)
@@ -92,13 +78,6 @@ def press(guide: VerifyGuide, event: Press) -> None:
         guide.refresh()
 
 
-def stop_hand(guide: VerifyGuide) -> None:
-    """Ends the hand's work early; idempotent."""
-    if guide.hand_running and guide.station.hand is not None:
-        guide.hand_running = False
-        guide.station.hand.cancel()
-
-
 def measure_waiting(guide: VerifyGuide) -> None:
     """Measures a cloud that waits for it, as after a restart, unless something is at work."""
     if guide.station.jobs.current is not None:
@@ -133,12 +112,12 @@ def _measure(guide: VerifyGuide, cloud: Cloud) -> None:
         progress("Writing the cloud", 0.1)
         works.measure(guide, cloud, works.end_scan(guide), progress)
 
-    _job(guide, "Measuring the cloud", work)
+    start_job(guide, "Measuring the cloud", work)
 
 
 def _drop_cloud(guide: VerifyGuide, told: Told) -> None:
     works.end_cloud(guide, "cloud_voided", told.key)
-    _job(guide, "Dropping the cloud", lambda progress: (works.end_scan(guide), None)[1])
+    start_job(guide, "Dropping the cloud", lambda _progress: works.drop_scan(guide))
 
 
 def _with_number(kind: str, voided: bool) -> "Act":
@@ -173,12 +152,7 @@ def _let_hand(guide: VerifyGuide, told: Told) -> None:
     assert hand is not None
     whole = told.args.get("all") is True
     guide.append("hand_started", {"all": whole}, told.key)
-    guide.hand_running = True
-    try:
-        _job(guide, "The hand at work", hand_work(guide, hand, whole))
-    except Refusal:
-        guide.hand_running = False
-        raise
+    start_hand(guide, hand_work(guide, hand, whole))
 
 
 def _stop_hand(guide: VerifyGuide, told: Told) -> None:
@@ -211,12 +185,3 @@ ACTS: dict[str, Act] = {
     "abandon": _just("abandoned"),
     "again": _again,
 }
-
-
-def _job(guide: VerifyGuide, title: str, work: Callable[[Progress], None]) -> None:
-    def done(job: Job[None]) -> None:
-        if job.refusal is not None:
-            guide.decline(job.refusal)
-        guide.refresh()
-
-    guide.station.jobs.start(title, work, done)

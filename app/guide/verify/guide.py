@@ -1,11 +1,8 @@
 """The one verification session of a station: its journal, its clouds, and what is shown of it."""
 
-import secrets
-import threading
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from datetime import UTC, datetime
 from pathlib import Path
 from typing import Protocol
 
@@ -21,7 +18,8 @@ from app.files.session import ARM, Contacts, write_contacts
 from app.files.verification import GAUGE, TOUCHES
 from app.files.verification_figures import Touched, errors_of, figures_of, verdict_of
 from app.guide.hand import Hand
-from app.guide.journal import Journal, Row, fold
+from app.guide.journal import Journal, Row
+from app.guide.session import GuidedSession, new_session_id
 from app.guide.session_folder import CALIBRATION
 from app.guide.touching import sentence
 from app.guide.verify.flow import view_of
@@ -35,7 +33,6 @@ from app.metrology.arm import Arm, tip_centres
 from app.metrology.refusal import Refusal
 from app.metrology.touched_gauge import touched_plane, touched_sphere
 from app.station.bus import Bus
-from app.station.findings import Finding
 from app.station.jobs import Jobs
 from app.station.rig import Rig
 from app.station.scanner import Scanner
@@ -92,8 +89,10 @@ class Verifications(Protocol):
     ) -> Row: ...
 
 
-class VerifyGuide:
-    """All methods may be called from any thread."""
+class VerifyGuide(GuidedSession[VerifyState, VerifyView]):
+    """The latest verification."""
+
+    station: VerifyStation
 
     def __init__(
         self,
@@ -104,16 +103,9 @@ class VerifyGuide:
         data_folder: Path,
         limits: VerificationLimits = DEFAULT_LIMITS,
     ) -> None:
-        self.station = station
+        super().__init__(station, journal, KIND, "verify", VerifyState(), after)
         self.calibrations, self.verifications = calibrations, verifications
-        self.lock = threading.RLock()
-        self.changed = threading.Condition(self.lock)
-        self.hand_running = False
-        self.declined = 0
-        """Counts what was asked for and declined."""
-        self._journal, self._data_folder, self._limits = journal, data_folder, limits
-        self._trouble: Finding | None = None
-        self._published: VerifyView | None = None
+        self._data_folder, self._limits = data_folder, limits
         self._gauges: tuple[float, Gauges] | None = None
         self._own: tuple[str, GaugeFile | None, Arm | None] = ("", None, None)
         self._judged: tuple[VerifyState | None, Touched | Refusal | None, Judged] = (
@@ -121,15 +113,6 @@ class VerifyGuide:
             None,
             Judged({}, {}, (), None),
         )
-        self.state = VerifyState()
-        session = journal.latest_session(KIND)
-        if session is not None:
-            self.state = fold(journal.rows(session.id), self.state, after)
-
-    @property
-    def running(self) -> bool:
-        """Whether a session is open."""
-        return bool(self.state.session_id) and not self.state.ended
 
     @property
     def folder(self) -> Path:
@@ -142,15 +125,6 @@ class VerifyGuide:
         """The session as of now."""
         with self.lock:
             return view_of(self.state, self.live())
-
-    def refresh(self) -> VerifyView:
-        """Publishes the view if it changed."""
-        with self.lock:
-            view = self.view()
-            if view != self._published:
-                self._published = view
-                self.station.bus.publish("verify", view)
-            return view
 
     def live(self) -> VerifyLive:
         """The station as the session sees it."""
@@ -265,8 +239,7 @@ class VerifyGuide:
                 "no calibration is in use yet",
                 "Calibrate first",
             )
-        stamp = datetime.now(UTC).strftime("%Y%m%d-%H%M%S")
-        session_id = f"{stamp}-{secrets.token_hex(2)}"
+        session_id = new_session_id()
         known = self.gauges().known
         gauge = self.state.gauge if self.state.gauge in known else next(iter(known), "")
         self.state = VerifyState(session_id=session_id)
@@ -305,10 +278,6 @@ class VerifyGuide:
         self._trouble = None
         self.changed.notify_all()
 
-    def knows_key(self, key: str) -> bool:
-        """Whether a command with this idempotency key has acted already."""
-        return self._journal.knows_key(key)
-
     def refuse_unless_possible(
         self, name: str, args: Mapping[str, object], rev: int | None, by_hand: bool = False
     ) -> None:
@@ -324,17 +293,6 @@ class VerifyGuide:
             )
         if reason := why_not(self.state, live, name, args):
             raise Refusal("not-now", reason)
-
-    def decline(self, refusal: Refusal) -> None:
-        """Shows why something was not done, until something is."""
-        with self.lock:
-            why = f": {refusal.why}" if refusal.why else ""
-            text = sentence(f"{refusal.what}{why}")
-            self._trouble = Finding("attention", text, sentence(refusal.remedy))
-            self.declined += 1
-            self.station.bus.event("refused", refusal.line, "attention")
-            self.changed.notify_all()
-            self.refresh()
 
     def touch(self, until_ns: int | None, key: str | None) -> None:
         """Takes the place that the tip touches, or touched at ``until_ns``.

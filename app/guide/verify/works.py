@@ -68,6 +68,11 @@ def end_scan(guide: VerifyGuide) -> float:
     return result.seconds if result is not None else 0.0
 
 
+def drop_scan(guide: VerifyGuide) -> None:
+    """Stops the scan of a cloud that is not wanted."""
+    end_scan(guide)
+
+
 def measure(guide: VerifyGuide, cloud: Cloud, seconds: float, progress: Progress) -> None:
     """Rebuilds a cloud from its recording and fits the gauge to it; a refusal is kept, too."""
     progress(f"Measuring cloud {cloud.number}", 0.5)

@@ -1,0 +1,51 @@
+"""What the commands of every guided session share: buttons, jobs, and the hand."""
+
+from collections.abc import Callable, Mapping
+from typing import Any, Protocol
+
+from app.guide.session import GuidedSession
+from app.metrology.refusal import Refusal
+from app.station.jobs import Job, Progress
+
+Args = Mapping[str, object]
+AT_ANY_REV = ("stop_hand",)
+"""Stopping must not wait for a fresh view."""
+
+
+class Press(Protocol):
+    """A button of the arm going down or up."""
+
+    @property
+    def stamp_ns(self) -> int: ...
+    @property
+    def button(self) -> str: ...
+    @property
+    def pressed(self) -> bool: ...
+
+
+def start_job(guide: GuidedSession[Any, Any], title: str, work: Callable[[Progress], None]) -> None:
+    """Starts a session's work in the background; why it failed is shown in the session."""
+
+    def done(job: Job[None]) -> None:
+        if job.refusal is not None:
+            guide.decline(job.refusal)
+        guide.refresh()
+
+    guide.station.jobs.start(title, work, done)
+
+
+def start_hand(guide: GuidedSession[Any, Any], work: Callable[[Progress], None]) -> None:
+    """Sets the hand to work; raises ``Refusal`` while another job runs."""
+    guide.hand_running = True
+    try:
+        start_job(guide, "The hand at work", work)
+    except Refusal:
+        guide.hand_running = False
+        raise
+
+
+def stop_hand(guide: GuidedSession[Any, Any]) -> None:
+    """Ends the hand's work of this session early; idempotent."""
+    if guide.hand_running and guide.station.hand is not None:
+        guide.hand_running = False
+        guide.station.hand.cancel()
