@@ -1,0 +1,221 @@
+"""Collects the words that the code says to people, for translators: the keys of the files here.
+
+The English sentence is the key, where an f-string's fields are places in braces. Of Python what
+is no docstring, no log line, no statement of a database and no name of the program's own is
+taken; of TypeScript what is given to ``t``, ``counted`` and ``words``.
+"""
+
+import ast
+import re
+from collections.abc import Iterator
+from itertools import islice, product
+from pathlib import Path
+
+from app.strings.words import WORDS
+
+ROOT = Path(__file__).resolve().parents[2]
+ROOMS = (
+    *(f"app/{room}" for room in ("api", "files", "guide", "metrology", "report", "station")),
+    *("app/store", "app/supervise", "hardware"),
+)
+SILENT = (
+    *("app/api/rights.py", "app/api/metrics.py", "app/api/wiring.py"),
+    *("app/files/cloud_pcd.py", "hardware/arm/protocol.py", "hardware/twin"),
+)
+"""Files of these rooms whose words are for machines."""
+MOST_FORMS = 16
+"""Of one f-string with choices in it."""
+
+_LETTERS = re.compile(r"[^\W\d_]{2}")
+_PROGRAM = re.compile(
+    r"[<>\\_@#$]|::|\w=|\.\w{2,4}$|://|^/|[A-Z]+ (TABLE|INTO|FROM|OR|INDEX|BY)\b|[;:]$"
+    r"|^\W*(SELECT|INSERT|UPDATE|DELETE|PRAGMA|CREATE|BEGIN|ALTER)\b|^\w+/|charset|must-reval"
+    r"|repeat\(|^(VERSION|FIELDS|SIZE|TYPE|COUNT|WIDTH|HEIGHT|VIEWPOINT|POINTS|DATA)\b"
+    r"|^(element|property) |-src |max-age|no-store"
+)
+_SENTENCE = re.compile(r"^(?:.*[^\W\d_]{2}.* .*|.* .*[^\W\d_]{2}.*|[A-Z][a-zäöü]+[.:]?)$", re.S)
+_PLACE = re.compile(r"\{\w+\}")
+_QUIET_CALLS = re.compile(r"^(log|logger|logging|re|warnings|struct|np|numpy|cv2|os|mimetypes)$")
+_QUIET_FUNCTIONS = frozenset(
+    ("execute", "executemany", "executescript", "getattr", "encode", "replace", "split", "strip")
+    + ("removeprefix", "removesuffix", "startswith", "endswith", "TypeVar", "Path", "compile")
+    + (
+        "Field",
+        "kernel",
+        "strftime",
+        "astype",
+        "getLogger",
+        "import_module",
+        "AssertionError",
+        "cast",
+    )
+    + ("joinpath", "setdefault", "Literal", "Query", "NewType", "partition", "rpartition")
+)
+_QUIET_KEYWORDS = frozenset(("description", "name", "pattern", "dtype", "tags", "alias", "mode"))
+
+
+def collected(root: Path = ROOT) -> list[str]:
+    """Every text, sorted."""
+    found: set[str] = set()
+    for room in ROOMS:
+        for path in sorted((root / room).rglob("*.py")):
+            if not path.relative_to(root).as_posix().startswith(SILENT):
+                found.update(of_python(path.read_text(encoding="utf-8")))
+    found.update(WORDS)
+    for path in sorted((root / "frontend" / "src").rglob("*.ts*")):
+        found.update(of_typescript(path.read_text(encoding="utf-8")))
+    return sorted(found)
+
+
+def of_python(source: str) -> Iterator[str]:
+    """What one module says."""
+    speech = _Speech()
+    speech.visit(ast.parse(source))
+    yield from (text for text in speech.found if is_said(text))
+
+
+def is_said(text: str) -> bool:
+    """Whether it is for people: words beside the places, and not the program's own."""
+    rest = _PLACE.sub("", text)
+    if not _LETTERS.search(rest) or _PROGRAM.search(rest):
+        return False
+    return bool(_SENTENCE.match(text)) and text == text.strip()
+
+
+class _Speech(ast.NodeVisitor):
+    def __init__(self) -> None:
+        self.found: list[str] = []
+
+    def visit_Expr(self, node: ast.Expr) -> None:
+        if not isinstance(node.value, ast.Constant):  # a docstring
+            self.generic_visit(node)
+
+    def visit_Constant(self, node: ast.Constant) -> None:
+        if isinstance(node.value, str):
+            self.found.append(node.value)
+
+    def visit_JoinedStr(self, node: ast.JoinedStr) -> None:
+        self.found.extend(forms_of(node))
+        for part in node.values:
+            if isinstance(part, ast.FormattedValue):
+                # the words that are chosen between are part of the forms
+                for value in _choices(part.value):
+                    if not isinstance(value, str):
+                        self.visit(value)
+
+    def visit_IfExp(self, node: ast.IfExp) -> None:
+        for part in (node.body, node.orelse):
+            self.visit(part)
+
+    def visit_Dict(self, node: ast.Dict) -> None:
+        for value in node.values:
+            self.visit(value)
+
+    def visit_Compare(self, node: ast.Compare) -> None:
+        pass
+
+    def visit_Assert(self, node: ast.Assert) -> None:
+        pass
+
+    def visit_Subscript(self, node: ast.Subscript) -> None:
+        self.visit(node.value)
+
+    def visit_AnnAssign(self, node: ast.AnnAssign) -> None:
+        if node.value is not None:
+            self.visit(node.value)
+
+    def visit_FunctionDef(self, node: ast.FunctionDef) -> None:
+        for value in (*node.args.defaults, *node.args.kw_defaults, *node.body):
+            if value is not None:
+                self.visit(value)
+
+    def visit_arg(self, node: ast.arg) -> None:
+        pass
+
+    def visit_Call(self, node: ast.Call) -> None:
+        function = node.func
+        if isinstance(function, ast.Attribute):
+            owner = function.value
+            if isinstance(owner, ast.Name) and _QUIET_CALLS.match(owner.id):
+                return
+            self.visit(owner)
+        name = function.attr if isinstance(function, ast.Attribute) else ""
+        name = function.id if isinstance(function, ast.Name) else name
+        if name in _QUIET_FUNCTIONS:
+            return
+        for argument in node.args:
+            self.visit(argument)
+        for keyword in node.keywords:
+            if keyword.arg not in _QUIET_KEYWORDS:
+                self.visit(keyword.value)
+
+
+def forms_of(node: ast.JoinedStr) -> Iterator[str]:
+    """The templates of an f-string: one for each of the choices between fixed words in it."""
+    parts = [_part(part) for part in node.values]
+    for chosen in islice(product(*parts), MOST_FORMS):
+        names: dict[str, int] = {}
+        text = ""
+        for part in chosen:
+            if isinstance(part, str):
+                text += part
+                continue
+            name = name_of(part)
+            names[name] = names.get(name, 0) + 1
+            text += f"{{{name}{names[name] if names[name] > 1 else ''}}}"
+        yield text
+
+
+def _part(part: ast.expr) -> list[str | ast.expr]:
+    if isinstance(part, ast.Constant):
+        return [str(part.value).replace("{", "").replace("}", "")]
+    assert isinstance(part, ast.FormattedValue)
+    return list(_choices(part.value))
+
+
+def _choices(value: ast.expr) -> Iterator[str | ast.expr]:
+    if isinstance(value, ast.IfExp) and (_fixed(value.body) or _fixed(value.orelse)):
+        yield from _choices(value.body)
+        yield from _choices(value.orelse)
+    elif isinstance(value, ast.Constant) and isinstance(value.value, str):
+        yield value.value
+    else:
+        yield value
+
+
+def _fixed(value: ast.expr) -> bool:
+    return isinstance(value, ast.Constant) and isinstance(value.value, str)
+
+
+def name_of(value: ast.expr) -> str:
+    """What a place is called: after the expression, where that has a name."""
+    match value:
+        case ast.Name():
+            return value.id
+        case ast.Attribute():
+            return value.attr
+        case ast.Call(func=ast.Name(id="len" | "abs" | "round" | "max" | "min" | "sum" | "float")):
+            return name_of(value.args[0]) if value.args else "value"
+        case ast.Call():
+            return name_of(value.func)
+        case ast.Subscript() | ast.Starred():
+            return name_of(value.value)
+        case ast.BinOp():
+            names = (name_of(value.left), name_of(value.right))
+            return next((name for name in names if name != "value"), "value")
+        case ast.UnaryOp():
+            return name_of(value.operand)
+    return "value"
+
+
+_TEXT = r"\"((?:[^\"\\]|\\.)*)\"|`([^`$\\]*)`"
+_TOLD = re.compile(rf"\b(?:t|words)\(\s*(?:{_TEXT})")
+_COUNTED = re.compile(rf"\bcounted\((?:[^()\"`]|\([^()]*\))+?,\s*(?:{_TEXT}),\s*(?:{_TEXT})", re.S)
+
+
+def of_typescript(source: str) -> Iterator[str]:
+    """What is given to ``t``, ``words`` and ``counted``."""
+    for match in (*_TOLD.finditer(source), *_COUNTED.finditer(source)):
+        for text in match.groups():
+            if text:
+                yield text.replace('\\"', '"').replace("\\u00a0", "\u00a0")
