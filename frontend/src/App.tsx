@@ -18,15 +18,14 @@ import { VerifyPage } from "./pages/VerifyPage";
 import { useLanguage } from "./state/language";
 import { TITLES, usePage } from "./state/router";
 import { useLive } from "./state/store";
+import { useUnits } from "./state/units";
 
 const PAGE = { home: HomePage, calibrate: CalibratePage, verify: VerifyPage, scan: ScanPage, arm: ArmPage, records: RecordsPage, supervise: SupervisePage, health: HealthPage, settings: SettingsPage, people: PeoplePage };
 
 export function App() {
-  // all words change at once: nothing that was rendered in another language is kept
-  return <Shown key={useLanguage()} />;
-}
-
-function Shown() {
+  // nothing below keeps what it has drawn: all of it is drawn anew in other words and units
+  useLanguage();
+  useUnits();
   const page = usePage();
   const Page = PAGE[page];
   const session = useLive((s) => s.session);

@@ -3,8 +3,9 @@ import type { FormEvent } from "react";
 
 import { sendArm } from "../api/armCommands";
 import type { Artefact } from "../api/armTypes";
+import { unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
-import { useHeld } from "../state/useHeld";
+import { useHeldLength } from "../parts/useHeldLength";
 import styles from "./Fields.module.css";
 import { UnitInput } from "./UnitInput";
 
@@ -45,13 +46,13 @@ interface SizeProps {
 }
 
 function Size({ kind, artefact, disabled }: SizeProps) {
-  const size = useHeld(artefact.size_mm === null ? "" : String(artefact.size_mm));
-  const unsure = useHeld(String(artefact.standard_uncertainty_mm * 1000));
+  const size = useHeldLength(artefact.size_mm, "mm");
+  const unsure = useHeldLength(artefact.standard_uncertainty_mm * 1000, "µm");
   const set = () =>
     sendArm("choose_artefact", {
       kind,
-      size_mm: size.text.trim() === "" ? null : Number(size.text),
-      standard_uncertainty_mm: kind === "bar" ? Number(unsure.text) / 1000 : 0,
+      size_mm: size.value,
+      standard_uncertainty_mm: kind === "bar" ? (unsure.value ?? 0) / 1000 : 0,
     });
   const submit = (event: FormEvent) => {
     event.preventDefault();
@@ -63,10 +64,10 @@ function Size({ kind, artefact, disabled }: SizeProps) {
         {SIZE[kind]}
       </label>
       <div className={styles.row}>
-        <UnitInput id="artefact-size" unit="mm" value={size.text} disabled={disabled} onText={size.setText} />
+        <UnitInput id="artefact-size" unit={unitOf("mm")} value={size.text} disabled={disabled} onText={size.setText} />
         {kind === "bar" && (
           <UnitInput
-            unit="µm, k = 1"
+            unit={`${unitOf("µm")}, k = 1`}
             long
             min={0}
             aria-label="Standard uncertainty of the length"

@@ -1,7 +1,8 @@
 import type { ArmCheckSummary, TipCheckSummary } from "../api/armTypes";
 import { EmptyState } from "../parts/EmptyState";
 import { Reports } from "../parts/Reports";
-import { bound, figures, moment, plural } from "../parts/format";
+import { bound, moment, plural } from "../parts/format";
+import { lengthFigures, measured, unitOf } from "../parts/lengths";
 import { QualityMark } from "../parts/QualityMark";
 import { useLive } from "../state/store";
 import { useList } from "../state/useList";
@@ -50,7 +51,7 @@ function TipRow({ check }: { check: TipCheckSummary }) {
       </div>
       <dl className={styles.axes}>
         <dt>Diameter</dt>
-        <dd>{figures(check.diameter_mm, 3)} mm</dd>
+        <dd>{measured(check.diameter_mm, "mm", 3)}</dd>
       </dl>
       <Reports of={`/api/arm/tips/${check.id}`} />
     </li>
@@ -84,7 +85,7 @@ function ArmHistory() {
 }
 
 function Row({ check }: { check: ArmCheckSummary }) {
-  const limit = check.limit_um === null ? "no limit was set" : `limit ${figures(check.limit_um)} µm`;
+  const limit = check.limit_um === null ? "no limit was set" : `limit ${measured(check.limit_um, "µm")}`;
   return (
     <li className={styles.row}>
       <QualityMark quality={check.verdict} />
@@ -105,7 +106,7 @@ function Axes({ label, values }: { label: string; values: number[] }) {
   return (
     <dl className={styles.axes}>
       <dt>{label} x, y, z</dt>
-      <dd>{values.map((value) => figures(value)).join(" · ")} µm</dd>
+      <dd>{values.map((value) => lengthFigures(value, "µm")).join(" · ")} {unitOf("µm")}</dd>
     </dl>
   );
 }

@@ -1,15 +1,16 @@
 import type { FormEvent } from "react";
 
 import { sendArm } from "../api/armCommands";
+import { typed, unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
-import { useHeld } from "../state/useHeld";
+import { useHeldLength } from "../parts/useHeldLength";
 import styles from "./Fields.module.css";
 import { UnitInput } from "./UnitInput";
 
 /** The largest (max − min)/2 that the operator accepts; kept for the next checks. */
 export function LimitField({ limit_um, tip }: { limit_um: number | null; tip: boolean }) {
-  const limit = useHeld(limit_um === null ? "" : String(limit_um));
-  const set = () => sendArm("set_limit", { limit_um: limit.text.trim() === "" ? null : Number(limit.text) });
+  const limit = useHeldLength(limit_um, "µm");
+  const set = () => sendArm("set_limit", { limit_um: limit.value });
   const submit = (event: FormEvent) => {
     event.preventDefault();
     void set();
@@ -22,9 +23,9 @@ export function LimitField({ limit_um, tip }: { limit_um: number | null; tip: bo
       <div className={styles.row}>
         <UnitInput
           id="arm-limit"
-          unit="µm"
-          min={1}
-          max={100000}
+          unit={unitOf("µm")}
+          min={typed(1, "µm")}
+          max={typed(100000, "µm")}
           value={limit.text}
           placeholder="none"
           onText={limit.setText}

@@ -3,8 +3,10 @@ import { useState } from "react";
 
 import type { ArmResult, ParameterLine } from "../api/armTypes";
 import { CopyCsv } from "../parts/CopyCsv";
-import { DataTable, type TableData } from "../parts/DataTable";
-import { bound, figures, plural, signed } from "../parts/format";
+import { DataTable } from "../parts/DataTable";
+import { bound, plural } from "../parts/format";
+import { measured } from "../parts/lengths";
+import { amount, type TableData } from "../parts/table";
 import styles from "./ResultView.module.css";
 
 const TABS = [
@@ -60,7 +62,7 @@ function Pair({ title, before_um, after_um, note }: PairProps) {
           <span className={styles.track}>
             <span className={styles.bar} style={{ width: `${(100 * value) / largest}%` }} />
           </span>
-          <span className={styles.value}>{figures(value, 1)} µm</span>
+          <span className={styles.value}>{measured(value, "µm", 1)}</span>
         </div>
       ))}
       <p className={styles.note}>{bound(note)}</p>
@@ -76,11 +78,11 @@ function Parameters({ parameters }: { parameters: ParameterLine[] }) {
       const decimals = unit === "mm" ? 4 : 5;
       return [
         name.replace(/_(mm|deg)$/, ""),
-        figures(before, decimals),
-        figures(after, decimals),
-        signed(after - before, decimals),
-        figures(standard_uncertainty, decimals),
-        unit,
+        amount(before, decimals, unit),
+        amount(after, decimals, unit),
+        amount(after - before, decimals, unit, true),
+        amount(standard_uncertainty, decimals, unit),
+        { unit },
       ];
     }),
   };

@@ -1,5 +1,6 @@
 import type { ArmPicture } from "../api/armTypes";
 import { figures } from "../parts/format";
+import { measured } from "../parts/lengths";
 import styles from "./RunCharts.module.css";
 
 const AXES = ["X", "Y", "Z"];
@@ -48,8 +49,8 @@ export function RunCharts({ picture }: { picture: ArmPicture }) {
             />
           </svg>
           <div className={styles.scale} aria-hidden="true">
-            <span>+{figures(reach)} µm</span>
-            <span>−{figures(reach)} µm</span>
+            <span>+{measured(reach, "µm")}</span>
+            <span>−{measured(reach, "µm")}</span>
           </div>
         </figure>
       ))}
@@ -57,7 +58,7 @@ export function RunCharts({ picture }: { picture: ArmPicture }) {
         {tips_um.length > 1
           ? `The last ${figures(tips_um.length)} points in the order of taking, about their middle.`
           : "Points appear here as the arm swings."}
-        {shown !== null && ` Dashed: the limit, ±${figures(shown)} µm.`}
+        {shown !== null && ` Dashed: the limit, ±${measured(shown, "µm")}.`}
       </p>
     </div>
   );
@@ -75,7 +76,7 @@ function Value({ label, value }: { label: string; value: number | undefined }) {
   return (
     <span className={styles.value}>
       <span className={styles.name}>{label}</span>
-      <strong>{value === undefined ? "–" : `${figures(value)} µm`}</strong>
+      <strong>{value === undefined ? "–" : measured(value, "µm")}</strong>
     </span>
   );
 }

@@ -1,6 +1,7 @@
 import type { SeatLine } from "../api/armTypes";
 import { EmptyState } from "../parts/EmptyState";
-import { figures, plural } from "../parts/format";
+import { plural } from "../parts/format";
+import { measured } from "../parts/lengths";
 import { SeatIllustration } from "./SeatIllustration";
 import styles from "./SeatList.module.css";
 
@@ -26,7 +27,7 @@ export function SeatList({ seats }: { seats: SeatLine[] }) {
             <span className={styles.track}>
               <span className={styles.bar} style={{ width: `${(100 * seat.half_range_um) / largest}%` }} />
             </span>
-            <span className={styles.value}>{figures(seat.half_range_um)} µm</span>
+            <span className={styles.value}>{measured(seat.half_range_um, "µm")}</span>
             <span className={styles.points}>{seat.note || plural(seat.points, "point")}</span>
           </li>
         ))}

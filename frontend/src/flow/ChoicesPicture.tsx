@@ -4,6 +4,7 @@ import { sendFlow } from "../api/commands";
 import type { BlockGeometry, Choice, ChoiceOption } from "../api/types";
 import { BlockDrawing } from "../object/BlockDrawing";
 import { bound } from "../parts/format";
+import { lengthFigures, unitOf } from "../parts/lengths";
 import { CheckIcon } from "../parts/icons";
 import styles from "./ChoicesPicture.module.css";
 
@@ -30,7 +31,7 @@ function size(block: BlockGeometry): string {
   const first = block.edges_x_mm[0] ?? 0;
   const last = block.edges_x_mm[block.edges_x_mm.length - 1] ?? 0;
   const parts = [last - first, block.back_y_mm - block.front_y_mm, block.crest_z_mm - block.base_z_mm];
-  return `${parts.map((part) => part.toFixed(3)).join(" × ")} mm, ${block.edges_x_mm.length / 2} merlons`;
+  return `${parts.map((part) => lengthFigures(part, "mm", 3)).join(" × ")} ${unitOf("mm")}, ${block.edges_x_mm.length / 2} merlons`;
 }
 
 function ChoiceGroup({ choice }: { choice: Choice }) {

@@ -1,6 +1,7 @@
 import type { FaceProgress } from "../api/types";
 import { CheckIcon } from "../parts/icons";
-import { figures, plural } from "../parts/format";
+import { plural } from "../parts/format";
+import { measured } from "../parts/lengths";
 import styles from "./FaceChips.module.css";
 
 interface FaceChipsProps {
@@ -42,7 +43,7 @@ export function FaceChips({ faces, onSelect }: FaceChipsProps) {
           </span>
           <span className={styles.count}>
             {count(face)}
-            {face.rms_um !== null && <span className={styles.rms}>{figures(face.rms_um)} µm rms</span>}
+            {face.rms_um !== null && <span className={styles.rms}>{measured(face.rms_um, "µm")} rms</span>}
           </span>
         </button>
       ))}

@@ -2,8 +2,8 @@ import { useEffect } from "react";
 
 import { sendFlow } from "../api/commands";
 import type { TouchedPoint } from "../api/types";
-import { signed } from "../parts/format";
 import { CloseIcon } from "../parts/icons";
+import { signedLength, unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import styles from "./PointPanel.module.css";
 
@@ -35,7 +35,7 @@ export function PointPanel({ point, onClose, removable }: PointPanelProps) {
           <CloseIcon size="1.25rem" />
         </button>
       </div>
-      <div className={styles.value}>{point.residual_um === null ? "–" : signed(point.residual_um)} µm</div>
+      <div className={styles.value}>{point.residual_um === null ? `– ${unitOf("µm")}` : signedLength(point.residual_um, "µm")}</div>
       <p className={styles.text}>
         {point.outlier ? "Outlier: it does not fit its face and is not used." : "Distance from its face, + outward."}
       </p>

@@ -1,4 +1,5 @@
 import { RAMP_CSS } from "../object/residuals";
+import { measured } from "../parts/lengths";
 import styles from "./ResidualLegend.module.css";
 
 /** What the dots' colours mean. */
@@ -7,7 +8,7 @@ export function ResidualLegend({ scale_um, sticks = false }: { scale_um: number;
     <div className={styles.legend}>
       <span>0</span>
       <span className={styles.ramp} style={{ background: RAMP_CSS }} />
-      <span>{scale_um} µm residual</span>
+      <span>{measured(scale_um, "µm")} residual</span>
       <svg width="18" height="18" viewBox="-9 -9 18 18" aria-hidden="true">
         <path d="M0-8 8 0 0 8-8 0Z" className={styles.diamond} />
       </svg>

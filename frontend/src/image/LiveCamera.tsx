@@ -4,6 +4,7 @@ import { type ReactNode, useEffect, useRef, useState } from "react";
 import { type Preview, watchPreview } from "../api/preview";
 import type { Aid, PreviewHeader } from "../api/types";
 import { age, bound, figures } from "../parts/format";
+import { inUnits, lengthFigures, unitOf } from "../parts/lengths";
 import { QualityMark } from "../parts/QualityMark";
 import { Readouts } from "../parts/Readouts";
 import { useLive } from "../state/store";
@@ -183,10 +184,10 @@ function Panel({ header, old_s, line, rate }: PanelProps) {
             : { label: "Corners", value: figures(header.corners.length) },
           ...header.aids.map(({ title, value, unit, decimals, quality, wanted }) => ({
             label: title,
-            value: figures(value, decimals),
-            unit,
+            value: lengthFigures(value, unit, decimals),
+            unit: unitOf(unit),
             quality,
-            note: `${wanted} ${unit}`,
+            note: inUnits(`${wanted} ${unit}`),
           })),
         ]}
       />

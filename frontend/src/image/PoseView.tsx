@@ -1,6 +1,7 @@
 import { sendFlow } from "../api/commands";
 import type { PosePicture, WorstPoint } from "../api/types";
 import { bound, figures } from "../parts/format";
+import { measured } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
 import styles from "./PoseView.module.css";
@@ -70,5 +71,5 @@ export function SetAside({ pose }: { pose: PosePicture }) {
 function told({ number, note, edges_rms_px, off_um }: PosePicture): string {
   if (note) return bound(`${note.replace(/\.$/, "")}.`);
   if (edges_rms_px === null || off_um === null) return `Pose ${number}`;
-  return bound(`Edges ${figures(edges_rms_px, 2)} px rms, ${figures(off_um)} µm off the others`);
+  return bound(`Edges ${figures(edges_rms_px, 2)} px rms, ${measured(off_um, "µm")} off the others`);
 }

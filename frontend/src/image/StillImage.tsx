@@ -3,6 +3,7 @@ import { type CSSProperties, useState } from "react";
 
 import type { ImageCorner, ImageMark, Vec3, WorstPoint } from "../api/types";
 import { figures } from "../parts/format";
+import { measured } from "../parts/lengths";
 import { cornerWords } from "../result/names";
 import { COLOURS, type Overlay } from "./overlay";
 import styles from "./StillImage.module.css";
@@ -149,7 +150,7 @@ function Worst({ worst, width_px, size }: { worst: WorstPoint[]; width_px: numbe
             fontSize={size}
             textAnchor={at_px[0] > 0.85 * width_px ? "end" : "start"}
           >
-            {figures(value, unit === "px" ? 2 : 0)} {unit}
+            {measured(value, unit, unit === "px" ? 2 : 0)}
           </text>
         </g>
       ),

@@ -1,5 +1,5 @@
 import type { Band, ImageCorner } from "../api/types";
-import { figures } from "../parts/format";
+import { measured } from "../parts/lengths";
 
 export interface Overlay {
   corners: ImageCorner[];
@@ -91,8 +91,8 @@ export function drawBand(context: CanvasRenderingContext2D, band: Band, scale: n
   context.shadowColor = "#000";
   context.shadowBlur = 4;
   for (const [line, words] of [
-    [band.near, `nearest ${figures(band.near_mm)} mm`],
-    [band.far, `furthest ${figures(band.far_mm)} mm`],
+    [band.near, `nearest ${measured(band.near_mm, "mm")}`],
+    [band.far, `furthest ${measured(band.far_mm, "mm")}`],
   ] as const) {
     const first = line[0];
     if (!first) continue;

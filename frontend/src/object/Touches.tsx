@@ -1,7 +1,7 @@
 import type { KeyboardEvent } from "react";
 
 import type { BlockGeometry, TouchedPoint, Vec3 } from "../api/types";
-import { signed } from "../parts/format";
+import { signedLength } from "../parts/lengths";
 import { isSeen, NORMALS } from "./block";
 import { rampColour } from "./residuals";
 import styles from "./Touches.module.css";
@@ -104,7 +104,7 @@ interface TouchProps {
 
 function Touch({ point, at, radius, scale_um, chosen, side, onPoint }: TouchProps) {
   const residual = point.residual_um;
-  const words = residual === null ? "no residual yet" : `${signed(residual)} µm`;
+  const words = residual === null ? "no residual yet" : signedLength(residual, "µm");
   const fill = residual === null ? "var(--ink-3)" : rampColour(Math.abs(residual) / scale_um);
   const onKey = (event: KeyboardEvent) => {
     if (event.key !== "Enter" && event.key !== " ") return;

@@ -1,4 +1,5 @@
 import type { TouchedPoint } from "../api/types";
+import { roundEnd } from "../parts/lengths";
 
 /** Blue for nothing through violet to orange for the scale's end: told apart by every eye. */
 const RAMP: [number, number, number][] = [
@@ -23,5 +24,5 @@ export const RAMP_CSS = `linear-gradient(90deg, ${[0, 0.25, 0.5, 0.75, 1].map(ra
 export function scaleEnd(points: TouchedPoint[]): number {
   const sizes = points.filter((p) => !p.outlier).map((p) => Math.abs(p.residual_um ?? 0));
   const largest = Math.max(0, ...sizes);
-  return [10, 20, 50, 100, 200, 500].find((end) => largest <= end) ?? 1000;
+  return roundEnd(largest, "µm", 10, 1000);
 }

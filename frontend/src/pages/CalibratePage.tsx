@@ -5,6 +5,7 @@ import { Layout } from "../frame/Layout";
 import { MainAct } from "../parts/Actions";
 import { CardHead } from "../parts/CardHead";
 import { EmptyState } from "../parts/EmptyState";
+import { unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { useLive } from "../state/store";
 
@@ -26,7 +27,7 @@ function NotStarted() {
       picture={
         <EmptyState
           title="From touches and a few pictures to a calibrated sensor"
-          text="You touch the faces of the crenellated object with the arm's tip, then hold the sensor over it and take a picture in each of a few poses; the station says which. It shows how good the result is, in µm, before anything is replaced."
+          text={`You touch the faces of the crenellated object with the arm's tip, then hold the sensor over it and take a picture in each of a few poses; the station says which. It shows how good the result is, in ${unitOf("µm")}, before anything is replaced.`}
         />
       }
       card={

@@ -5,7 +5,7 @@ import { Layout } from "../frame/Layout";
 import { MainAct } from "../parts/Actions";
 import { CardHead } from "../parts/CardHead";
 import { Findings } from "../parts/Findings";
-import { figures } from "../parts/format";
+import { lengthFigures, unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
 import { go } from "../state/router";
@@ -37,7 +37,7 @@ function Active({ calibration }: { calibration: CalibrationSummary }) {
         <QualityMark quality={calibration.verdict} /> In use: {calibration.name}
       </p>
       <p className={styles.value}>
-        {figures(calibration.total_um)} <span>µm</span>
+        {lengthFigures(calibration.total_um, "µm")} <span>{unitOf("µm")}</span>
       </p>
       <p className={styles.note}>standard uncertainty of a scanned point, k = 1 · {devices.join(" · ")}</p>
     </div>

@@ -1,7 +1,8 @@
 import type { LiveNumber } from "../api/types";
 import { useSilence } from "../state/freshness";
 import styles from "./BigNumber.module.css";
-import { age, bound, figures } from "./format";
+import { age, bound } from "./format";
+import { lengthFigures, unitOf } from "./lengths";
 import { QualityMark } from "./QualityMark";
 
 interface BigNumberProps {
@@ -16,7 +17,7 @@ interface BigNumberProps {
 export function BigNumber({ number, verdict = false, kept = false }: BigNumberProps) {
   const { live: heard, silent_s } = useSilence();
   const live = heard || kept;
-  const shown = number.value === null ? "–" : figures(number.value, number.decimals);
+  const shown = number.value === null ? "–" : lengthFigures(number.value, number.unit, number.decimals);
   return (
     <div className={styles.number} data-quality={number.quality} data-stale={!live || undefined} data-verdict={verdict || undefined}>
       <div className={styles.label}>
@@ -25,7 +26,7 @@ export function BigNumber({ number, verdict = false, kept = false }: BigNumberPr
       </div>
       <div className={styles.value} data-none={number.value === null || undefined}>
         {shown}
-        {number.value !== null && <span className={styles.unit}>{number.unit}</span>}
+        {number.value !== null && <span className={styles.unit}>{unitOf(number.unit)}</span>}
       </div>
       {(number.note || !live) && (
         <div className={styles.note}>{live ? bound(number.note) : `${age(silent_s)} old`}</div>

@@ -1,9 +1,9 @@
 import { useState } from "react";
 
 import { copyText, toCsv } from "./csv";
-import type { TableData } from "./DataTable";
 import { CheckIcon, CopyIcon } from "./icons";
 import { PressButton } from "./PressButton";
+import type { TableData } from "./table";
 
 const TOLD_MS = 3000;
 

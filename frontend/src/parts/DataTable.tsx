@@ -1,13 +1,5 @@
 import styles from "./DataTable.module.css";
-
-export interface TableData {
-  title: string;
-  /** Column heads, each with its unit. */
-  head: string[];
-  rows: string[][];
-  /** Takes the whole width where others stand side by side. */
-  wide?: boolean;
-}
+import { plainHead, shownCell, shownHead, type TableData } from "./table";
 
 /** A plain table of figures: the first column names, the others are numbers. */
 export function DataTable({ table }: { table: TableData }) {
@@ -16,18 +8,18 @@ export function DataTable({ table }: { table: TableData }) {
       <caption className={styles.caption}>{table.title}</caption>
       <thead>
         <tr>
-          {table.head.map((cell) => (
-            <th key={cell} scope="col">
-              {cell}
+          {table.head.map((head) => (
+            <th key={plainHead(head)} scope="col">
+              {shownHead(head)}
             </th>
           ))}
         </tr>
       </thead>
       <tbody>
-        {table.rows.map((row) => (
-          <tr key={row.join()}>
-            {row.map((cell, i) => (
-              <td key={table.head[i] ?? i}>{cell}</td>
+        {table.rows.map((row, i) => (
+          <tr key={i}>
+            {row.map((cell, k) => (
+              <td key={k}>{shownCell(cell)}</td>
             ))}
           </tr>
         ))}

@@ -1,5 +1,6 @@
 import type { Quality } from "../api/types";
-import { figures, moment } from "./format";
+import { moment } from "./format";
+import { measured } from "./lengths";
 import styles from "./TimeChart.module.css";
 
 const WIDTH = 800;
@@ -36,16 +37,14 @@ export function TimeChart({ points, unit, label, onPoint }: TimeChartProps) {
     <figure className={styles.chart}>
       <div className={styles.plotted}>
         <div className={styles.scale} aria-hidden="true">
-          <span>
-            {figures(top, top < 10 ? 1 : 0)} {unit}
-          </span>
+          <span>{measured(top, unit, top < 10 ? 1 : 0)}</span>
           <span>0</span>
         </div>
         <svg className={styles.plot} viewBox={`0 0 ${WIDTH} ${HEIGHT}`} role="img" aria-label={label}>
           <polyline className={styles.line} points={line.join(" ")} />
           {points.map(({ id, at, value, limit, quality }, i) => (
             <g key={id} className={onPoint && styles.point} onClick={() => onPoint?.(id)}>
-              <title>{`${moment(at)}: ${value === null ? "not known" : `${figures(value, 1)} ${unit}`}`}</title>
+              <title>{`${moment(at)}: ${value === null ? "not known" : measured(value, unit, 1)}`}</title>
               {onPoint && <rect x={x(i) - 22} y="0" width="44" height={HEIGHT} className={styles.reach} />}
               {limit !== null && (
                 <line

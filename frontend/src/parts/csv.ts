@@ -1,14 +1,15 @@
-import type { TableData } from "./DataTable";
+import { plainCell, plainHead, type TableData } from "./table";
 
 function cell(text: string): string {
   const plain = text.replaceAll("\u2212", "-").replaceAll("\u2009", "");
   return /[",\n]/.test(plain) ? `"${plain.replaceAll('"', '""')}"` : plain;
 }
 
-/** One table after another, an empty line between them. */
+/** One table after another, an empty line between them; in English, mm and µm, whatever is shown. */
 export function toCsv(tables: TableData[]): string {
   return tables
-    .map(({ title, head, rows }) => [[title], head, ...rows].map((row) => row.map(cell).join(",")).join("\n"))
+    .map(({ title, head, rows }) => [[title], head.map(plainHead), ...rows.map((row) => row.map(plainCell))])
+    .map((lines) => lines.map((line) => line.map(cell).join(",")).join("\n"))
     .join("\n\n");
 }
 

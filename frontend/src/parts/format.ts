@@ -49,7 +49,7 @@ export function duration(seconds: number): string {
   return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")} min`;
 }
 
-const UNITS = /(\d) (?=(?:µm|mm|px|%|s|ms|µs|Hz|fps|GB|nm|°C|min|h|days?)(?![a-z]))/g;
+const UNITS = /(\d) (?=(?:µm|mm|µin|in|px|%|s|ms|µs|Hz|fps|GB|nm|°C|min|h|days?)(?![a-z]))/g;
 
 /** The same words, a number never parted from its unit at a line's end. */
 export function bound(text: string): string {

@@ -3,7 +3,8 @@ import { useState } from "react";
 
 import type { CalibrationPoint } from "../api/recordTypes";
 import { TimeChart } from "../parts/TimeChart";
-import { bound, figures } from "../parts/format";
+import { bound } from "../parts/format";
+import { measured } from "../parts/lengths";
 import { go } from "../state/router";
 import { useList } from "../state/useList";
 import styles from "./CalibrationHistory.module.css";
@@ -113,6 +114,6 @@ function judged(shown: string, point: CalibrationPoint, beyond: boolean) {
 
 function told(last: Point | undefined, { unit, label }: Measure): string {
   if (!last || last.value === null) return "";
-  const limit = last.limit === null ? "" : `, ${last.value > last.limit ? "beyond" : "within"} ${figures(last.limit)} ${unit}`;
-  return `${label} last: ${figures(last.value, last.value < 10 ? 1 : 0)} ${unit}${limit}.`;
+  const limit = last.limit === null ? "" : `, ${last.value > last.limit ? "beyond" : "within"} ${measured(last.limit, unit)}`;
+  return `${label} last: ${measured(last.value, unit, last.value < 10 ? 1 : 0)}${limit}.`;
 }

@@ -1,6 +1,7 @@
 import type { CalibrationSummary, ScanSummary } from "../api/types";
 import { Download } from "../parts/Download";
 import { days, duration, figures, moment, plural } from "../parts/format";
+import { measured } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
 import { Reports } from "../parts/Reports";
@@ -26,7 +27,7 @@ export function CalibrationRow({ summary }: { summary: CalibrationSummary }) {
         </p>
       </div>
       <p className={styles.value}>
-        {figures(summary.total_um)} µm <span>k = 1</span>
+        {measured(summary.total_um, "µm")} <span>k = 1</span>
       </p>
       <PressButton free onPress={() => go("records", `calibration/${summary.id}`)}>
         Look at it

@@ -1,5 +1,6 @@
 import type { BudgetRow, CalibrationResult } from "../api/types";
-import { bound, figures } from "../parts/format";
+import { bound } from "../parts/format";
+import { inUnit, lengthFigures, measured, unitOf } from "../parts/lengths";
 import styles from "./Budget.module.css";
 
 /** Where the uncertainty comes from, the largest first, and what changed since the last time. */
@@ -17,7 +18,7 @@ export function Budget({ result }: { result: CalibrationResult }) {
       </div>
       {result.good_um !== null && result.usable_um !== null && (
         <p className={styles.limits}>
-          Good up to {figures(result.good_um)} µm, usable up to {figures(result.usable_um)} µm.
+          Good up to {measured(result.good_um, "µm")}, usable up to {measured(result.usable_um, "µm")}.
         </p>
       )}
       <Compared result={result} />
@@ -32,14 +33,14 @@ function Row({ row, largest, total = false }: { row: BudgetRow; largest: number;
       <span className={styles.track}>
         <span className={styles.bar} style={{ width: `${Math.min(100, (row.value_um / largest) * 100)}%` }} />
       </span>
-      <span className={styles.value}>{micrometres(row.value_um)} µm</span>
+      <span className={styles.value}>{micrometres(row.value_um)} {unitOf("µm")}</span>
     </div>
   );
 }
 
-/** Whole micrometres; a share too small for one is not called none. */
+/** Whole ones; a share too small for one is not called none. */
 function micrometres(value: number): string {
-  return value > 0 && value < 0.5 ? "< 1" : figures(value);
+  return value > 0 && inUnit(value, "µm") < 0.5 ? "< 1" : lengthFigures(value, "µm");
 }
 
 function Compared({ result }: { result: CalibrationResult }) {
@@ -49,7 +50,7 @@ function Compared({ result }: { result: CalibrationResult }) {
       <h3 className={styles.title}>Against the last calibration</h3>
       {comparison ? (
         <p>
-          Points of the measuring volume moved by {figures(comparison.rms_um)} µm rms, {figures(comparison.max_um)} µm at
+          Points of the measuring volume moved by {measured(comparison.rms_um, "µm")} rms, {measured(comparison.max_um, "µm")} at
           most, since {comparison.with_name}.
         </p>
       ) : (

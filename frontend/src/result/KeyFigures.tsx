@@ -1,5 +1,6 @@
 import type { CalibrationResult } from "../api/types";
 import { figures } from "../parts/format";
+import { lengthFigures, unitOf } from "../parts/lengths";
 import { Readouts } from "../parts/Readouts";
 
 /** The figures that a metrologist looks for first. */
@@ -10,13 +11,13 @@ export function KeyFigures({ result }: { result: CalibrationResult }) {
       wrap
       readouts={[
         { label: "Edges, rms", value: figures(result.reprojection_rms_px, 3), unit: "px" },
-        { label: "Laser plane, rms", value: figures(result.laser_plane_rms_um), unit: "µm" },
-        { label: "Touches, rms", value: figures(result.alignment_rms_um), unit: "µm" },
-        { label: "Depth range", value: `${figures(near, 1)} to ${figures(far, 1)}`, unit: "mm" },
+        { label: "Laser plane, rms", value: lengthFigures(result.laser_plane_rms_um, "µm"), unit: unitOf("µm") },
+        { label: "Touches, rms", value: lengthFigures(result.alignment_rms_um, "µm"), unit: unitOf("µm") },
+        { label: "Depth range", value: `${lengthFigures(near, "mm", 1)} to ${lengthFigures(far, "mm", 1)}`, unit: unitOf("mm") },
         ...(result.plane
           ? [
               { label: "Plane's angle, k = 1", value: figures(result.plane.angle_arcsec), unit: "″" },
-              { label: "Plane's offset, k = 1", value: figures(result.plane.offset_um, 1), unit: "µm" },
+              { label: "Plane's offset, k = 1", value: lengthFigures(result.plane.offset_um, "µm", 1), unit: unitOf("µm") },
             ]
           : []),
       ]}

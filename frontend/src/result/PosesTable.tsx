@@ -1,6 +1,7 @@
 import type { PosePicture } from "../api/types";
 import { SetAside } from "../image/PoseView";
 import { figures } from "../parts/format";
+import { lengthFigures, unitOf } from "../parts/lengths";
 import table from "../parts/DataTable.module.css";
 import { lookAtPose } from "../state/store";
 import styles from "./PosesTable.module.css";
@@ -16,7 +17,7 @@ export function PosesTable({ poses }: { poses: PosePicture[] }) {
           <th scope="col">Pose</th>
           <th scope="col">Edges, px</th>
           <th scope="col">Stripe, px</th>
-          <th scope="col">Off, µm</th>
+          <th scope="col">Off, {unitOf("µm")}</th>
           {acts && <th scope="col" aria-label="Set aside" />}
         </tr>
       </thead>
@@ -53,7 +54,7 @@ function Figures({ pose: { note, edges_rms_px, stripe_rms_px, off_um } }: { pose
     <>
       <td>{figures(edges_rms_px, 3)}</td>
       <td>{figures(stripe_rms_px, 3)}</td>
-      <td>{figures(off_um)}</td>
+      <td>{lengthFigures(off_um, "µm")}</td>
     </>
   );
 }

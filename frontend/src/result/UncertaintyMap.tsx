@@ -3,6 +3,7 @@ import { useState } from "react";
 
 import type { CalibrationResult } from "../api/types";
 import { figures } from "../parts/format";
+import { lengthFigures, measured } from "../parts/lengths";
 import styles from "./UncertaintyMap.module.css";
 
 interface MapProps {
@@ -58,7 +59,7 @@ export function UncertaintyMap({ result, width_px, height_px }: MapProps) {
         }
         words={
           change
-            ? `How far a scanned point moved since ${comparison.with_name}: ${figures(comparison.rms_um)} µm rms, at most ${figures(comparison.max_um)} µm.`
+            ? `How far a scanned point moved since ${comparison.with_name}: ${measured(comparison.rms_um, "µm")} rms, at most ${measured(comparison.max_um, "µm")}.`
             : "Standard uncertainty of a scanned point, k = 1, over the picture."
         }
         width_px={width_px}
@@ -91,7 +92,7 @@ function Field({ cells, words, width_px, height_px }: FieldProps) {
         className={styles.picture}
         viewBox={`0 0 ${width_px} ${height_px}`}
         role="img"
-        aria-label={`${words} ${figures(low)} to ${figures(high)} micrometres`}
+        aria-label={`${words} ${lengthFigures(low, "µm")} to ${measured(high, "µm")}`}
       >
         <defs>
           <pattern id="extrapolated" width="14" height="14" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">
@@ -106,7 +107,7 @@ function Field({ cells, words, width_px, height_px }: FieldProps) {
           {cells.map(({ u, v, um, inside: covered }) => (
             <g key={`${u} ${v}`}>
               <rect x={u - wide / 2} y={v - tall / 2} width={wide + 1} height={tall + 1} fill={colour(um)}>
-                <title>{`${figures(um, 1)} µm at ${figures(u)}, ${figures(v)} px`}</title>
+                <title>{`${measured(um, "µm", 1)} at ${figures(u)}, ${figures(v)} px`}</title>
               </rect>
               {!covered && (
                 <rect x={u - wide / 2} y={v - tall / 2} width={wide + 1} height={tall + 1} fill="url(#extrapolated)" />
@@ -120,17 +121,17 @@ function Field({ cells, words, width_px, height_px }: FieldProps) {
           className={styles.worst}
           fontSize={width_px / 28}
         >
-          {figures(worst.um, 1)} µm
+          {measured(worst.um, "µm", 1)}
         </text>
       </svg>
       <figcaption className={styles.legend}>
-        <span>{figures(low, 1)} µm</span>
+        <span>{measured(low, "µm", 1)}</span>
         <span className={styles.scale}>
           {SCALE.map((one) => (
             <span key={one} style={{ background: one }} />
           ))}
         </span>
-        <span>{figures(high, 1)} µm</span>
+        <span>{measured(high, "µm", 1)}</span>
         <span className={styles.words}>
           {words} Hatched: beyond the depths that the stripe covered. Named: the largest within them.
         </span>

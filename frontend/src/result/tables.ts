@@ -1,6 +1,5 @@
 import type { CalibrationResult } from "../api/types";
-import type { TableData } from "../parts/DataTable";
-import { figures } from "../parts/format";
+import { amount, type TableData } from "../parts/table";
 import { cornerWords } from "./names";
 
 export const POSES = "Poses";
@@ -10,15 +9,15 @@ export function tablesOf(result: CalibrationResult): TableData[] {
   return [
     {
       title: "Faces",
-      head: ["Face", "Points", "rms, µm", "Form, µm"],
-      rows: result.faces.map((f) => [f.face, figures(f.points), figures(f.rms_um, 1), figures(f.form_um, 1)]),
+      head: ["Face", "Points", { words: "rms", unit: "µm" }, { words: "Form", unit: "µm" }],
+      rows: result.faces.map((f) => [f.face, amount(f.points, 0), amount(f.rms_um, 1, "µm"), amount(f.form_um, 1, "µm")]),
     },
     {
       title: POSES,
-      head: ["Pose", "Edges, px", "Stripe, px", "Off, µm"],
+      head: ["Pose", { words: "Edges", unit: "px" }, { words: "Stripe", unit: "px" }, { words: "Off", unit: "µm" }],
       rows: result.poses.map((p) =>
         p.used
-          ? [String(p.number), figures(p.edges_rms_px, 3), figures(p.stripe_rms_px, 3), figures(p.off_um)]
+          ? [String(p.number), amount(p.edges_rms_px, 3), amount(p.stripe_rms_px, 3), amount(p.off_um, 0, "µm")]
           : [String(p.number), `left out: ${p.reason}`, "", ""],
       ),
     },
@@ -28,31 +27,31 @@ export function tablesOf(result: CalibrationResult): TableData[] {
       rows: result.worst.map((w) => [
         w.kind === "corner" ? cornerWords(w.name) : w.name,
         w.kind,
-        figures(w.value, w.unit === "px" ? 3 : 1),
-        w.unit,
+        amount(w.value, w.unit === "px" ? 3 : 1, w.unit),
+        { unit: w.unit },
       ]),
     },
     {
       title: "Error budget, k = 1",
-      head: ["Source", "µm"],
+      head: ["Source", { words: "", unit: "µm" }],
       rows: [
-        ...result.budget.map((row) => [row.source, figures(row.value_um, 2)]),
-        ["Together", figures(result.total_um, 2)],
+        ...result.budget.map((row) => [row.source, amount(row.value_um, 2, "µm")]),
+        ["Together", amount(result.total_um, 2, "µm")],
       ],
     },
     {
       title: "Probe matrix T_flange_sensor",
       wide: true,
-      head: ["Row", "x", "y", "z", "t, mm"],
+      head: ["Row", "x", "y", "z", { words: "t", unit: "mm" }],
       rows: result.probe_matrix.map((row, i) => [
         String(i + 1),
-        ...row.map((value, j) => figures(value, j === 3 && i < 3 ? 3 : 6)),
+        ...row.map((value, j) => amount(value, j === 3 && i < 3 ? 3 : 6, j === 3 && i < 3 ? "mm" : "")),
       ]),
     },
     {
       title: "Lens distortion",
       head: ["Term", "Value"],
-      rows: result.distortion.map((value, i) => [DISTORTION[i] ?? `d${i}`, figures(value, 6)]),
+      rows: result.distortion.map((value, i) => [DISTORTION[i] ?? `d${i}`, amount(value, 6)]),
     },
   ];
 }

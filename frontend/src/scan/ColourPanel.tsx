@@ -3,11 +3,12 @@ import { useEffect, useState } from "react";
 import { colourBy } from "../api/viewCommands";
 import type { Legend, Measure } from "../api/viewTypes";
 import { UnitInput } from "../arm/UnitInput";
+import { fromTyped, unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { useBarred } from "../state/control";
 import { useLive } from "../state/store";
 import styles from "./ColourPanel.module.css";
-import { decimalsOf, MEASURES } from "./LegendBar";
+import { decimalsOf, inShown, MEASURES } from "./LegendBar";
 
 const ORDER: Measure[] = ["height", "intensity", "uncertainty", "age", "deviation"];
 
@@ -47,20 +48,22 @@ export function ColourPanel() {
 
 /** Automatic limits follow what is shown; those typed in stay. */
 function Limits({ legend }: { legend: Legend }) {
+  const unit = unitOf(legend.unit);
   const [low, setLow] = useState("");
   const [high, setHigh] = useState("");
   const [typed, setTyped] = useState(false);
   useEffect(() => {
     if (typed) return;
-    const decimals = decimalsOf(legend);
-    setLow(legend.low.toFixed(decimals));
-    setHigh(legend.high.toFixed(decimals));
-  }, [legend, typed]);
+    const ends = inShown(legend);
+    const decimals = decimalsOf(ends);
+    setLow(ends.low.toFixed(decimals));
+    setHigh(ends.high.toFixed(decimals));
+  }, [legend, typed, unit]);
   const type = (set: (text: string) => void) => (text: string) => {
     setTyped(true);
     set(text);
   };
-  const limits: [number, number] = [Number.parseFloat(low), Number.parseFloat(high)];
+  const limits: [number, number] = [fromTyped(low || "–", legend.unit), fromTyped(high || "–", legend.unit)];
   const wrong = limits.some((limit) => !Number.isFinite(limit)) || limits[0] >= limits[1];
   const apply = async () => {
     if (await colourBy(legend.measure, limits)) setTyped(false);
@@ -75,8 +78,8 @@ function Limits({ legend }: { legend: Legend }) {
         Limits <span className={styles.how}>{legend.automatic ? "automatic" : "set by hand"}</span>
       </h2>
       <div className={styles.limits}>
-        <UnitInput unit={legend.unit} long={legend.unit.length > 3} value={low} onText={type(setLow)} aria-label={`Lower limit, ${legend.unit}`} />
-        <UnitInput unit={legend.unit} long={legend.unit.length > 3} value={high} onText={type(setHigh)} aria-label={`Upper limit, ${legend.unit}`} />
+        <UnitInput unit={unit} long={unit.length > 3} value={low} onText={type(setLow)} aria-label={`Lower limit, ${unit}`} />
+        <UnitInput unit={unit} long={unit.length > 3} value={high} onText={type(setHigh)} aria-label={`Upper limit, ${unit}`} />
       </div>
       {typed && wrong && <p className={styles.wrong}>The lower limit must be below the upper.</p>}
       <div className={styles.acts}>

@@ -1,6 +1,6 @@
 import type { Distance } from "../api/viewTypes";
 import { QualityMark } from "../parts/QualityMark";
-import { figures } from "../parts/format";
+import { lengthFigures, measured, unitOf } from "../parts/lengths";
 import { useLive } from "../state/store";
 import styles from "./DistanceSign.module.css";
 
@@ -18,11 +18,11 @@ export function DistanceSign() {
         {WORDS[distance.state]}
       </p>
       <p className={styles.value}>
-        {figures(distance.mm)}
-        <span className={styles.unit}>mm</span>
+        {lengthFigures(distance.mm, "mm")}
+        <span className={styles.unit}>{unitOf("mm")}</span>
       </p>
       <p className={styles.range}>
-        calibrated {figures(distance.near_mm)} to {figures(distance.far_mm)} mm
+        calibrated {lengthFigures(distance.near_mm, "mm")} to {measured(distance.far_mm, "mm")}
       </p>
     </div>
   );

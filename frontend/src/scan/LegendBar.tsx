@@ -1,5 +1,6 @@
 import type { Legend } from "../api/viewTypes";
 import { figures } from "../parts/format";
+import { inUnit, unitOf } from "../parts/lengths";
 import styles from "./LegendBar.module.css";
 
 export const MEASURES: Record<Legend["measure"], { name: string; legend: string }> = {
@@ -17,19 +18,24 @@ export function decimalsOf({ low, high }: { low: number; high: number }): number
   return span >= 10 ? 1 : span >= 1 ? 2 : 3;
 }
 
+/** The legend's ends in the unit that is shown. */
+export function inShown({ low, high, unit }: Legend): { low: number; high: number; unit: string } {
+  return { low: inUnit(low, unit), high: inUnit(high, unit), unit: unitOf(unit) };
+}
+
 /** What the colours mean: a bar with its ends and its middle. */
 export function LegendBar({ legend }: { legend: Legend }) {
-  const decimals = decimalsOf(legend);
-  const ends = [legend.low, (legend.low + legend.high) / 2, legend.high];
+  const { unit, low, high } = inShown(legend);
+  const decimals = decimalsOf({ low, high });
   return (
     <figure className={styles.legend}>
       <figcaption className={styles.title}>
         {MEASURES[legend.measure].legend}
-        <span className={styles.unit}>{legend.unit}</span>
+        <span className={styles.unit}>{unit}</span>
       </figcaption>
       <div className={styles.bar} style={{ background: `linear-gradient(to right, ${legend.colours.join(", ")})` }} />
       <div className={styles.ends}>
-        {ends.map((value, i) => (
+        {[low, (low + high) / 2, high].map((value, i) => (
           <span key={i}>{figures(value, decimals)}</span>
         ))}
       </div>

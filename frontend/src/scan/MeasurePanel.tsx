@@ -4,6 +4,7 @@ import { colourBy, removeFit } from "../api/viewCommands";
 import type { Figure, Fitted, ShapeName } from "../api/viewTypes";
 import { CloseIcon, CylinderIcon, PlaneIcon, SphereIcon } from "../parts/icons";
 import { figures, plural } from "../parts/format";
+import { lengthFigures, measured, unitOf } from "../parts/lengths";
 import { useBarred } from "../state/control";
 import { useLive } from "../state/store";
 import styles from "./MeasurePanel.module.css";
@@ -74,15 +75,14 @@ function FitCard({ fitted, last }: { fitted: Fitted; last: boolean }) {
       {main && (
         <p className={styles.main}>
           <span className={styles.mainLabel}>{main.label}</span>
-          {figures(main.value, main.decimals)} <span className={styles.mainUnit}>{main.unit}</span>
+          {lengthFigures(main.value, main.unit, main.decimals)} <span className={styles.mainUnit}>{unitOf(main.unit)}</span>
           <Known figure={main} />
         </p>
       )}
       <dl className={styles.rows}>
         {others.map((figure) => (
           <Row key={figure.label} label={figure.label}>
-            {figures(figure.value, figure.decimals)}
-            {behind(figure.unit)} <Known figure={figure} />
+            {measured(figure.value, figure.unit, figure.decimals)} <Known figure={figure} />
           </Row>
         ))}
         {!flat && <Row label={FORM}>{micrometres(fitted.form_um)}</Row>}
@@ -119,8 +119,7 @@ function Known({ figure }: { figure: Figure }) {
   if (figure.uncertainty === null) return null;
   return (
     <span className={styles.known}>
-      ± {small(figure.uncertainty)}
-      {behind(figure.uncertainty_unit)}
+      ± {small(figure.uncertainty, figure.uncertainty_unit)}
     </span>
   );
 }
@@ -132,7 +131,5 @@ function formOf({ form_um }: Fitted): Figure {
   return { label: FORM, value: form_um, unit: "µm", decimals, uncertainty: null, uncertainty_unit: "" };
 }
 
-/** Units of angle stand at the number itself. */
-const behind = (unit: string) => (unit === "°" || unit === "″" ? unit : `\u00a0${unit}`);
-const small = (value: number) => figures(value, value < 10 ? 1 : 0);
-const micrometres = (value: number) => `${small(value)} µm`;
+const small = (value: number, unit: string) => measured(value, unit, value < 10 ? 1 : 0);
+const micrometres = (value: number) => small(value, "µm");

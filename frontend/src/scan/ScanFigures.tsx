@@ -1,6 +1,7 @@
 import type { ScanState } from "../api/types";
 import { QualityMark } from "../parts/QualityMark";
 import { duration, figures } from "../parts/format";
+import { measured } from "../parts/lengths";
 import { useLive } from "../state/store";
 import styles from "./ScanFigures.module.css";
 
@@ -13,10 +14,10 @@ export function ScanFigures({ scan }: { scan: ScanState }) {
       <Figure label="Time" value={duration(scan.seconds)} />
       <Figure
         label="Blur"
-        value={scan.blur_mm === null ? "–" : `${figures(scan.blur_mm, 2)} mm`}
+        value={scan.blur_mm === null ? "–" : measured(scan.blur_mm, "mm", 2)}
         lost={tooFast(scan)}
       />
-      <Figure label="Spacing of lines" value={scan.step_mm === null ? "–" : `${figures(scan.step_mm, 2)} mm`} />
+      <Figure label="Spacing of lines" value={scan.step_mm === null ? "–" : measured(scan.step_mm, "mm", 2)} />
       <Figure label="Pictures" value={figures(scan.frames)} />
       <Figure label="Lost pictures" value={figures(scan.lost_frames)} lost={scan.lost_frames > 0} />
       <Figure

@@ -1,6 +1,7 @@
 import { applyDelay, findDelay, passForDelay } from "../api/settingsCommands";
 import type { Delay, StationSettings } from "../api/types";
 import { figures, signed } from "../parts/format";
+import { measured } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { useLive } from "../state/store";
 import styles from "./Settings.module.css";
@@ -51,7 +52,7 @@ function Found({ delay }: { delay: Delay }) {
       </p>
       <p className={styles.help}>
         {delay.applied ? "In use from the next scan on. " : "Found, not yet used. "}
-        Points about the plane: {figures(delay.rms_without_um)} µm rms without it, {figures(delay.rms_um)} µm with it
+        Points about the plane: {measured(delay.rms_without_um, "µm")} rms without it, {measured(delay.rms_um, "µm")} with it
         {delay.scan && ` (${delay.scan})`}.
       </p>
     </>

@@ -3,8 +3,9 @@ import { type FormEvent, type ReactNode, useId } from "react";
 import { changeSettings } from "../api/settingsCommands";
 import type { StationSettings } from "../api/types";
 import { UnitInput } from "../arm/UnitInput";
+import { unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
-import { useHeld } from "../state/useHeld";
+import { useHeldLength } from "../parts/useHeldLength";
 import styles from "./Settings.module.css";
 
 type Name = "threshold" | "min_width_px" | "exposure_us" | "blur_limit_mm";
@@ -24,11 +25,9 @@ interface NumberSettingProps {
 export function NumberSetting(props: NumberSettingProps) {
   const { name, label, unit, help, settings, placeholder = "automatic", children } = props;
   const id = useId();
-  const value = settings[name];
-  const held = useHeld(value === null ? "" : String(value));
+  const held = useHeldLength(settings[name], unit);
   const set = async () => {
-    const text = held.text.trim();
-    await changeSettings({ [name]: text === "" ? null : Number(text) });
+    await changeSettings({ [name]: held.value });
   };
   const submit = (event: FormEvent) => {
     event.preventDefault();
@@ -42,7 +41,7 @@ export function NumberSetting(props: NumberSettingProps) {
       <div className={styles.row}>
         <UnitInput
           id={id}
-          unit={unit}
+          unit={unitOf(unit)}
           long={unit.length > 4}
           value={held.text}
           placeholder={placeholder}

@@ -1,5 +1,6 @@
 import { useSyncExternalStore } from "react";
 
+import { inUnits } from "../parts/lengths";
 import { filled, Sentences, type Strings, type Values } from "./sentences";
 
 const KEY = "crenel-language";
@@ -36,9 +37,9 @@ export function words(text: string): string {
   return text;
 }
 
-/** A sentence that the station said, in this browser's language; what is not known stays as it is. */
+/** A sentence that the station said, in this browser's language and units; what is not known stays as it is. */
 export function said(text: string): string {
-  return sentences ? sentences.said(text) : text;
+  return inUnits(sentences ? sentences.said(text) : text);
 }
 
 /** The language now; a component that asks renders again when it changes. */

@@ -1,6 +1,7 @@
 import type { Quality } from "../api/types";
 import type { CalibrationReport, DeviceReport, StationReport, StationShown } from "../api/watchTypes";
 import { age, days, figures } from "../parts/format";
+import { measured } from "../parts/lengths";
 
 export interface Fact {
   label: string;
@@ -65,7 +66,7 @@ function deviceFact(device: DeviceReport, more_s: number): Fact {
 
 function calibrationFact(calibration: CalibrationReport | null): Fact {
   if (!calibration) return fact("Calibration", "none", "nothing can be scanned", "attention");
-  const value = `${figures(calibration.total_um)} µm`;
+  const value = measured(calibration.total_um, "µm");
   const old = `${days(calibration.age_days)} old`;
   if (calibration.due) return fact("Calibration", value, `due, ${old}`, "attention");
   const quality = calibration.quality === "neutral" ? "good" : calibration.quality;

@@ -1,6 +1,7 @@
 import { sendVerify } from "../api/verifyCommands";
 import type { CloudLine, VerifyPicture } from "../api/verifyTypes";
-import { bound, figures, plural, signed } from "../parts/format";
+import { bound, figures, plural } from "../parts/format";
+import { measured, signedLength } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import styles from "./CloudsView.module.css";
 import { DeviationMap } from "./DeviationMap";
@@ -67,11 +68,11 @@ function Row({ cloud, busy }: { cloud: CloudLine; busy: boolean }) {
 
 function Figures({ cloud }: { cloud: CloudLine }) {
   const shown: [string, string | null][] = [
-    ["rms", cloud.rms_um === null ? null : `${figures(cloud.rms_um)} µm`],
+    ["rms", cloud.rms_um === null ? null : measured(cloud.rms_um, "µm")],
     ["angle", cloud.angle_arcsec === null ? null : `${figures(cloud.angle_arcsec)}″`],
-    ["Z error", cloud.z_error_um === null ? null : `${signed(cloud.z_error_um)} µm`],
-    ["radius error", cloud.radius_error_um === null ? null : `${signed(cloud.radius_error_um)} µm`],
-    ["centre error", cloud.centre_error_um === null ? null : `${figures(cloud.centre_error_um)} µm`],
+    ["Z error", cloud.z_error_um === null ? null : signedLength(cloud.z_error_um, "µm")],
+    ["radius error", cloud.radius_error_um === null ? null : signedLength(cloud.radius_error_um, "µm")],
+    ["centre error", cloud.centre_error_um === null ? null : measured(cloud.centre_error_um, "µm")],
   ];
   return (
     <dl className={styles.figures}>

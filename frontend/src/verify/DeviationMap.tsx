@@ -2,7 +2,7 @@ import { useState } from "react";
 
 import type { CloudLine } from "../api/verifyTypes";
 import type { MapFile } from "../api/verifyFiles";
-import { figures } from "../parts/format";
+import { lengthFigures, measured } from "../parts/lengths";
 import { Chips } from "./Chips";
 import { deviationColour, deviationScale, DEVIATION_CSS } from "./colours";
 import styles from "./DeviationMap.module.css";
@@ -44,11 +44,11 @@ function Legend({ file, shape }: { file: MapFile; shape: "plane" | "sphere" }) {
   const end = deviationScale(file.deviation_um);
   return (
     <div className={styles.legend}>
-      <span>−{figures(end)}</span>
+      <span>−{lengthFigures(end, "µm")}</span>
       <span className={styles.ramp} style={{ background: DEVIATION_CSS }} />
-      <span>+{figures(end)} µm</span>
+      <span>+{measured(end, "µm")}</span>
       <span className={styles.note}>
-        from the fitted {shape}, outward is positive; each cell of {figures(file.cell_mm, 1)} mm is the mean of its points
+        from the fitted {shape}, outward is positive; each cell of {measured(file.cell_mm, "mm", 1)} is the mean of its points
       </span>
     </div>
   );

@@ -1,5 +1,5 @@
 import type { FigureLine } from "../api/verifyTypes";
-import { figures } from "../parts/format";
+import { measured } from "../parts/lengths";
 import { QualityMark } from "../parts/QualityMark";
 import styles from "./FigureBars.module.css";
 import { QUALITY, WORD, worded } from "./shown";
@@ -20,7 +20,6 @@ function Bar({ figure }: { figure: FigureLine }) {
   const size = Math.abs(figure.value);
   const end = 1.08 * Math.max(limit ?? 0, size + U, 1e-6);
   const at = (value: number) => `${(100 * Math.min(Math.max(value, 0), end)) / end}%`;
-  const space = unit === "″" ? "" : "\u00a0";
   return (
     <li className={styles.figure} data-decision={figure.decision}>
       <div className={styles.head}>
@@ -39,18 +38,12 @@ function Bar({ figure }: { figure: FigureLine }) {
           <>
             <QualityMark quality={QUALITY[figure.decision]} size="1.125rem" />
             <strong>{WORD[figure.decision]}</strong>
-            <span>
-              limit {figures(limit)}
-              {space}
-              {unit}
-            </span>
+            <span>limit {measured(limit, unit)}</span>
           </>
         )}
         {U > 0 && (
           <span>
-            U = {figures(U, U < 10 ? 1 : 0)}
-            {space}
-            {unit}, k = 2
+            U = {measured(U, unit, U < 10 ? 1 : 0)}, k = 2
           </span>
         )}
       </p>

@@ -1,4 +1,4 @@
-import { figures } from "../parts/format";
+import { lengthFigures, measured } from "../parts/lengths";
 import styles from "./Charts.module.css";
 
 export interface Line {
@@ -32,16 +32,13 @@ export function LinesChart({ title, unit, lines, labels, limit = null, both = fa
   const low = both ? -top : 0;
   const x = (i: number) => (labels.length === 1 ? WIDTH / 2 : EDGE + (i * (WIDTH - 2 * EDGE)) / (labels.length - 1));
   const y = (value: number) => HEIGHT - (HEIGHT * (value - low)) / (top - low);
-  const space = unit === "″" ? "" : " ";
   return (
     <figure className={styles.chart}>
       <figcaption className={styles.title}>
         {title}
         {limit !== null && (
           <span className={styles.limitWords}>
-            limit {figures(limit)}
-            {space}
-            {unit}
+            limit {measured(limit, unit)}
             {drawn === null ? ", beyond the chart" : ", dashed"}
           </span>
         )}
@@ -50,12 +47,10 @@ export function LinesChart({ title, unit, lines, labels, limit = null, both = fa
         <div className={styles.scale} aria-hidden="true">
           <span>
             {both && "+"}
-            {figures(top)}
-            {space}
-            {unit}
+            {measured(top, unit)}
           </span>
           {both && <span>0</span>}
-          <span>{both ? `−${figures(top)}` : "0"}</span>
+          <span>{both ? `−${lengthFigures(top, unit)}` : "0"}</span>
         </div>
         <svg className={styles.plot} viewBox={`0 0 ${WIDTH} ${HEIGHT}`} preserveAspectRatio="none" role="img" aria-label={title}>
           {both && <line className={styles.zero} x1={0} x2={WIDTH} y1={y(0)} y2={y(0)} />}
@@ -67,7 +62,7 @@ export function LinesChart({ title, unit, lines, labels, limit = null, both = fa
           {lines.map((line) =>
             line.values.map((value, i) => (
               <line key={`${line.name}${i}`} className={styles.dot} style={{ stroke: line.colour }} x1={x(i)} x2={x(i)} y1={y(value)} y2={y(value)}>
-                <title>{`${line.name}, ${labels[i] ?? ""}: ${figures(value, 1)}${space}${unit}`}</title>
+                <title>{`${line.name}, ${labels[i] ?? ""}: ${measured(value, unit, 1)}`}</title>
               </line>
             )),
           )}
@@ -92,15 +87,12 @@ interface RangeBarsProps {
 export function RangeBars({ title, unit, bars }: RangeBarsProps) {
   const top = Math.max(...bars.map(({ value }) => value), 1e-6);
   const mean = bars.reduce((sum, { value }) => sum + value, 0) / Math.max(bars.length, 1);
-  const space = unit === "″" ? "" : "\u00a0";
   return (
     <figure className={styles.chart}>
       <figcaption className={styles.title}>
         {title}
         <span className={styles.limitWords}>
-          mean {figures(mean, 1)}
-          {space}
-          {unit}
+          mean {measured(mean, unit, 1)}
         </span>
       </figcaption>
       <ul className={styles.bars}>
@@ -110,11 +102,7 @@ export function RangeBars({ title, unit, bars }: RangeBarsProps) {
             <span className={styles.barTrack}>
               <span className={styles.bar} style={{ width: `${(100 * value) / top}%`, background: colour }} />
             </span>
-            <span className={styles.barValue}>
-              {figures(value, 1)}
-              {space}
-              {unit}
-            </span>
+            <span className={styles.barValue}>{measured(value, unit, 1)}</span>
           </li>
         ))}
       </ul>

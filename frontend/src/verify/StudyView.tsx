@@ -5,11 +5,10 @@ import { makeStudy } from "../api/verifyCommands";
 import type { StudyFile } from "../api/verifyFiles";
 import type { StudyState } from "../api/verifyTypes";
 import { rampColour } from "../object/residuals";
-import { figures } from "../parts/format";
 import { CopyCsv } from "../parts/CopyCsv";
-import type { TableData } from "../parts/DataTable";
 import { PressButton } from "../parts/PressButton";
 import { Busy } from "../parts/Progress";
+import { amount, type TableData } from "../parts/table";
 import styles from "./Charts.module.css";
 import { LinesChart, RangeBars } from "./LinesChart";
 
@@ -144,12 +143,12 @@ function tables(study: StudyFile, measures: [Measure, Measure]): TableData[] {
   return [
     {
       title: "Clouds and calibrations",
-      head: ["Calibration", "Cloud", ...measures.map(({ title, unit }) => `${title}, ${unit}`), "rms, µm"],
+      head: ["Calibration", "Cloud", ...measures.map(({ title, unit }) => ({ words: title, unit })), { words: "rms", unit: "µm" }],
       rows: study.rows.map((row) => [
         study.calibrations[row.calibration] ?? "",
         study.clouds[row.cloud] ?? "",
-        ...measures.map((measure) => figures(measure.of(row), 2)),
-        figures(row.rms_um, 2),
+        ...measures.map((measure) => amount(measure.of(row), 2, measure.unit)),
+        amount(row.rms_um, 2, "µm"),
       ]),
     },
   ];

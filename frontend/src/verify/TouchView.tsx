@@ -1,7 +1,8 @@
 import type { TouchLine } from "../api/verifyTypes";
 import legend from "../flow/ResidualLegend.module.css";
 import { RAMP_CSS, rampColour } from "../object/residuals";
-import { figures, signed } from "../parts/format";
+import { figures } from "../parts/format";
+import { measured, roundEnd, signedLength } from "../parts/lengths";
 import { GaugeDrawing } from "./GaugeDrawing";
 import styles from "./TouchView.module.css";
 
@@ -23,7 +24,7 @@ export function TouchView({ picture }: TouchViewProps) {
     );
   }
   const worst = Math.max(...placed.map(({ residual_um }) => Math.abs(residual_um ?? 0)));
-  const end = [5, 10, 20, 50, 100, 200, 500].find((scale) => worst <= scale) ?? 1000;
+  const end = roundEnd(worst, "µm", 5, 1000);
   const radius = picture.radius_mm;
   const reach = radius ?? Math.max(...placed.flatMap(({ x_mm, y_mm }) => [Math.abs(x_mm ?? 0), Math.abs(y_mm ?? 0)]));
   const half = 1.3 * reach;
@@ -40,7 +41,7 @@ export function TouchView({ picture }: TouchViewProps) {
           <g key={index} transform={`translate(${x_mm ?? 0} ${-(y_mm ?? 0)})`}>
             <circle r={dot} style={{ fill: rampColour(Math.abs(residual_um ?? 0) / end) }} className={styles.dot} />
             <text x={1.5 * dot} y={0.55 * dot} fontSize={1.9 * dot} className={styles.label}>
-              {i + 1}: {signed(residual_um ?? 0)} µm
+              {i + 1}: {signedLength(residual_um ?? 0, "µm")}
             </text>
           </g>
         ))}
@@ -48,7 +49,7 @@ export function TouchView({ picture }: TouchViewProps) {
       <div className={legend.legend}>
         <span>0</span>
         <span className={legend.ramp} style={{ background: RAMP_CSS }} />
-        <span>{end} µm off the gauge that fits them best; outward is positive</span>
+        <span>{measured(end, "µm")} off the gauge that fits them best; outward is positive</span>
       </div>
     </div>
   );

@@ -1,3 +1,5 @@
+import { roundEnd } from "../parts/lengths";
+
 /** Blue below, a quiet grey where it fits, orange above: told apart by every eye, in light and dark. */
 const BELOW: [number, number, number] = [30, 100, 210];
 const FITS: [number, number, number] = [202, 206, 212];
@@ -15,5 +17,5 @@ export const DEVIATION_CSS = `linear-gradient(90deg, ${[-1, -0.5, 0, 0.5, 1].map
 export function deviationScale(values: number[]): number {
   const sizes = values.map(Math.abs).sort((a, b) => a - b);
   const most = sizes[Math.floor(0.98 * (sizes.length - 1))] ?? 0;
-  return [5, 10, 20, 50, 100, 200, 500].find((end) => most <= end) ?? 1000;
+  return roundEnd(most, "µm", 5, 1000);
 }

@@ -1,8 +1,8 @@
 import type { VerificationRecord } from "../api/verifyFiles";
 import type { CloudLine, FigureLine, VerdictLine, VerifyPicture } from "../api/verifyTypes";
-import { figures, signed } from "../parts/format";
+import { measured, signedLength } from "../parts/lengths";
 import type { Quality } from "../api/types";
-import type { TableData } from "../parts/DataTable";
+import { amount, type TableData } from "../parts/table";
 
 /** What is looked at: the open verification, or one of the records. */
 export interface Shown {
@@ -59,36 +59,36 @@ export function shownOfRecord(record: VerificationRecord): Shown {
 /** A figure with its unit; its sign only where both are possible. */
 export function worded({ name, value, unit }: Pick<FigureLine, "name" | "value" | "unit">): string {
   const both = name === "offset" || name === "z_error" || name === "radius_error";
-  return `${both ? signed(value) : figures(value)}${unit === "″" ? "" : "\u00a0"}${unit}`;
+  return both ? signedLength(value, unit) : measured(value, unit);
 }
 
-const COLUMNS: [keyof CloudLine, string][] = [
-  ["points", "Points"],
-  ["used", "Used"],
-  ["rms_um", "rms, µm"],
-  ["form_um", "Form, µm"],
-  ["angle_arcsec", "Angle, ″"],
-  ["z_error_um", "Z error, µm"],
-  ["offset_error_um", "Distance, µm"],
-  ["radius_error_um", "Radius error, µm"],
-  ["centre_error_um", "Centre error, µm"],
+const COLUMNS: { name: keyof CloudLine; words: string; unit: string }[] = [
+  { name: "points", words: "Points", unit: "" },
+  { name: "used", words: "Used", unit: "" },
+  { name: "rms_um", words: "rms", unit: "µm" },
+  { name: "form_um", words: "Form", unit: "µm" },
+  { name: "angle_arcsec", words: "Angle", unit: "″" },
+  { name: "z_error_um", words: "Z error", unit: "µm" },
+  { name: "offset_error_um", words: "Distance", unit: "µm" },
+  { name: "radius_error_um", words: "Radius error", unit: "µm" },
+  { name: "centre_error_um", words: "Centre error", unit: "µm" },
 ];
 
 /** The figures against their limits, and cloud by cloud. */
 export function tablesOf({ clouds, figures: found }: Shown): TableData[] {
-  const known = COLUMNS.filter(([name]) => clouds.some((cloud) => cloud[name] !== null));
-  const number = (value: unknown, name: string) => (typeof value === "number" ? figures(value, name === "points" || name === "used" ? 0 : 1) : "–");
+  const known = COLUMNS.filter(({ name }) => clouds.some((cloud) => cloud[name] !== null));
+  const number = (value: unknown, unit: string) => (typeof value === "number" ? amount(value, unit ? 1 : 0, unit) : "–");
   return [
     {
       title: "Figures",
       head: ["Figure", "Value", "U (k = 2)", "Limit", "Unit", "Decision"],
-      rows: found.map((f) => [f.title, figures(f.value, 1), figures(f.expanded_uncertainty, 1), f.limit === null ? "–" : figures(f.limit), f.unit, WORD[f.decision]]),
+      rows: found.map((f) => [f.title, amount(f.value, 1, f.unit), amount(f.expanded_uncertainty, 1, f.unit), f.limit === null ? "–" : amount(f.limit, 0, f.unit), { unit: f.unit }, WORD[f.decision]]),
       wide: true,
     },
     {
       title: "Clouds",
-      head: ["Cloud", ...known.map(([, title]) => title)],
-      rows: clouds.map((cloud) => [`${cloud.number}`, ...known.map(([name]) => number(cloud[name], name))]),
+      head: ["Cloud", ...known],
+      rows: clouds.map((cloud) => [`${cloud.number}`, ...known.map(({ name, unit }) => number(cloud[name], unit))]),
       wide: true,
     },
   ];

@@ -1,0 +1,50 @@
+import { figures, signed } from "./format";
+import { lengthFigures, unitOf } from "./lengths";
+
+/** A number of the station's; `plus` where its sign is always told. */
+export interface Amount {
+  value: number;
+  decimals: number;
+  unit: string;
+  plus: boolean;
+}
+
+export type Cell = string | Amount | { unit: string };
+/** A column's head, with its unit where all of it has one. */
+export type Head = string | { words: string; unit: string };
+
+export interface TableData {
+  title: string;
+  head: Head[];
+  rows: Cell[][];
+  /** Takes the whole width where others stand side by side. */
+  wide?: boolean;
+}
+
+export function amount(value: number, decimals: number, unit = "", plus = false): Amount {
+  return { value, decimals, unit, plus };
+}
+
+/** As it is copied: in the station's units. */
+export function plainCell(cell: Cell): string {
+  if (typeof cell === "string") return cell;
+  if (!("value" in cell)) return cell.unit;
+  return cell.plus ? signed(cell.value, cell.decimals) : figures(cell.value, cell.decimals);
+}
+
+export function plainHead(head: Head): string {
+  if (typeof head === "string") return head;
+  return [head.words, head.unit].filter(Boolean).join(", ");
+}
+
+/** As it is shown: in this browser's units. */
+export function shownCell(cell: Cell): string {
+  if (typeof cell === "string") return cell;
+  if (!("value" in cell)) return unitOf(cell.unit);
+  return lengthFigures(cell.value, cell.unit, cell.decimals, cell.plus);
+}
+
+export function shownHead(head: Head): string {
+  if (typeof head === "string") return head;
+  return [head.words, unitOf(head.unit)].filter(Boolean).join(", ");
+}
