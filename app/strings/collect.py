@@ -19,7 +19,7 @@ ROOMS = (
     *("app/store", "app/supervise", "hardware"),
 )
 SILENT = (
-    *("app/api/rights.py", "app/api/metrics.py", "app/api/wiring.py"),
+    *("app/api/metrics.py", "app/api/wiring.py"),
     *("app/files/cloud_pcd.py", "hardware/arm/protocol.py", "hardware/twin"),
 )
 """Files of these rooms whose words are for machines."""

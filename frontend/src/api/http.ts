@@ -1,3 +1,4 @@
+import { spoken } from "../state/spoken";
 import type { Problem } from "./types";
 
 /** A refusal of the station, in its own words. */
@@ -44,8 +45,9 @@ async function request(path: string, init: RequestInit): Promise<Response> {
   return answer;
 }
 
+/** What is there, its sentences in this browser's language. */
 export async function get<T>(path: string): Promise<T> {
-  return (await (await request(path, { method: "GET" })).json()) as T;
+  return spoken((await (await request(path, { method: "GET" })).json()) as T);
 }
 
 export async function post<T>(path: string, body: unknown = {}): Promise<T | null> {

@@ -1,3 +1,4 @@
+import { spoken } from "../state/spoken";
 import type { PreviewHeader } from "./types";
 
 export interface Preview {
@@ -36,7 +37,7 @@ export function parsePreview(message: ArrayBuffer): { header: PreviewHeader; jpe
   const length = new DataView(message).getUint32(0);
   const text = new TextDecoder().decode(new Uint8Array(message, 4, length));
   return {
-    header: JSON.parse(text) as PreviewHeader,
+    header: spoken(JSON.parse(text) as PreviewHeader),
     jpeg: new Blob([new Uint8Array(message, 4 + length)], { type: "image/jpeg" }),
   };
 }

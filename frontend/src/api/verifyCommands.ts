@@ -1,3 +1,4 @@
+import { spoken } from "../state/spoken";
 import { clearNotice } from "../state/notices";
 import { getState, setState } from "../state/store";
 import { newKey, tell } from "./commands";
@@ -35,7 +36,7 @@ export async function startVerify(): Promise<void> {
 
 export async function makeStudy(id: string): Promise<StudyState | null> {
   try {
-    return await post<StudyState>(`/api/verifications/${id}/study`, {});
+    return spoken(await post<StudyState>(`/api/verifications/${id}/study`, {}));
   } catch (error) {
     tell(error, "the clouds were not rebuilt");
     return null;

@@ -1,4 +1,5 @@
 import { clearNotice } from "../state/notices";
+import { spoken } from "../state/spoken";
 import { tell } from "./commands";
 import { drop, post } from "./http";
 import type { BackupState, Notifications, Scraper } from "./watchTypes";
@@ -7,7 +8,7 @@ async function done<T>(act: () => Promise<T | null>, whatWas: string): Promise<T
   try {
     const answer = await act();
     clearNotice();
-    return answer;
+    return spoken(answer);
   } catch (error) {
     tell(error, whatWas);
     return null;

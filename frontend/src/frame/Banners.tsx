@@ -79,9 +79,9 @@ function LostDevices() {
   );
 }
 
-/** Without the seconds, which the status line counts. */
+/** Without the seconds, which the status line counts and which end it in every language. */
 function lostWords(device: DeviceState | undefined): string {
-  return device?.state === "lost" ? device.text.replace(/ for \d+\.\d s$/, "") : "";
+  return device?.state === "lost" ? device.text.replace(/,? \S+ \d+(\.\d)? s$/, "") : "";
 }
 
 function NoticeBanner({ notice }: { notice: Notice }) {

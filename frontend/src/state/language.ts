@@ -15,6 +15,8 @@ export const LANGUAGES: readonly string[] = [ENGLISH, ...READ.keys()];
 let language = ENGLISH;
 let strings: Strings = {};
 let sentences: Sentences | null = null;
+/** Counts up with each change of how sentences are said; 0 while they are said as they come. */
+let changes = 0;
 const listeners = new Set<() => void>();
 
 /** A language's name in itself. */
@@ -40,6 +42,11 @@ export function words(text: string): string {
 /** A sentence that the station said, in this browser's language and units; what is not known stays as it is. */
 export function said(text: string): string {
   return inUnits(sentences ? sentences.said(text) : text);
+}
+
+/** Which wording `said` gives: another number, another wording; 0 is the station's own. */
+export function heardSince(): number {
+  return changes;
 }
 
 /** The language now; a component that asks renders again when it changes. */
@@ -83,6 +90,7 @@ async function show(code: string): Promise<void> {
   }
   language = code;
   sentences = code === ENGLISH ? null : new Sentences(strings);
+  if (sentences || changes) changes += 1;
   document.documentElement.lang = code;
   for (const listener of listeners) listener();
 }

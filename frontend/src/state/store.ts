@@ -6,6 +6,7 @@ import type { Devices, FlowView, Home, Quality, ReplayState, ScanState, Station,
 import type { VerifyView } from "../api/verifyTypes";
 import type { ViewState } from "../api/viewTypes";
 import type { StationReport, StationShown, Told } from "../api/watchTypes";
+import { spoken } from "./spoken";
 
 export type Connection = "connecting" | "live" | "lost";
 
@@ -100,9 +101,10 @@ export function subscribe(listener: () => void): () => void {
   return () => listeners.delete(listener);
 }
 
-/** One value of the live state; the component renders again only when it changes. */
+/** One value of the live state, its sentences in this browser's language; the component renders
+ *  again only when it changes. */
 export function useLive<T>(select: (state: LiveState) => T): T {
-  return useSyncExternalStore(subscribe, () => select(state));
+  return useSyncExternalStore(subscribe, () => select(spoken(state)));
 }
 
 /** Brings the picture of a pose up where it can be seen. */

@@ -1,6 +1,7 @@
 import { useSyncExternalStore } from "react";
 
 import type { Told } from "../api/watchTypes";
+import { said } from "./language";
 import { getState, subscribe } from "./store";
 
 const KEY = "crenel-telling";
@@ -51,7 +52,7 @@ export function startTelling(): void {
     }
     seen = key;
     if (told && telling() === "on") {
-      new Notification(`${told.name}: ${TITLES[told.kind].toLowerCase()}`, { body: told.text, tag: key });
+      new Notification(`${told.name}: ${TITLES[told.kind].toLowerCase()}`, { body: said(told.text), tag: key });
     }
   });
 }

@@ -1,0 +1,52 @@
+import { heardSince, said } from "./language";
+
+/** Where the station puts sentences and words; all else are names, numbers and keys. */
+const SENTENCES = new Set([
+  ...["text", "title", "label", "note", "detail", "remedy", "why_not", "confirm", "instruction", "words", "wanted"],
+  ...["reason", "verdict_text", "what", "why", "trouble", "progress", "source", "act", "outcome"],
+]);
+/** What is sent back as it came. */
+const KEPT = new Set(["args"]);
+
+let done = new WeakMap<object, unknown>();
+let since = heardSince();
+
+/**
+ * What the station sent, with its sentences in this browser's language. The same for the same;
+ * what holds no sentence is given back itself.
+ */
+export function spoken<T>(value: T): T {
+  if (since !== heardSince()) {
+    since = heardSince();
+    done = new WeakMap();
+  }
+  return since === 0 ? value : (walked(value) as T);
+}
+
+function walked(value: unknown): unknown {
+  if (typeof value !== "object" || value === null) return value;
+  const known = done.get(value);
+  if (known !== undefined) return known;
+  const result = Array.isArray(value) ? list(value) : record(value as Record<string, unknown>);
+  done.set(value, result);
+  return result;
+}
+
+function list(values: unknown[]): unknown[] {
+  // rows of numbers, as of an outline, are long
+  if (typeof values[0] === "number") return values;
+  const result = values.map(walked);
+  return result.some((one, i) => one !== values[i]) ? result : values;
+}
+
+function record(fields: Record<string, unknown>): Record<string, unknown> {
+  let result = fields;
+  for (const [key, value] of Object.entries(fields)) {
+    if (KEPT.has(key)) continue;
+    const now = typeof value === "string" ? (SENTENCES.has(key) ? said(value) : value) : walked(value);
+    if (now === value) continue;
+    if (result === fields) result = { ...fields };
+    result[key] = now;
+  }
+  return result;
+}
