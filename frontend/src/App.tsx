@@ -15,7 +15,7 @@ import { ScanPage } from "./pages/ScanPage";
 import { SettingsPage } from "./pages/SettingsPage";
 import { SupervisePage } from "./pages/SupervisePage";
 import { VerifyPage } from "./pages/VerifyPage";
-import { useLanguage } from "./state/language";
+import { t, useLanguage } from "./state/language";
 import { TITLES, usePage } from "./state/router";
 import { useLive } from "./state/store";
 import { useUnits } from "./state/units";
@@ -24,14 +24,14 @@ const PAGE = { home: HomePage, calibrate: CalibratePage, verify: VerifyPage, sca
 
 export function App() {
   // nothing below keeps what it has drawn: all of it is drawn anew in other words and units
-  useLanguage();
+  const language = useLanguage();
   useUnits();
   const page = usePage();
   const Page = PAGE[page];
   const session = useLive((s) => s.session);
   useEffect(() => {
-    document.title = `${TITLES[page]} · Crenel`;
-  }, [page]);
+    document.title = `${t(TITLES[page])} · Crenel`;
+  }, [page, language]);
   if (session && !session.you) return <EntrancePage session={session} />;
   // a screen on the wall has no hands: what it shows fills it
   if (session?.you?.wall) return <SupervisePage />;

@@ -1,3 +1,5 @@
+import { words } from "../state/language";
+
 export type Role = "viewer" | "operator" | "admin";
 
 /** Who is signed in at this browser; the id is the sign-in's, as in Control. */
@@ -53,7 +55,7 @@ export interface AuditEntry {
 }
 
 export const ROLES: Record<Role, string> = {
-  viewer: "looks on",
-  operator: "operator",
-  admin: "administrator",
+  viewer: words("looks on"),
+  operator: words("operator"),
+  admin: words("administrator"),
 };

@@ -1,3 +1,4 @@
+import { t } from "../state/language";
 import { clearNotice } from "../state/notices";
 import { getState, setState } from "../state/store";
 import type { ArmView } from "./armTypes";
@@ -21,7 +22,7 @@ export async function sendArm(name: string, args: Record<string, unknown> = {}):
       }),
     );
   } catch (error) {
-    tell(error, "the action was not confirmed");
+    tell(error, t("the action was not confirmed"));
   }
 }
 
@@ -29,6 +30,6 @@ export async function startArm(purpose: ArmView["purpose"]): Promise<void> {
   try {
     put(await post<ArmView>("/api/arm/start", { purpose }));
   } catch (error) {
-    tell(error, "the session was not started");
+    tell(error, t("the session was not started"));
   }
 }

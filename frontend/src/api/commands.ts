@@ -1,3 +1,4 @@
+import { t } from "../state/language";
 import { clearNotice, notify } from "../state/notices";
 import { getState, putFlow, setState } from "../state/store";
 import { NoAnswer, post, Refused } from "./http";
@@ -30,9 +31,9 @@ export function tell(error: unknown, whatWas: string): void {
   if (error instanceof NoAnswer) {
     return notify({
       quality: "bad",
-      title: `No answer from the station: ${whatWas}`,
-      detail: "What the station has already taken is kept there.",
-      remedy: "Check the network; this page reconnects by itself. Then press again.",
+      title: t("No answer from the station: {what}", { what: whatWas }),
+      detail: t("What the station has already taken is kept there."),
+      remedy: t("Check the network; this page reconnects by itself. Then press again."),
       untilHeard: true,
     });
   }
@@ -58,10 +59,10 @@ export async function sendFlow(name: string, args: Record<string, unknown>): Pro
   } catch (error) {
     if (error instanceof Refused && error.problem.status === 409 && error.problem.view) {
       setState({ flow: error.problem.view });
-      notify({ quality: "neutral", title: "The step has moved on; nothing was taken twice." }, 6000);
+      notify({ quality: "neutral", title: t("The step has moved on; nothing was taken twice.") }, 6000);
       return;
     }
-    tell(error, "the action was not confirmed");
+    tell(error, t("the action was not confirmed"));
   }
 }
 
@@ -71,7 +72,7 @@ export async function startFlow(): Promise<void> {
     clearNotice();
     if (view) putFlow(view);
   } catch (error) {
-    tell(error, "the calibration was not started");
+    tell(error, t("the calibration was not started"));
   }
 }
 
@@ -85,25 +86,25 @@ async function scanCommand(path: string, body: unknown, whatWas: string): Promis
   }
 }
 
-export const startScan = () => scanCommand("/api/scan/start", {}, "the scan was not started");
-export const stopScan = () => scanCommand("/api/scan/stop", {}, "the scan may still run");
+export const startScan = () => scanCommand("/api/scan/start", {}, t("the scan was not started"));
+export const stopScan = () => scanCommand("/api/scan/stop", {}, t("the scan may still run"));
 export const setScanHand = (on: boolean) =>
-  scanCommand("/api/scan/hand", { on }, on ? "the hand was not started" : "the hand may still move");
+  scanCommand("/api/scan/hand", { on }, on ? t("the hand was not started") : t("the hand may still move"));
 
 export async function setLaser(on: boolean): Promise<void> {
   try {
     await post(on ? "/api/laser/on" : "/api/laser/off");
   } catch (error) {
-    tell(error, on ? "the laser was not switched on" : "the laser may still be on");
+    tell(error, on ? t("the laser was not switched on") : t("the laser may still be on"));
   }
 }
 
 export async function stopAll(): Promise<void> {
   try {
     await post("/api/stop");
-    notify({ quality: "neutral", title: "Stopped: laser off, scan and hand at rest." }, 5000);
+    notify({ quality: "neutral", title: t("Stopped: laser off, scan and hand at rest.") }, 5000);
   } catch (error) {
-    tell(error, "Stop was not confirmed. Use the switch on the device");
+    tell(error, t("Stop was not confirmed. Use the switch on the device"));
   }
 }
 
@@ -111,6 +112,6 @@ export async function setExposure(exposure_us: number): Promise<void> {
   try {
     await post("/api/exposure", { exposure_us });
   } catch (error) {
-    tell(error, "the exposure was not changed");
+    tell(error, t("the exposure was not changed"));
   }
 }

@@ -1,3 +1,4 @@
+import { t } from "../state/language";
 import { spoken } from "../state/spoken";
 import type { Problem } from "./types";
 
@@ -26,11 +27,11 @@ async function readProblem(answer: Response): Promise<Problem> {
   }
   return {
     type: "about:blank",
-    title: `The station refused with status ${answer.status}`,
+    title: t("The station refused with status {status}", { status: answer.status }),
     status: answer.status,
-    detail: "Nothing was changed here.",
+    detail: t("Nothing was changed here."),
     code: "http",
-    remedy: "Try again; if it stays so, look at the station's log.",
+    remedy: t("Try again; if it stays so, look at the station's log."),
   };
 }
 

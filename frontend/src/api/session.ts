@@ -1,3 +1,4 @@
+import { t } from "../state/language";
 import { clearNotice } from "../state/notices";
 import { setState } from "../state/store";
 import type { Account, Control, Role, Session, Wall } from "./accessTypes";
@@ -22,7 +23,7 @@ export async function startSession(): Promise<void> {
       put(await post<Session>(`/api/session/${link.way}`, { code: link.value }));
       return clearNotice();
     } catch (error) {
-      tell(error, "the link could not be opened");
+      tell(error, t("the link could not be opened"));
     }
   }
   await readSession();
@@ -57,21 +58,21 @@ async function done(act: () => Promise<void>, whatWas: string): Promise<boolean>
 }
 
 export const signIn = (name: string, password: string) =>
-  done(async () => put(await post<Session>("/api/session", { name, password })), "nobody was signed in");
+  done(async () => put(await post<Session>("/api/session", { name, password })), t("nobody was signed in"));
 
 export const enterByCode = (code: string) =>
-  done(async () => put(await post<Session>("/api/session/code", { code })), "nobody was let in");
+  done(async () => put(await post<Session>("/api/session/code", { code })), t("nobody was let in"));
 
 export const makeAdmin = (code: string, name: string, password: string) =>
-  done(async () => put(await post<Session>("/api/session/admin", { code, name, password })), "no account was made");
+  done(async () => put(await post<Session>("/api/session/admin", { code, name, password })), t("no account was made"));
 
 export const signOut = () =>
-  done(async () => put(await drop<Session>("/api/session")), "you may still be signed in");
+  done(async () => put(await drop<Session>("/api/session")), t("you may still be signed in"));
 
 export const changePassword = (old: string, fresh: string) =>
   done(
     async () => put(await post<Session>("/api/session/password", { old, new: fresh })),
-    "the password was not changed",
+    t("the password was not changed"),
   );
 
 async function control(path: string, body: unknown, whatWas: string): Promise<boolean> {
@@ -81,22 +82,22 @@ async function control(path: string, body: unknown, whatWas: string): Promise<bo
   }, whatWas);
 }
 
-export const askForControl = () => control("ask", {}, "control was not asked for");
-export const answerForControl = (give: boolean) => control("answer", { give }, "the answer was not given");
-export const releaseControl = () => control("release", {}, "control was not let go");
-export const takeControl = (reason: string) => control("take", { reason }, "control was not taken");
+export const askForControl = () => control("ask", {}, t("control was not asked for"));
+export const answerForControl = (give: boolean) => control("answer", { give }, t("the answer was not given"));
+export const releaseControl = () => control("release", {}, t("control was not let go"));
+export const takeControl = (reason: string) => control("take", { reason }, t("control was not taken"));
 
 export const addAccount = (name: string, role: Role, password: string) =>
-  done(async () => void (await post<Account>("/api/accounts", { name, role, password })), "no account was made");
+  done(async () => void (await post<Account>("/api/accounts", { name, role, password })), t("no account was made"));
 
 export const changeAccount = (name: string, change: { role?: Role; password?: string }) =>
   done(
     async () => void (await post<Account>(`/api/accounts/${encodeURIComponent(name)}`, change)),
-    "the account was not changed",
+    t("the account was not changed"),
   );
 
 export const removeAccount = (name: string) =>
-  done(async () => void (await drop(`/api/accounts/${encodeURIComponent(name)}`)), "the account was not removed");
+  done(async () => void (await drop(`/api/accounts/${encodeURIComponent(name)}`)), t("the account was not removed"));
 
 /** The new link's address, which is shown this once; nothing where it was not made. */
 export async function addWall(name: string): Promise<string> {
@@ -104,9 +105,9 @@ export async function addWall(name: string): Promise<string> {
   await done(async () => {
     const wall = await post<Wall>("/api/walls", { name });
     if (wall?.token) address = `${window.location.origin}/#wall=${wall.token}`;
-  }, "no link was made");
+  }, t("no link was made"));
   return address;
 }
 
 export const removeWall = (id: string) =>
-  done(async () => void (await drop(`/api/walls/${id}`)), "the link may still be good");
+  done(async () => void (await drop(`/api/walls/${id}`)), t("the link may still be good"));

@@ -1,3 +1,4 @@
+import { t } from "../state/language";
 import { clearNotice } from "../state/notices";
 import { getState, setState } from "../state/store";
 import { tell } from "./commands";
@@ -23,7 +24,7 @@ export async function changeSettings(change: Partial<Changeable>): Promise<boole
   const held = getState().settings;
   if (!held) return false;
   const { delay, finding_delay, findings, ...all } = held;
-  return send("", { ...all, ...change }, "the settings were not changed");
+  return send("", { ...all, ...change }, t("the settings were not changed"));
 }
 
 /** What is told depends on the devices of now: asked for anew when somebody looks. */
@@ -36,14 +37,14 @@ export async function readSettings(): Promise<void> {
 }
 
 export const exposeByTheLine = async () => {
-  await send("/exposure", {}, "the exposure was not changed");
+  await send("/exposure", {}, t("the exposure was not changed"));
 };
 export const findDelay = async () => {
-  await send("/delay/find", {}, "the delay was not looked for");
+  await send("/delay/find", {}, t("the delay was not looked for"));
 };
 export const passForDelay = async () => {
-  await send("/delay/pass", {}, "the pass was not started");
+  await send("/delay/pass", {}, t("the pass was not started"));
 };
 export const applyDelay = async (on: boolean) => {
-  await send("/delay", { on }, "the delay was not changed");
+  await send("/delay", { on }, t("the delay was not changed"));
 };

@@ -1,3 +1,4 @@
+import { t } from "../state/language";
 import { spoken } from "../state/spoken";
 import { clearNotice } from "../state/notices";
 import { getState, setState } from "../state/store";
@@ -22,7 +23,7 @@ export async function sendVerify(name: string, args: Record<string, unknown> = {
       }),
     );
   } catch (error) {
-    tell(error, "the action was not confirmed");
+    tell(error, t("the action was not confirmed"));
   }
 }
 
@@ -30,7 +31,7 @@ export async function startVerify(): Promise<void> {
   try {
     put(await post<VerifyView>("/api/verify/start", {}));
   } catch (error) {
-    tell(error, "the verification was not started");
+    tell(error, t("the verification was not started"));
   }
 }
 
@@ -38,7 +39,7 @@ export async function makeStudy(id: string): Promise<StudyState | null> {
   try {
     return spoken(await post<StudyState>(`/api/verifications/${id}/study`, {}));
   } catch (error) {
-    tell(error, "the clouds were not rebuilt");
+    tell(error, t("the clouds were not rebuilt"));
     return null;
   }
 }

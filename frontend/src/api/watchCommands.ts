@@ -1,3 +1,4 @@
+import { t } from "../state/language";
 import { clearNotice } from "../state/notices";
 import { spoken } from "../state/spoken";
 import { tell } from "./commands";
@@ -15,7 +16,7 @@ async function done<T>(act: () => Promise<T | null>, whatWas: string): Promise<T
   }
 }
 
-export const startBackup = () => done(() => post<BackupState>("/api/backup"), "no backup was begun");
+export const startBackup = () => done(() => post<BackupState>("/api/backup"), t("no backup was begun"));
 
 export interface NotificationsChange {
   url: string;
@@ -27,13 +28,13 @@ export interface NotificationsChange {
 }
 
 export const changeNotifications = (change: NotificationsChange) =>
-  done(() => post<Notifications>("/api/notifications", change), "the notifications were not changed");
+  done(() => post<Notifications>("/api/notifications", change), t("the notifications were not changed"));
 
 export const tryNotifications = () =>
-  done(() => post<Notifications>("/api/notifications/test"), "nothing was sent");
+  done(() => post<Notifications>("/api/notifications/test"), t("nothing was sent"));
 
 export const addScraper = (name: string) =>
-  done(() => post<Scraper>("/api/scrapers", { name }), "no token was made");
+  done(() => post<Scraper>("/api/scrapers", { name }), t("no token was made"));
 
 export const removeScraper = (id: string) =>
-  done(() => drop(`/api/scrapers/${id}`), "the token may still be good");
+  done(() => drop(`/api/scrapers/${id}`), t("the token may still be good"));

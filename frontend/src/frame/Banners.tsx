@@ -5,6 +5,7 @@ import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
 import { age } from "../parts/format";
 import { useSilence } from "../state/freshness";
+import { t } from "../state/language";
 import { dismiss } from "../state/notices";
 import { type Notice, useLive } from "../state/store";
 import styles from "./Banners.module.css";
@@ -31,9 +32,9 @@ function LostBanner({ first }: { first: boolean }) {
       <QualityMark quality="attention" />
       <div className={styles.words}>
         <strong>
-          {first ? "Connecting to the station" : "Connection lost, reconnecting"}, {age(Math.floor(silent_s))}
+          {first ? t("Connecting to the station") : t("Connection lost, reconnecting")}, {age(Math.floor(silent_s))}
         </strong>
-        {!first && <span>The numbers here are old. The station keeps everything it has taken.</span>}
+        {!first && <span>{t("The numbers here are old. The station keeps everything it has taken.")}</span>}
       </div>
     </div>
   );
@@ -48,14 +49,14 @@ function Asked() {
     <div className={styles.banner} data-quality="neutral" role="alert">
       <QualityMark quality="neutral" />
       <div className={styles.words}>
-        <strong>{asked_by.name} asks for control</strong>
-        <span>What runs goes on, whoever has it.</span>
+        <strong>{t("{name} asks for control", { name: asked_by.name })}</strong>
+        <span>{t("What runs goes on, whoever has it.")}</span>
       </div>
       <PressButton free onPress={async () => void (await answerForControl(true))}>
-        Hand over
+        {t("Hand over")}
       </PressButton>
       <PressButton free kind="quiet" onPress={async () => void (await answerForControl(false))}>
-        Keep it
+        {t("Keep it")}
       </PressButton>
     </div>
   );
@@ -72,7 +73,7 @@ function LostDevices() {
           <QualityMark quality="bad" />
           <div className={styles.words}>
             <strong>{words}</strong>
-            <span>What was taken is kept. Check its power and cable; it is connected again by itself.</span>
+            <span>{t("What was taken is kept. Check its power and cable; it is connected again by itself.")}</span>
           </div>
         </div>
       ),
@@ -93,7 +94,7 @@ function NoticeBanner({ notice }: { notice: Notice }) {
         {notice.detail && <span>{notice.detail}</span>}
         {notice.remedy && <span className={styles.remedy}>{notice.remedy}</span>}
       </div>
-      <button type="button" className={styles.close} aria-label="Dismiss" onClick={() => dismiss(notice.id)}>
+      <button type="button" className={styles.close} aria-label={t("Dismiss")} onClick={() => dismiss(notice.id)}>
         <CloseIcon />
       </button>
     </div>

@@ -6,6 +6,7 @@ import { ROLES } from "../api/accessTypes";
 import { askForControl, releaseControl, signOut, takeControl } from "../api/session";
 import { PressButton } from "../parts/PressButton";
 import { TextField } from "../parts/TextField";
+import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./ControlMenu.module.css";
 import { PasswordForm } from "./PasswordForm";
@@ -20,7 +21,7 @@ export function ControlMenu() {
   if (!you) return null;
   const holder = control?.holder ?? null;
   const whose = !holder ? "free" : holder.id === you.id ? "yours" : "theirs";
-  const words = { free: "nobody", yours: "you", theirs: holder?.name ?? "" }[whose];
+  const words = { free: t("nobody"), yours: t("you"), theirs: holder?.name ?? "" }[whose];
   return (
     <Popover opened={opened} onChange={setOpened} position="bottom-end" shadow="md" radius="md" trapFocus zIndex={310}>
       <Popover.Target>
@@ -28,27 +29,27 @@ export function ControlMenu() {
           type="button"
           className={styles.pill}
           data-whose={whose}
-          aria-label={`Control: ${words}`}
+          aria-label={t("Control: {who}", { who: words })}
           aria-haspopup="dialog"
           aria-expanded={opened}
           onClick={() => setOpened(!opened)}
         >
           <span className={styles.dot} aria-hidden="true" />
           <span className={styles.words}>
-            <span className={styles.state}>Control</span>
+            <span className={styles.state}>{t("Control")}</span>
             <span className={styles.who}>{words}</span>
           </span>
         </button>
       </Popover.Target>
-      <Popover.Dropdown className={styles.menu} aria-label="Control and sign-in">
+      <Popover.Dropdown className={styles.menu} aria-label={t("Control and sign-in")}>
         <Whose you={you} control={control} whose={whose} />
         <hr className={styles.rule} />
         <p>
-          You are <strong>{you.name}</strong>, {you.wall ? "a wall screen" : ROLES[you.role]}.
+          {t("You are signed in as")} <strong>{you.name}</strong>, {you.wall ? t("a wall screen") : t(ROLES[you.role])}.
         </p>
         {!you.wall && !guest && <PasswordForm />}
         <PressButton free onPress={async () => void (await signOut())}>
-          Sign out
+          {t("Sign out")}
         </PressButton>
       </Popover.Dropdown>
     </Popover>
@@ -65,15 +66,15 @@ function Whose({ you, control, whose }: WhoseProps) {
   const [reason, setReason] = useState("");
   const holder = control?.holder;
   if (you.wall || you.role === "viewer") {
-    return <p>{holder ? `${holder.name} has control. You look on.` : "Nobody has control. You look on."}</p>;
+    return <p>{holder ? t("{name} has control.", { name: holder.name }) : t("Nobody has control.")} {t("You look on.")}</p>;
   }
-  if (whose === "free") return <p>Nobody has control. Whoever acts first takes it.</p>;
+  if (whose === "free") return <p>{t("Nobody has control. Whoever acts first takes it.")}</p>;
   if (whose === "yours") {
     return (
       <>
-        <p>You have control: what you press is done. Others look on.</p>
+        <p>{t("You have control: what you press is done. Others look on.")}</p>
         <PressButton free onPress={async () => void (await releaseControl())}>
-          Let go of control
+          {t("Let go of control")}
         </PressButton>
       </>
     );
@@ -83,24 +84,24 @@ function Whose({ you, control, whose }: WhoseProps) {
   return (
     <>
       <p>
-        {same ? "You have control in another browser." : `${holder?.name} has control.`} Stop and Laser off act all the
-        same.
+        {same ? t("You have control in another browser.") : t("{name} has control.", { name: holder?.name ?? "" })}{" "}
+        {t("Stop and Laser off act all the same.")}
       </p>
       {!same && (
         <PressButton free disabled={asked} onPress={async () => void (await askForControl())}>
-          {asked ? "You have asked for control" : "Ask for control"}
+          {asked ? t("You have asked for control") : t("Ask for control")}
         </PressButton>
       )}
       {!same && (
         <TextField
-          label={`Or take it over, and tell ${holder?.name} why`}
+          label={t("Or take it over, and tell {name} why", { name: holder?.name ?? "" })}
           value={reason}
           maxLength={120}
           onText={setReason}
         />
       )}
       <PressButton free disabled={!same && !reason.trim()} onPress={async () => void (await takeControl(reason))}>
-        Take over
+        {t("Take over")}
       </PressButton>
     </>
   );

@@ -1,5 +1,6 @@
 import type { ReactNode } from "react";
 
+import { t } from "../state/language";
 import { Banners } from "./Banners";
 import styles from "./Layout.module.css";
 
@@ -10,10 +11,10 @@ import styles from "./Layout.module.css";
 export function Layout({ picture, card }: { picture: ReactNode; card: ReactNode }) {
   return (
     <main className={styles.main}>
-      <section className={styles.card} aria-label="What to do">
+      <section className={styles.card} aria-label={t("What to do")}>
         {card}
       </section>
-      <section className={styles.picture} aria-label="Picture">
+      <section className={styles.picture} aria-label={t("Picture")}>
         {picture}
       </section>
       <Banners />

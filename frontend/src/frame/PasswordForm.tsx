@@ -3,6 +3,7 @@ import { useState } from "react";
 import { changePassword } from "../api/session";
 import { PressButton } from "../parts/PressButton";
 import { TextField } from "../parts/TextField";
+import { t } from "../state/language";
 import { notify } from "../state/notices";
 
 /** A new password of one's own; a press opens it. */
@@ -13,28 +14,28 @@ export function PasswordForm() {
   if (!opened) {
     return (
       <PressButton free onPress={() => setOpened(true)}>
-        Change the password
+        {t("Change the password")}
       </PressButton>
     );
   }
   const send = async () => {
     if (!(await changePassword(old, fresh))) return;
     setOpened(false);
-    notify({ quality: "good", title: "The password is changed; other browsers are signed out." }, 6000);
+    notify({ quality: "good", title: t("The password is changed; other browsers are signed out.") }, 6000);
   };
   return (
     <>
-      <TextField label="Old password" type="password" autoComplete="current-password" value={old} onText={setOld} />
+      <TextField label={t("Old password")} type="password" autoComplete="current-password" value={old} onText={setOld} />
       <TextField
-        label="New password"
+        label={t("New password")}
         type="password"
         autoComplete="new-password"
-        help="10 characters or more."
+        help={t("10 characters or more.")}
         value={fresh}
         onText={setFresh}
       />
       <PressButton free onPress={send}>
-        Change it
+        {t("Change it")}
       </PressButton>
     </>
   );

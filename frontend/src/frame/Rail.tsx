@@ -1,6 +1,7 @@
 import { type MouseEvent, useEffect, useRef } from "react";
 
 import { ArmIcon, CalibrateIcon, HealthIcon, HomeIcon, PeopleIcon, RecordsIcon, ScanIcon, SettingsIcon, SuperviseIcon, VerifyIcon } from "../parts/icons";
+import { t } from "../state/language";
 import { go, type Page, PAGES, pathOf, TITLES } from "../state/router";
 import { useLive } from "../state/store";
 import styles from "./Rail.module.css";
@@ -16,7 +17,7 @@ export function Rail({ page }: { page: Page }) {
   const admin = useLive((s) => s.session?.you?.role === "admin");
   return (
     <div className={styles.rail}>
-      <nav className={styles.pages} aria-label="Pages">
+      <nav className={styles.pages} aria-label={t("Pages")}>
         {PAGES.filter((to) => to !== "people" || admin).map((to) => (
           <PageLink key={to} to={to} current={to === page} />
         ))}
@@ -43,7 +44,7 @@ function PageLink({ to, current }: { to: Page; current: boolean }) {
   return (
     <a ref={link} href={pathOf(to)} className={styles.page} aria-current={current ? "page" : undefined} onClick={follow}>
       <Icon />
-      <span>{TITLES[to]}</span>
+      <span>{t(TITLES[to])}</span>
     </a>
   );
 }

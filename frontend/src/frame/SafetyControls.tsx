@@ -1,26 +1,27 @@
 import { setLaser, stopAll } from "../api/commands";
 import type { Devices } from "../api/types";
 import { LaserIcon, StopIcon } from "../parts/icons";
+import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./SafetyControls.module.css";
 
 /** Laser and Stop: the same place on every page, acting at once, never waiting for an answer. */
 export function SafetyControls() {
   return (
-    <div className={styles.controls} role="group" aria-label="Safety">
+    <div className={styles.controls} role="group" aria-label={t("Safety")}>
       <LaserButton />
       <button type="button" className={styles.stop} onClick={() => void stopAll()}>
         <StopIcon />
-        <span>STOP</span>
+        <span>{t("STOP")}</span>
       </button>
     </div>
   );
 }
 
 function laserWords(devices: Devices | null, live: boolean): { state: string; act: string; on: boolean } {
-  if (!devices || !live) return { state: "Laser unknown", act: "LASER OFF", on: false };
-  if (devices.laser_on) return { state: "Laser is on", act: "LASER OFF", on: true };
-  return { state: "Laser is off", act: "Switch on", on: false };
+  if (!devices || !live) return { state: t("Laser unknown"), act: t("LASER OFF"), on: false };
+  if (devices.laser_on) return { state: t("Laser is on"), act: t("LASER OFF"), on: true };
+  return { state: t("Laser is off"), act: t("Switch on"), on: false };
 }
 
 function LaserButton() {
@@ -28,7 +29,8 @@ function LaserButton() {
   const live = useLive((s) => s.connection === "live");
   const { state, act, on } = laserWords(devices, live);
   const switchable = !devices || devices.has_laser_switch;
-  const press = () => void setLaser(act === "Switch on");
+  // what is not known to be off is switched off
+  const press = () => void setLaser(live && devices !== null && !devices.laser_on);
   return (
     <button
       type="button"
@@ -41,7 +43,7 @@ function LaserButton() {
       <LaserIcon />
       <span className={styles.words}>
         <span className={styles.state}>{state}</span>
-        <span className={styles.act}>{switchable ? act : "Switch at the sensor"}</span>
+        <span className={styles.act}>{switchable ? act : t("Switch at the sensor")}</span>
       </span>
     </button>
   );

@@ -3,6 +3,7 @@ import type { ReactNode } from "react";
 import type { DeviceState } from "../api/types";
 import { age, days, figures } from "../parts/format";
 import { useSilence } from "../state/freshness";
+import { t, words } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./StatusLine.module.css";
 
@@ -16,36 +17,42 @@ export function StatusLine() {
     <footer className={styles.line} data-stale={!live || undefined}>
       {devices && (
         <>
-          <Device name="arm" device={devices.arm} figure={freshness(devices.arm, live ? 0 : silent_s)} />
-          <Device name="camera" device={devices.sensor} figure={rate(devices.sensor)} />
-          <Item minor>disk {figures(devices.disk_free_gb)} GB</Item>
+          <Device name={t("arm")} device={devices.arm} figure={freshness(devices.arm, live ? 0 : silent_s)} />
+          <Device name={t("camera")} device={devices.sensor} figure={rate(devices.sensor)} />
+          <Item minor>{t("disk {n} GB", { n: figures(devices.disk_free_gb) })}</Item>
         </>
       )}
       {home && (
-        <Item>{calibration ? `calibration: ${days(calibration.age_days)} old` : "no calibration yet"}</Item>
+        <Item>{calibration ? t("calibration: {age} old", { age: days(calibration.age_days) }) : t("no calibration yet")}</Item>
       )}
-      {!live && <Item>as of {age(silent_s)} ago</Item>}
+      {!live && <Item>{t("as of {age} ago", { age: age(silent_s) })}</Item>}
     </footer>
   );
 }
 
 function freshness(device: DeviceState, more_s: number): string {
-  return device.age_s === null ? "no data" : age(device.age_s + more_s);
+  return device.age_s === null ? t("no data") : age(device.age_s + more_s);
 }
 
 function rate(device: DeviceState): string {
-  return device.rate_hz === null ? "no pictures" : `${figures(device.rate_hz)} fps`;
+  return device.rate_hz === null ? t("no pictures") : t("{n} fps", { n: figures(device.rate_hz) });
 }
 
+const STATES: Record<DeviceState["state"], string> = {
+  connected: words("connected"),
+  connecting: words("connecting"),
+  lost: words("lost"),
+  off: words("off"),
+};
+
 function stateWords({ state, age_s }: DeviceState): string {
-  return state === "lost" && age_s !== null ? `lost for ${age(age_s)}` : state;
+  return state === "lost" && age_s !== null ? t("lost for {age}", { age: age(age_s) }) : t(STATES[state]);
 }
 
 function Device({ name, device, figure }: { name: string; device: DeviceState; figure: string }) {
-  const words = device.state === "connected" ? figure : stateWords(device);
   return (
     <Item>
-      {name} <span className={styles.dot} data-state={device.state} /> {words}
+      {name} <span className={styles.dot} data-state={device.state} /> {device.state === "connected" ? figure : stateWords(device)}
     </Item>
   );
 }

@@ -1,19 +1,20 @@
 import type { FlowView, Step } from "../api/types";
 import { CheckIcon, StaleIcon } from "../parts/icons";
+import { t, words } from "../state/language";
 import styles from "./StepList.module.css";
 
 const WORDS: Record<Step["state"], string> = {
-  done: "done",
-  current: "now",
-  todo: "to do",
-  stale: "to be done again",
+  done: words("done"),
+  current: words("now"),
+  todo: words("to do"),
+  stale: words("to be done again"),
 };
 
 /** The steps of the flow: what is done, where we are, what comes, what must be done again. */
 export function StepList({ flow }: { flow: Pick<FlowView, "running" | "steps" | "step"> | null }) {
   if (!flow?.running) return null;
   return (
-    <ol className={styles.steps} aria-label="Steps">
+    <ol className={styles.steps} aria-label={t("Steps")}>
       {flow.steps.map((step, i) => (
         <li
           key={step.id}
@@ -26,7 +27,7 @@ export function StepList({ flow }: { flow: Pick<FlowView, "running" | "steps" | 
             <StepMark step={step} number={i + 1} />
           </span>
           <span className={styles.title}>{step.title}</span>
-          <span className="visually-hidden">{WORDS[step.state]}</span>
+          <span className="visually-hidden">{t(WORDS[step.state])}</span>
         </li>
       ))}
     </ol>
@@ -34,7 +35,7 @@ export function StepList({ flow }: { flow: Pick<FlowView, "running" | "steps" | 
 }
 
 function StepMark({ step, number }: { step: Step; number: number }) {
-  if (step.state === "done") return <CheckIcon size="1rem" />;
+  if (step.state === words("done")) return <CheckIcon size="1rem" />;
   if (step.state === "stale") return <StaleIcon size="1rem" />;
   return <>{number}</>;
 }

@@ -1,6 +1,7 @@
 import { useComputedColorScheme, useMantineColorScheme } from "@mantine/core";
 
 import { MoonIcon, MutedIcon, SoundIcon, SunIcon } from "../parts/icons";
+import { t } from "../state/language";
 import { toggleMuted, useMuted } from "../state/sounds";
 import styles from "./Toggles.module.css";
 
@@ -15,7 +16,7 @@ export function Toggles() {
 
 function SoundToggle() {
   const muted = useMuted();
-  const label = muted ? "Sounds on" : "Sounds off";
+  const label = muted ? t("Sounds on") : t("Sounds off");
   return (
     <button type="button" className={styles.toggle} onClick={toggleMuted} aria-label={label} title={label}>
       {muted ? <MutedIcon /> : <SoundIcon />}
@@ -27,7 +28,7 @@ function SchemeToggle() {
   const { setColorScheme } = useMantineColorScheme();
   const scheme = useComputedColorScheme("light");
   const other = scheme === "dark" ? "light" : "dark";
-  const label = other === "dark" ? "Dark display" : "Light display";
+  const label = other === "dark" ? t("Dark display") : t("Light display");
   return (
     <button
       type="button"

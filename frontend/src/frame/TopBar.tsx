@@ -1,4 +1,5 @@
 import { Mark } from "../parts/icons";
+import { t } from "../state/language";
 import { type Page, TITLES } from "../state/router";
 import { useLive } from "../state/store";
 import { ControlMenu } from "./ControlMenu";
@@ -16,7 +17,7 @@ export function TopBar({ page }: { page: Page }) {
           <span className={styles.name}>Crenel</span>
           <span className={styles.station}>
             {station?.name ?? ""}
-            {station?.simulated && <span className={styles.simulated}>simulated</span>}
+            {station?.simulated && <span className={styles.simulated}>{t("simulated")}</span>}
           </span>
         </div>
       </div>
@@ -32,13 +33,13 @@ export function TopBar({ page }: { page: Page }) {
 function WhereWeAre({ page }: { page: Page }) {
   const flow = useLive((s) => (page === "arm" ? s.arm : page === "verify" ? s.verify : s.flow));
   if ((page !== "calibrate" && page !== "verify" && page !== "arm") || !flow?.running) {
-    return <div className={styles.where}>{TITLES[page]}</div>;
+    return <div className={styles.where}>{t(TITLES[page])}</div>;
   }
   const index = flow.steps.findIndex((step) => step.id === flow.step);
   return (
     <div className={styles.where}>
       <span className={styles.count}>
-        Step {index + 1} of {flow.steps.length}
+        {t("Step {n} of {all}", { n: index + 1, all: flow.steps.length })}
       </span>
       <span className={styles.title}>{flow.title}</span>
     </div>

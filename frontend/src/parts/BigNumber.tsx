@@ -1,5 +1,6 @@
 import type { LiveNumber } from "../api/types";
 import { useSilence } from "../state/freshness";
+import { t } from "../state/language";
 import styles from "./BigNumber.module.css";
 import { age, bound } from "./format";
 import { lengthFigures, unitOf } from "./lengths";
@@ -29,7 +30,7 @@ export function BigNumber({ number, verdict = false, kept = false }: BigNumberPr
         {number.value !== null && <span className={styles.unit}>{unitOf(number.unit)}</span>}
       </div>
       {(number.note || !live) && (
-        <div className={styles.note}>{live ? bound(number.note) : `${age(silent_s)} old`}</div>
+        <div className={styles.note}>{live ? bound(number.note) : t("{age} old", { age: age(silent_s) })}</div>
       )}
     </div>
   );

@@ -1,5 +1,6 @@
 import { useState } from "react";
 
+import { t } from "../state/language";
 import { copyText, toCsv } from "./csv";
 import { CheckIcon, CopyIcon } from "./icons";
 import { PressButton } from "./PressButton";
@@ -16,7 +17,7 @@ export function CopyCsv({ tables }: { tables: TableData[] }) {
   return (
     <PressButton free onPress={copy}>
       {told === "copied" ? <CheckIcon size="1.25rem" /> : <CopyIcon size="1.25rem" />}
-      {{ "": "Copy as CSV", copied: "Copied", failed: "This browser does not let us copy" }[told]}
+      {{ "": t("Copy as CSV"), copied: t("Copied"), failed: t("This browser does not let us copy") }[told]}
     </PressButton>
   );
 }

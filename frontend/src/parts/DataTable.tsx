@@ -1,3 +1,4 @@
+import { t } from "../state/language";
 import styles from "./DataTable.module.css";
 import { plainHead, shownCell, shownHead, type TableData } from "./table";
 
@@ -5,7 +6,7 @@ import { plainHead, shownCell, shownHead, type TableData } from "./table";
 export function DataTable({ table }: { table: TableData }) {
   return (
     <table className={styles.table}>
-      <caption className={styles.caption}>{table.title}</caption>
+      <caption className={styles.caption}>{t(table.title)}</caption>
       <thead>
         <tr>
           {table.head.map((head) => (

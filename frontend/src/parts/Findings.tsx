@@ -1,4 +1,5 @@
 import type { Finding } from "../api/types";
+import { t } from "../state/language";
 import { bound } from "./format";
 import { lookAtPose, useLive } from "../state/store";
 import styles from "./Findings.module.css";
@@ -8,7 +9,7 @@ import { QualityMark } from "./QualityMark";
 export function Findings({ findings }: { findings: Finding[] }) {
   if (findings.length === 0) return null;
   return (
-    <ul className={styles.list} aria-label="Findings">
+    <ul className={styles.list} aria-label={t("Findings")}>
       {findings.map((finding) => (
         <li key={finding.quality + finding.text} className={styles.finding} data-quality={finding.quality}>
           <QualityMark quality={finding.quality} size="1.25rem" />
@@ -32,7 +33,7 @@ function ShowPose({ pose }: { pose: number }) {
   if (!there) return null;
   return (
     <button type="button" className={styles.show} onClick={() => lookAtPose(pose)}>
-      Show pose {pose}
+      {t("Show pose {n}", { n: pose })}
     </button>
   );
 }

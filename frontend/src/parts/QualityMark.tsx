@@ -1,9 +1,10 @@
 import type { Quality } from "../api/types";
+import { t, words } from "../state/language";
 import { AttentionIcon, BadIcon, CheckIcon, NeutralIcon } from "./icons";
 import styles from "./QualityMark.module.css";
 
 const MARKS = { good: CheckIcon, attention: AttentionIcon, bad: BadIcon, neutral: NeutralIcon };
-const WORDS = { good: "Passed", attention: "Attention", bad: "Failed", neutral: "" };
+const WORDS = { good: words("Passed"), attention: words("Attention"), bad: words("Failed"), neutral: "" };
 
 /** A quality by shape, word and colour: never by colour alone. */
 export function QualityMark({ quality, size = "1.5rem" }: { quality: Quality; size?: string }) {
@@ -11,7 +12,7 @@ export function QualityMark({ quality, size = "1.5rem" }: { quality: Quality; si
   return (
     <span className={styles.mark} data-quality={quality}>
       <Icon size={size} />
-      <span className="visually-hidden">{WORDS[quality]}</span>
+      <span className="visually-hidden">{t(WORDS[quality])}</span>
     </span>
   );
 }

@@ -1,6 +1,7 @@
 import { Modal } from "@mantine/core";
 
 import type { Action } from "../api/types";
+import { t } from "../state/language";
 import { PressButton } from "./PressButton";
 import styles from "./Question.module.css";
 
@@ -16,7 +17,7 @@ interface QuestionProps {
 }
 
 /** Asked before the act, never after; the harmless answer has the focus. */
-export function Question({ action, opened, onClose, onAct, no = "No, go on", free = false }: QuestionProps) {
+export function Question({ action, opened, onClose, onAct, no = t("No, go on"), free = false }: QuestionProps) {
   const agree = async () => {
     onClose();
     await onAct(action);

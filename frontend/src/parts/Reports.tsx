@@ -1,3 +1,4 @@
+import { t } from "../state/language";
 import download from "./Download.module.css";
 import { DownloadIcon } from "./icons";
 import styles from "./Reports.module.css";
@@ -7,7 +8,7 @@ export function Reports({ of }: { of: string }) {
   return (
     <div className={styles.reports}>
       <a className={download.download} href={`${of}/report.html`} target="_blank" rel="noopener">
-        Report
+        {t("Report")}
       </a>
       <a className={download.download} href={`${of}/report.pdf`} target="_blank" rel="noopener">
         <DownloadIcon size="1.25rem" />

@@ -1,4 +1,5 @@
 import type { Quality } from "../api/types";
+import { t } from "../state/language";
 import { moment } from "./format";
 import { measured } from "./lengths";
 import styles from "./TimeChart.module.css";
@@ -44,7 +45,7 @@ export function TimeChart({ points, unit, label, onPoint }: TimeChartProps) {
           <polyline className={styles.line} points={line.join(" ")} />
           {points.map(({ id, at, value, limit, quality }, i) => (
             <g key={id} className={onPoint && styles.point} onClick={() => onPoint?.(id)}>
-              <title>{`${moment(at)}: ${value === null ? "not known" : measured(value, unit, 1)}`}</title>
+              <title>{`${moment(at)}: ${value === null ? t("not known") : measured(value, unit, 1)}`}</title>
               {onPoint && <rect x={x(i) - 22} y="0" width="44" height={HEIGHT} className={styles.reach} />}
               {limit !== null && (
                 <line

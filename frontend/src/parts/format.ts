@@ -1,19 +1,7 @@
-const MINUS = "\u2212";
+import { counted, t } from "../state/language";
+import { figures, signed } from "./figures";
 
-/** A number with a true minus sign and a thin space between thousands. */
-export function figures(value: number, decimals = 0): string {
-  const text = Math.abs(value).toFixed(decimals);
-  const [whole = "", fraction] = text.split(".");
-  const grouped = whole.length > 4 ? whole.replace(/\B(?=(\d{3})+$)/g, "\u2009") : whole;
-  const sign = value < 0 && Number(text) !== 0 ? MINUS : "";
-  return sign + grouped + (fraction ? `.${fraction}` : "");
-}
-
-/** With its sign always. */
-export function signed(value: number, decimals = 0): string {
-  const text = figures(value, decimals);
-  return value > 0 && Number(value.toFixed(decimals)) !== 0 ? `+${text}` : text;
-}
+export { figures, signed };
 
 export function age(seconds: number): string {
   if (seconds < 1) return `${figures(seconds, 2)} s`;
@@ -23,14 +11,17 @@ export function age(seconds: number): string {
   return `${figures(seconds / 3600)} h`;
 }
 
+/** How old something is that comes of age in days. */
 export function days(value: number): string {
   if (value < 1 / 24) return `${Math.floor(value * 24 * 60)} min`;
-  if (value < 1) return plural(Math.round(value * 24), "hour");
-  return plural(Math.round(value), "day");
+  if (value < 1) return counted(Math.round(value * 24), "{n} hour", "{n} hours");
+  return counted(Math.round(value), "{n} day", "{n} days");
 }
 
-export function plural(count: number, word: string): string {
-  return `${figures(count)} ${word}${count === 1 ? "" : "s"}`;
+export function daysAgo(value: number): string {
+  if (value < 1 / 24) return t("{n} min ago", { n: Math.floor(value * 24 * 60) });
+  if (value < 1) return counted(Math.round(value * 24), "{n} hour ago", "{n} hours ago");
+  return counted(Math.round(value), "{n} day ago", "{n} days ago");
 }
 
 /** Date and time of day, in the operator's own zone. */
@@ -58,4 +49,8 @@ export function bound(text: string): string {
     .replaceAll(" rms", "\u00a0rms")
     .replaceAll("k = ", "k\u00a0=\u00a0")
     .replaceAll(/ ([×Ø]) (?=\d)/g, "\u00a0$1\u00a0");
+}
+
+export function plural(count: number, word: string): string {
+  return `${figures(count)} ${word}${count === 1 ? "" : "s"}`;
 }

@@ -4,7 +4,7 @@
  */
 
 import { units } from "../state/units";
-import { figures, signed } from "./format";
+import { figures, signed } from "./figures";
 
 /** One of the shown unit is `times` × 10^`power` of the station's, exactly. */
 interface Inch {

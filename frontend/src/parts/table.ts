@@ -1,3 +1,4 @@
+import { said, t } from "../state/language";
 import { figures, signed } from "./format";
 import { lengthFigures, unitOf } from "./lengths";
 
@@ -39,12 +40,12 @@ export function plainHead(head: Head): string {
 
 /** As it is shown: in this browser's units. */
 export function shownCell(cell: Cell): string {
-  if (typeof cell === "string") return cell;
+  if (typeof cell === "string") return said(cell);
   if (!("value" in cell)) return unitOf(cell.unit);
   return lengthFigures(cell.value, cell.unit, cell.decimals, cell.plus);
 }
 
 export function shownHead(head: Head): string {
-  if (typeof head === "string") return head;
-  return [head.words, unitOf(head.unit)].filter(Boolean).join(", ");
+  if (typeof head === "string") return t(head);
+  return [t(head.words), unitOf(head.unit)].filter(Boolean).join(", ");
 }

@@ -1,5 +1,6 @@
 import { useSyncExternalStore } from "react";
 
+import { figures } from "../parts/figures";
 import { inUnits } from "../parts/lengths";
 import { filled, Sentences, type Strings, type Values } from "./sentences";
 
@@ -31,7 +32,7 @@ export function t(text: string, values: Values = {}): string {
 
 /** One of two wordings by a count, which both may name as {n}. */
 export function counted(n: number, one: string, more: string, values: Values = {}): string {
-  return t(n === 1 ? one : more, { n, ...values });
+  return t(n === 1 ? one : more, { n: figures(n), ...values });
 }
 
 /** Words that are told apart from where they are shown; `t` or `said` is for where they are. */

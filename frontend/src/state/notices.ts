@@ -1,4 +1,5 @@
 import type { Quality } from "../api/types";
+import { t } from "./language";
 import { getState, setState } from "./store";
 
 let next = 1;
@@ -30,7 +31,7 @@ export function clearNotice(): void {
 /** The station is heard again: an act that it did not confirm is to be looked at, no more. */
 export function noteReturn(): void {
   if (!getState().notice?.untilHeard) return;
-  notify({ quality: "neutral", title: "The station answers again. Look whether the last press was done." }, 8000);
+  notify({ quality: "neutral", title: t("The station answers again. Look whether the last press was done.") }, 8000);
 }
 
 export function dismiss(id: number): void {

@@ -1,19 +1,21 @@
 import { useSyncExternalStore } from "react";
 
+import { words } from "./language";
+
 export const PAGES = ["home", "calibrate", "verify", "scan", "arm", "records", "supervise", "health", "settings", "people"] as const;
 export type Page = (typeof PAGES)[number];
 
 export const TITLES: Record<Page, string> = {
-  home: "Home",
-  calibrate: "Calibrate",
-  verify: "Verify",
-  scan: "Scan",
-  arm: "Arm & tip",
-  records: "Records",
-  supervise: "Supervise",
-  health: "Health",
-  settings: "Settings",
-  people: "People",
+  home: words("Home"),
+  calibrate: words("Calibrate"),
+  verify: words("Verify"),
+  scan: words("Scan"),
+  arm: words("Arm & tip"),
+  records: words("Records"),
+  supervise: words("Supervise"),
+  health: words("Health"),
+  settings: words("Settings"),
+  people: words("People"),
 };
 
 const listeners = new Set<() => void>();

@@ -1,11 +1,11 @@
 import { useSyncExternalStore } from "react";
 
 import type { Told } from "../api/watchTypes";
-import { said } from "./language";
+import { said, t, words } from "./language";
 import { getState, subscribe } from "./store";
 
 const KEY = "crenel-telling";
-const TITLES: Record<Told["kind"], string> = { done: "Done", fault: "Fault", due: "Due", test: "Test" };
+const TITLES: Record<Told["kind"], string> = { done: words("Done"), fault: words("Fault"), due: words("Due"), test: words("Test") };
 
 type Telling = "on" | "off" | "denied" | "impossible";
 
@@ -52,7 +52,7 @@ export function startTelling(): void {
     }
     seen = key;
     if (told && telling() === "on") {
-      new Notification(`${told.name}: ${TITLES[told.kind].toLowerCase()}`, { body: said(told.text), tag: key });
+      new Notification(`${told.name}: ${t(TITLES[told.kind])}`, { body: said(told.text), tag: key });
     }
   });
 }
