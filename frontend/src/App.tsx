@@ -23,9 +23,8 @@ import { useUnits } from "./state/units";
 const PAGE = { home: HomePage, calibrate: CalibratePage, verify: VerifyPage, scan: ScanPage, arm: ArmPage, records: RecordsPage, supervise: SupervisePage, health: HealthPage, settings: SettingsPage, people: PeoplePage };
 
 export function App() {
-  // nothing below keeps what it has drawn: all of it is drawn anew in other words and units
   const language = useLanguage();
-  useUnits();
+  const units = useUnits();
   const page = usePage();
   const Page = PAGE[page];
   const session = useLive((s) => s.session);
@@ -34,12 +33,13 @@ export function App() {
   }, [page, language]);
   if (session && !session.you) return <EntrancePage session={session} />;
   // a screen on the wall has no hands: what it shows fills it
-  if (session?.you?.wall) return <SupervisePage />;
+  if (session?.you?.wall) return <SupervisePage key={`${language} ${units}`} />;
   return (
     <div className={styles.frame}>
       <TopBar page={page} />
       <Rail page={page} />
-      <Page />
+      {/* in other words and units a page begins anew, for what it has read holds sentences */}
+      <Page key={`${language} ${units}`} />
       <StatusLine />
     </div>
   );

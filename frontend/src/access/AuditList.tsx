@@ -1,6 +1,7 @@
 import type { AuditEntry } from "../api/accessTypes";
 import { moment } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
+import { said } from "../state/language";
 import styles from "./Access.module.css";
 import { useReread } from "./useReread";
 
@@ -32,7 +33,7 @@ export function AuditList() {
                 <td>{entry.who || "nobody signed in"}</td>
                 <td>
                   {entry.act}
-                  {entry.outcome !== "done" && <span className={styles.outcome}>not done: {entry.outcome}</span>}
+                  {entry.outcome !== "done" && <span className={styles.outcome}>not done: {said(entry.outcome)}</span>}
                 </td>
                 <td>{entry.address}</td>
               </tr>

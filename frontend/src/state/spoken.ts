@@ -1,26 +1,39 @@
 import { heardSince, said } from "./language";
+import { units } from "./units";
 
 /** Where the station puts sentences and words; all else are names, numbers and keys. */
 const SENTENCES = new Set([
   ...["text", "title", "label", "note", "detail", "remedy", "why_not", "confirm", "instruction", "words", "wanted"],
-  ...["reason", "verdict_text", "what", "why", "trouble", "progress", "source", "act", "outcome"],
+  ...["reason", "verdict_text", "what", "why", "trouble", "progress", "source", "act", "action"],
 ]);
 /** What is sent back as it came. */
 const KEPT = new Set(["args"]);
 
 let done = new WeakMap<object, unknown>();
-let since = heardSince();
+/** From what was said to what the station sent. */
+const sent = new WeakMap<object, object>();
+let since = wording();
 
 /**
  * What the station sent, with its sentences in this browser's language. The same for the same;
  * what holds no sentence is given back itself.
  */
 export function spoken<T>(value: T): T {
-  if (since !== heardSince()) {
-    since = heardSince();
+  if (since !== wording()) {
+    since = wording();
     done = new WeakMap();
   }
-  return since === 0 ? value : (walked(value) as T);
+  return since === "" ? value : (walked(value) as T);
+}
+
+/** What the station sent, as it was before it was put into this browser's language: for files. */
+export function asSent<T extends object>(value: T): T {
+  return (sent.get(value) ?? value) as T;
+}
+
+/** In what language and units sentences are said; nothing while they are said as they come. */
+function wording(): string {
+  return heardSince() === 0 && units() === "metric" ? "" : `${heardSince()} ${units()}`;
 }
 
 function walked(value: unknown): unknown {
@@ -29,6 +42,7 @@ function walked(value: unknown): unknown {
   if (known !== undefined) return known;
   const result = Array.isArray(value) ? list(value) : record(value as Record<string, unknown>);
   done.set(value, result);
+  if (result !== value) sent.set(result, value);
   return result;
 }
 
