@@ -1,18 +1,19 @@
 import { sendArm } from "../api/armCommands";
 import type { ChoiceOption } from "../api/types";
+import { t } from "../state/language";
 import styles from "./Fields.module.css";
 
 /** Which of the station's arms is checked. */
 export function ArmChoice({ arms, arm }: { arms: ChoiceOption[]; arm: string }) {
   return (
     <label className={styles.field}>
-      <span className={styles.label}>Arm</span>
+      <span className={styles.label}>{t("Arm")}</span>
       <select
         className={styles.input}
         value={arm}
         onChange={(event) => void sendArm("choose_arm", { id: event.target.value })}
       >
-        {!arm && <option value="">Choose the arm</option>}
+        {!arm && <option value="">{t("Choose the arm")}</option>}
         {arms.map((option) => (
           <option key={option.id} value={option.id}>
             {option.label}, {option.detail}

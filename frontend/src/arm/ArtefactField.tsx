@@ -6,15 +6,16 @@ import type { Artefact } from "../api/armTypes";
 import { unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { useHeldLength } from "../parts/useHeldLength";
+import { t, words } from "../state/language";
 import styles from "./Fields.module.css";
 import { UnitInput } from "./UnitInput";
 
 const KINDS = [
-  { value: "seat", label: "Seat" },
-  { value: "bar", label: "Ball bar" },
-  { value: "sphere", label: "Sphere" },
+  { value: "seat", label: words("Seat") },
+  { value: "bar", label: words("Ball bar") },
+  { value: "sphere", label: words("Sphere") },
 ];
-const SIZE = { bar: "Length by its certificate", sphere: "Diameter by its certificate" };
+const SIZE = { bar: words("Length by its certificate"), sphere: words("Diameter by its certificate") };
 
 /** What the tip is put to next, with the size that its certificate gives. */
 export function ArtefactField({ artefact, disabled, only = false }: { artefact: Artefact; disabled: boolean; only?: boolean }) {
@@ -22,16 +23,16 @@ export function ArtefactField({ artefact, disabled, only = false }: { artefact: 
   if (only && kind !== "seat") return <Size kind={kind} artefact={artefact} disabled={disabled} />;
   return (
     <div className={styles.field}>
-      <span className={styles.label}>What the tip is put to</span>
+      <span className={styles.label}>{t("What the tip is put to")}</span>
       <SegmentedControl
         value={kind}
         onChange={(chosen) => void sendArm("choose_artefact", { kind: chosen })}
-        data={KINDS}
+        data={KINDS.map(({ value, label }) => ({ value, label: t(label) }))}
         disabled={disabled}
         fullWidth
         size="md"
         radius="md"
-        aria-label="What the tip is put to"
+        aria-label={t("What the tip is put to")}
         classNames={{ root: styles.control ?? "", label: styles.tab ?? "", indicator: styles.indicator ?? "" }}
       />
       {kind !== "seat" && <Size key={kind} kind={kind} artefact={artefact} disabled={disabled} />}
@@ -61,7 +62,7 @@ function Size({ kind, artefact, disabled }: SizeProps) {
   return (
     <form className={styles.field} onSubmit={submit}>
       <label className={styles.label} htmlFor="artefact-size">
-        {SIZE[kind]}
+        {t(SIZE[kind])}
       </label>
       <div className={styles.row}>
         <UnitInput id="artefact-size" unit={unitOf("mm")} value={size.text} disabled={disabled} onText={size.setText} />
@@ -70,13 +71,13 @@ function Size({ kind, artefact, disabled }: SizeProps) {
             unit={`${unitOf("µm")}, k = 1`}
             long
             min={0}
-            aria-label="Standard uncertainty of the length"
+            aria-label={t("Standard uncertainty of the length")}
             value={unsure.text}
             disabled={disabled}
             onText={unsure.setText}
           />
         )}
-        {(size.changed || unsure.changed) && <PressButton onPress={set}>Set</PressButton>}
+        {(size.changed || unsure.changed) && <PressButton onPress={set}>{t("Set")}</PressButton>}
       </div>
     </form>
   );

@@ -1,9 +1,10 @@
 import type { ArmCheckSummary, TipCheckSummary } from "../api/armTypes";
 import { EmptyState } from "../parts/EmptyState";
 import { Reports } from "../parts/Reports";
-import { bound, moment, plural } from "../parts/format";
+import { bound, moment } from "../parts/format";
 import { lengthFigures, measured, unitOf } from "../parts/lengths";
 import { QualityMark } from "../parts/QualityMark";
+import { counted, t } from "../state/language";
 import { useLive } from "../state/store";
 import { useList } from "../state/useList";
 import { GaugeDrawing } from "../verify/GaugeDrawing";
@@ -24,14 +25,14 @@ function TipHistory() {
     return (
       <EmptyState
         picture={<GaugeDrawing shape="sphere" touching />}
-        title="No check of the tip yet"
-        text="A sphere of known diameter, touched in nine places with the wrist turned, tells a worn, bent or wrong tip before it spoils a day's work."
+        title={t("No check of the tip yet")}
+        text={t("A sphere of known diameter, touched in nine places with the wrist turned, tells a worn, bent or wrong tip before it spoils a day's work.")}
       />
     );
   }
   return (
     <div className={styles.history}>
-      <h2 className={styles.title}>Checks of the tip</h2>
+      <h2 className={styles.title}>{t("Checks of the tip")}</h2>
       <ul className={styles.list}>
         {list.map((check) => (
           <TipRow key={check.id} check={check} />
@@ -50,7 +51,7 @@ function TipRow({ check }: { check: TipCheckSummary }) {
         <p className={styles.detail}>{bound(check.text)}</p>
       </div>
       <dl className={styles.axes}>
-        <dt>Diameter</dt>
+        <dt>{t("Diameter")}</dt>
         <dd>{measured(check.diameter_mm, "mm", 3)}</dd>
       </dl>
       <Reports of={`/api/arm/tips/${check.id}`} />
@@ -61,19 +62,19 @@ function TipRow({ check }: { check: TipCheckSummary }) {
 function ArmHistory() {
   const grown = useLive((s) => `${s.arm?.session_id ?? ""} ${s.arm?.step ?? ""}`);
   const { list, failed } = useList<ArmCheckSummary>("/api/arm/checks", grown);
-  if (!list) return failed ? <p className={styles.told}>The checks could not be read. They are read again when the station is back.</p> : null;
+  if (!list) return failed ? <p className={styles.told}>{t("The checks could not be read. They are read again when the station is back.")}</p> : null;
   if (list.length === 0) {
     return (
       <EmptyState
         picture={<SeatIllustration />}
-        title="No check yet"
-        text="Every check of the arm will stand here, as a line over time: (max − min)/2 of the tip on the worst axis, against your limit."
+        title={t("No check yet")}
+        text={t("Every check of the arm will stand here, as a line over time: (max − min)/2 of the tip on the worst axis, against your limit.")}
       />
     );
   }
   return (
     <div className={styles.history}>
-      <h2 className={styles.title}>Checks of the arm: (max − min)/2 on the worst axis</h2>
+      <h2 className={styles.title}>{t("Checks of the arm: (max − min)/2 on the worst axis")}</h2>
       <HistoryChart checks={list} />
       <ul className={styles.list}>
         {list.map((check) => (
@@ -85,14 +86,14 @@ function ArmHistory() {
 }
 
 function Row({ check }: { check: ArmCheckSummary }) {
-  const limit = check.limit_um === null ? "no limit was set" : `limit ${measured(check.limit_um, "µm")}`;
+  const limit = check.limit_um === null ? t("no limit was set") : t("limit {value}", { value: measured(check.limit_um, "µm") });
   return (
     <li className={styles.row}>
       <QualityMark quality={check.verdict} />
       <div className={styles.what}>
         <p className={styles.when}>{moment(check.at)}</p>
         <p className={styles.detail}>
-          arm {check.arm_serial || check.arm_name} · {plural(check.points, "point")} · {limit}
+          {t("arm {serial}", { serial: check.arm_serial || check.arm_name })} · {counted(check.points, "{n} point", "{n} points")} · {limit}
         </p>
       </div>
       <Axes label="(max − min)/2" values={check.half_range_um} />

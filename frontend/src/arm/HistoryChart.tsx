@@ -1,5 +1,6 @@
 import type { ArmCheckSummary } from "../api/armTypes";
 import { TimeChart } from "../parts/TimeChart";
+import { t } from "../state/language";
 
 const SHOWN = 40;
 
@@ -15,5 +16,5 @@ export function HistoryChart({ checks }: { checks: ArmCheckSummary[] }) {
       limit: check.limit_um,
       quality: check.verdict,
     }));
-  return <TimeChart points={points} unit="µm" label="The checks over time" />;
+  return <TimeChart points={points} unit="µm" label={t("The checks over time")} />;
 }

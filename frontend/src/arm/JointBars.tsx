@@ -1,5 +1,6 @@
 import type { JointSwing } from "../api/armTypes";
 import { figures } from "../parts/format";
+import { said } from "../state/language";
 import styles from "./JointBars.module.css";
 
 /** How far each joint has turned in this seat, within what it can turn. */
@@ -8,7 +9,7 @@ export function JointBars({ joints }: { joints: JointSwing[] }) {
     <dl className={styles.joints}>
       {joints.map((joint) => (
         <div key={joint.name} className={styles.joint}>
-          <dt>{joint.name}</dt>
+          <dt>{said(joint.name)}</dt>
           <dd>
             <span className={styles.track}>
               {joint.lowest_deg !== null && joint.highest_deg !== null && (

@@ -4,6 +4,7 @@ import { sendArm } from "../api/armCommands";
 import { typed, unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { useHeldLength } from "../parts/useHeldLength";
+import { t } from "../state/language";
 import styles from "./Fields.module.css";
 import { UnitInput } from "./UnitInput";
 
@@ -18,7 +19,7 @@ export function LimitField({ limit_um, tip }: { limit_um: number | null; tip: bo
   return (
     <form className={styles.field} onSubmit={submit}>
       <label className={styles.label} htmlFor="arm-limit">
-        {tip ? "Limit of the diameter's error and of the scatter" : "Limit of (max − min)/2 on each axis"}
+        {tip ? t("Limit of the diameter's error and of the scatter") : t("Limit of (max − min)/2 on each axis")}
       </label>
       <div className={styles.row}>
         <UnitInput
@@ -27,10 +28,10 @@ export function LimitField({ limit_um, tip }: { limit_um: number | null; tip: bo
           min={typed(1, "µm")}
           max={typed(100000, "µm")}
           value={limit.text}
-          placeholder="none"
+          placeholder={t("none")}
           onText={limit.setText}
         />
-        {limit.changed && <PressButton onPress={set}>Set</PressButton>}
+        {limit.changed && <PressButton onPress={set}>{t("Set")}</PressButton>}
       </div>
     </form>
   );

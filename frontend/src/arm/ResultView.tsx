@@ -4,14 +4,15 @@ import { useState } from "react";
 import type { ArmResult, ParameterLine } from "../api/armTypes";
 import { CopyCsv } from "../parts/CopyCsv";
 import { DataTable } from "../parts/DataTable";
-import { bound, plural } from "../parts/format";
+import { bound } from "../parts/format";
 import { measured } from "../parts/lengths";
 import { amount, type TableData } from "../parts/table";
+import { counted, t, words } from "../state/language";
 import styles from "./ResultView.module.css";
 
 const TABS = [
-  { value: "picture", label: "Before and after" },
-  { value: "numbers", label: "Parameters" },
+  { value: "picture", label: words("Before and after") },
+  { value: "numbers", label: words("Parameters") },
 ];
 
 /** What the identification is worth, as bars; the parameters are one tap away. */
@@ -20,7 +21,7 @@ export function ResultView({ result }: { result: ArmResult }) {
   return (
     <div className={styles.result}>
       <div className={styles.tabs}>
-        <SegmentedControl value={tab} onChange={setTab} data={TABS} size="md" radius="md" aria-label="What to look at" />
+        <SegmentedControl value={tab} onChange={setTab} data={TABS.map(({ value, label }) => ({ value, label: t(label) }))} size="md" radius="md" aria-label={t("What to look at")} />
       </div>
       {tab === "picture" ? <BeforeAndAfter result={result} /> : <Parameters parameters={result.parameters} />}
     </div>
@@ -28,14 +29,18 @@ export function ResultView({ result }: { result: ArmResult }) {
 }
 
 function BeforeAndAfter({ result }: { result: ArmResult }) {
-  const title = result.size_known ? "Tip over the whole reach" : "Tip over the whole reach, apart from the arm's size";
+  const title = result.size_known ? t("Tip over the whole reach") : t("Tip over the whole reach, apart from the arm's size");
   const reach = { title, before_um: result.volume_before_um, after_um: result.volume_after_um };
-  const held = `On ${plural(result.places, "place")} held out of the fit in turn: `;
+  const held = counted(
+    result.places,
+    "On {n} place held out of the fit in turn: rms, the encoders' noise included.",
+    "On {n} places held out of the fit in turn: rms, the encoders' noise included.",
+  );
   return (
     <div className={styles.pairs}>
-      <Pair {...reach} note="Before: difference from the arm as identified. After: standard uncertainty, k = 1. Both rms." />
+      <Pair {...reach} note={t("Before: difference from the arm as identified. After: standard uncertainty, k = 1. Both rms.")} />
       {result.lines.map((line) => (
-        <Pair key={line.title} {...line} note={`${held}rms, the encoders' noise included.`} />
+        <Pair key={line.title} {...line} note={held} />
       ))}
     </div>
   );
@@ -54,10 +59,10 @@ function Pair({ title, before_um, after_um, note }: PairProps) {
     <section className={styles.pair} aria-label={title}>
       <h3 className={styles.title}>{title}</h3>
       {[
-        { word: "before", value: before_um },
-        { word: "after", value: after_um },
-      ].map(({ word, value }) => (
-        <div key={word} className={styles.row} data-after={word === "after" || undefined}>
+        { word: t("before"), value: before_um, after: false },
+        { word: t("after"), value: after_um, after: true },
+      ].map(({ word, value, after }) => (
+        <div key={word} className={styles.row} data-after={after || undefined}>
           <span className={styles.word}>{word}</span>
           <span className={styles.track}>
             <span className={styles.bar} style={{ width: `${(100 * value) / largest}%` }} />
@@ -72,8 +77,8 @@ function Pair({ title, before_um, after_um, note }: PairProps) {
 
 function Parameters({ parameters }: { parameters: ParameterLine[] }) {
   const table: TableData = {
-    title: "The arm's parameters that were moved, uncertainty k = 1",
-    head: ["Parameter", "Before", "After", "Change", "Uncertainty", "Unit"],
+    title: words("The arm's parameters that were moved, uncertainty k = 1"),
+    head: [words("Parameter"), words("Before"), words("After"), words("Change"), words("Uncertainty"), words("Unit")],
     rows: parameters.map(({ name, unit, before, after, standard_uncertainty }) => {
       const decimals = unit === "mm" ? 4 : 5;
       return [

@@ -1,6 +1,7 @@
 import type { ArmPicture } from "../api/armTypes";
 import { figures } from "../parts/format";
 import { measured } from "../parts/lengths";
+import { t } from "../state/language";
 import styles from "./RunCharts.module.css";
 
 const AXES = ["X", "Y", "Z"];
@@ -29,7 +30,7 @@ export function RunCharts({ picture }: { picture: ArmPicture }) {
             viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
             preserveAspectRatio="none"
             role="img"
-            aria-label={`The tip along ${axis}, ${tips_um.length} points`}
+            aria-label={t("The tip along {axis}, {n} points", { axis, n: figures(tips_um.length) })}
           >
             <line className={styles.middle} x1={0} x2={WIDTH} y1={HEIGHT / 2} y2={HEIGHT / 2} />
             {shown !== null &&
@@ -56,9 +57,9 @@ export function RunCharts({ picture }: { picture: ArmPicture }) {
       ))}
       <p className={styles.note}>
         {tips_um.length > 1
-          ? `The last ${figures(tips_um.length)} points in the order of taking, about their middle.`
-          : "Points appear here as the arm swings."}
-        {shown !== null && ` Dashed: the limit, ±${measured(shown, "µm")}.`}
+          ? t("The last {n} points in the order of taking, about their middle.", { n: figures(tips_um.length) })
+          : t("Points appear here as the arm swings.")}
+        {shown !== null && ` ${t("Dashed: the limit, ±{value}.", { value: measured(shown, "µm") })}`}
       </p>
     </div>
   );

@@ -1,5 +1,6 @@
 import type { ArmPicture } from "../api/armTypes";
 import type { FigureLine } from "../api/verifyTypes";
+import { t } from "../state/language";
 import { FigureBars } from "../verify/FigureBars";
 import { TouchView } from "../verify/TouchView";
 import styles from "./TipPicture.module.css";
@@ -26,10 +27,10 @@ function figuresOf(tip: NonNullable<ArmPicture["tip"]>): FigureLine[] {
   const size = limit === null ? "none" : Math.abs(tip.error_um) + tip.expanded_uncertainty_um <= limit ? "pass" : sure > limit ? "fail" : "uncertain";
   const line = { unit: "µm", limit, reason: "", clouds: [] };
   return [
-    { ...line, name: "radius_error", title: "Error of the diameter", value: tip.error_um, expanded_uncertainty: tip.expanded_uncertainty_um, decision: size },
-    { ...line, name: "scatter", title: "Largest distance of a touch", value: tip.scatter_um, expanded_uncertainty: 0, decision: within },
+    { ...line, name: "radius_error", title: t("Error of the diameter"), value: tip.error_um, expanded_uncertainty: tip.expanded_uncertainty_um, decision: size },
+    { ...line, name: "scatter", title: t("Largest distance of a touch"), value: tip.scatter_um, expanded_uncertainty: 0, decision: within },
     ...(tip.bend_um === null
       ? []
-      : [{ ...line, limit: null, name: "bend", title: "The tip's centre from its place", value: tip.bend_um, expanded_uncertainty: 0, decision: "none" as const }]),
+      : [{ ...line, limit: null, name: "bend", title: t("The tip's centre from its place"), value: tip.bend_um, expanded_uncertainty: 0, decision: "none" as const }]),
   ];
 }

@@ -2,6 +2,7 @@ import { setExposure } from "../api/commands";
 import { LiveCamera } from "../image/LiveCamera";
 import { figures } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
+import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./CameraPicture.module.css";
 
@@ -20,13 +21,13 @@ export function CameraPicture({ target }: CameraPictureProps) {
     <div className={styles.picture}>
       <LiveCamera target={target} />
       {exposure_us !== null && (
-        <div className={styles.exposure} role="group" aria-label="Exposure">
+        <div className={styles.exposure} role="group" aria-label={t("Exposure")}>
           <span className={styles.label}>
-            <span className={styles.word}>Exposure </span>
+            <span className={styles.word}>{t("Exposure")} </span>
             {figures(exposure_us)} µs
           </span>
-          <PressButton onPress={() => setExposure(exposure_us / FACTOR)}>Darker</PressButton>
-          <PressButton onPress={() => setExposure(exposure_us * FACTOR)}>Brighter</PressButton>
+          <PressButton onPress={() => setExposure(exposure_us / FACTOR)}>{t("Darker")}</PressButton>
+          <PressButton onPress={() => setExposure(exposure_us * FACTOR)}>{t("Brighter")}</PressButton>
         </div>
       )}
     </div>

@@ -6,6 +6,7 @@ import { BlockDrawing } from "../object/BlockDrawing";
 import { bound } from "../parts/format";
 import { lengthFigures, unitOf } from "../parts/lengths";
 import { CheckIcon } from "../parts/icons";
+import { counted, t } from "../state/language";
 import styles from "./ChoicesPicture.module.css";
 
 /** What is used: one of each kind, and the object as its certificate draws it. */
@@ -19,7 +20,7 @@ export function ChoicesPicture({ choices, block }: { choices: Choice[]; block: B
       </div>
       {block && (
         <div className={styles.block}>
-          <BlockDrawing block={block} face={null} label="The chosen object" />
+          <BlockDrawing block={block} face={null} label={t("The chosen object")} />
           <p className={styles.caption}>{size(block)}</p>
         </div>
       )}
@@ -31,7 +32,8 @@ function size(block: BlockGeometry): string {
   const first = block.edges_x_mm[0] ?? 0;
   const last = block.edges_x_mm[block.edges_x_mm.length - 1] ?? 0;
   const parts = [last - first, block.back_y_mm - block.front_y_mm, block.crest_z_mm - block.base_z_mm];
-  return `${parts.map((part) => lengthFigures(part, "mm", 3)).join(" × ")} ${unitOf("mm")}, ${block.edges_x_mm.length / 2} merlons`;
+  const lengths = parts.map((part) => lengthFigures(part, "mm", 3)).join(" × ");
+  return `${lengths} ${unitOf("mm")}, ${counted(block.edges_x_mm.length / 2, "{n} merlon", "{n} merlons")}`;
 }
 
 function ChoiceGroup({ choice }: { choice: Choice }) {

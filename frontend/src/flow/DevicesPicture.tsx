@@ -1,11 +1,12 @@
 import type { DeviceLine } from "../api/types";
 import { QualityMark } from "../parts/QualityMark";
+import { t } from "../state/language";
 import styles from "./DevicesPicture.module.css";
 
 /** Each device and whether it is fit for the work. */
 export function DevicesPicture({ devices }: { devices: DeviceLine[] }) {
   return (
-    <ul className={styles.devices} aria-label="Devices">
+    <ul className={styles.devices} aria-label={t("Devices")}>
       {devices.map((device) => (
         <li key={device.title} className={styles.device}>
           <QualityMark quality={device.quality} size="2rem" />

@@ -1,7 +1,7 @@
 import type { FaceProgress } from "../api/types";
 import { CheckIcon } from "../parts/icons";
-import { plural } from "../parts/format";
 import { measured } from "../parts/lengths";
+import { counted, t } from "../state/language";
 import styles from "./FaceChips.module.css";
 
 interface FaceChipsProps {
@@ -21,14 +21,14 @@ function Name({ title }: { title: string }) {
 }
 
 function count({ taken, wanted }: FaceProgress): string {
-  if (wanted > 0) return `${taken} of ${wanted}`;
-  return taken > 0 ? plural(taken, "point") : "not needed";
+  if (wanted > 0) return t("{done} of {all}", { done: taken, all: wanted });
+  return taken > 0 ? counted(taken, "{n} point", "{n} points") : t("not needed");
 }
 
 /** The faces to touch, each with its count; the way to choose one by glove or by key. */
 export function FaceChips({ faces, onSelect }: FaceChipsProps) {
   return (
-    <div className={styles.chips} role="group" aria-label="Faces">
+    <div className={styles.chips} role="group" aria-label={t("Faces")}>
       {faces.map((face) => (
         <button
           key={face.face}

@@ -5,6 +5,7 @@ import type { FaceProgress, Picture, TouchedPoint, Vec3 } from "../api/types";
 import { BlockDrawing } from "../object/BlockDrawing";
 import { scaleEnd } from "../object/residuals";
 import { Suggestions, Touches } from "../object/Touches";
+import { t } from "../state/language";
 import { FaceChips } from "./FaceChips";
 import styles from "./ObjectPicture.module.css";
 import { LastEvent } from "./LastEvent";
@@ -34,7 +35,7 @@ export function ObjectPicture({ picture }: { picture: ObjectView }) {
   const select = (face: string) => void sendFlow("select_face", { face });
   return (
     <div className={styles.picture}>
-      <BlockDrawing block={block} face={selected?.face ?? null} onFace={select} label="The object">
+      <BlockDrawing block={block} face={selected?.face ?? null} onFace={select} label={t("The object")}>
         {(view) => (
           <>
             {selected && <Suggestions view={view} face={selected.face} places={stillToTouch(selected, points)} />}
@@ -63,7 +64,7 @@ function Note({ points, scale_um }: { points: TouchedPoint[]; scale_um: number }
   if (placed) return <ResidualLegend scale_um={scale_um} />;
   const text =
     points.length === 0
-      ? "Touch at the rings. Each point appears here with its residual."
-      : "Points appear on the drawing once three faces that meet have been touched.";
+      ? t("Touch at the rings. Each point appears here with its residual.")
+      : t("Points appear on the drawing once three faces that meet have been touched.");
   return <p>{text}</p>;
 }

@@ -5,6 +5,7 @@ import type { TouchedPoint } from "../api/types";
 import { CloseIcon } from "../parts/icons";
 import { signedLength, unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
+import { said, t } from "../state/language";
 import styles from "./PointPanel.module.css";
 
 interface PointPanelProps {
@@ -26,20 +27,20 @@ export function PointPanel({ point, onClose, removable }: PointPanelProps) {
     onClose();
   };
   return (
-    <div className={styles.panel} role="dialog" aria-label={`Point ${point.index + 1}`}>
+    <div className={styles.panel} role="dialog" aria-label={t("Point {n}", { n: point.index + 1 })}>
       <div className={styles.head}>
         <span>
-          Point {point.index + 1}, {point.face}
+          {t("Point {n}", { n: point.index + 1 })}, {said(point.face)}
         </span>
-        <button type="button" className={styles.close} aria-label="Close" onClick={onClose}>
+        <button type="button" className={styles.close} aria-label={t("Close")} onClick={onClose}>
           <CloseIcon size="1.25rem" />
         </button>
       </div>
       <div className={styles.value}>{point.residual_um === null ? `– ${unitOf("µm")}` : signedLength(point.residual_um, "µm")}</div>
       <p className={styles.text}>
-        {point.outlier ? "Outlier: it does not fit its face and is not used." : "Distance from its face, + outward."}
+        {point.outlier ? t("Outlier: it does not fit its face and is not used.") : t("Distance from its face, + outward.")}
       </p>
-      {removable && <PressButton onPress={remove}>Remove this point</PressButton>}
+      {removable && <PressButton onPress={remove}>{t("Remove this point")}</PressButton>}
     </div>
   );
 }

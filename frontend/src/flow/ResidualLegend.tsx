@@ -1,5 +1,6 @@
 import { RAMP_CSS } from "../object/residuals";
 import { measured } from "../parts/lengths";
+import { t } from "../state/language";
 import styles from "./ResidualLegend.module.css";
 
 /** What the dots' colours mean. */
@@ -8,12 +9,12 @@ export function ResidualLegend({ scale_um, sticks = false }: { scale_um: number;
     <div className={styles.legend}>
       <span>0</span>
       <span className={styles.ramp} style={{ background: RAMP_CSS }} />
-      <span>{measured(scale_um, "µm")} residual</span>
+      <span>{measured(scale_um, "µm")} {t("residual")}</span>
       <svg width="18" height="18" viewBox="-9 -9 18 18" aria-hidden="true">
         <path d="M0-8 8 0 0 8-8 0Z" className={styles.diamond} />
       </svg>
-      <span>outlier</span>
-      {sticks && <span className={styles.sticks}>sticks point outward or inward</span>}
+      <span>{t("outlier")}</span>
+      {sticks && <span className={styles.sticks}>{t("sticks point outward or inward")}</span>}
     </div>
   );
 }

@@ -1,4 +1,5 @@
 import type { FlowView } from "../api/types";
+import { t } from "../state/language";
 import styles from "./StepDots.module.css";
 
 /** On a phone, where the list of steps has no room: where we are, in one line. */
@@ -7,7 +8,7 @@ export function StepDots({ view }: { view: Pick<FlowView, "steps" | "step"> }) {
   return (
     <div className={styles.steps} aria-hidden="true">
       <span className={styles.words}>
-        Step {index + 1} of {view.steps.length}
+        {t("Step {n} of {all}", { n: index + 1, all: view.steps.length })}
       </span>
       {view.steps.map((step) => (
         <span key={step.id} className={styles.dot} data-state={step.state} data-here={step.id === view.step || undefined} />

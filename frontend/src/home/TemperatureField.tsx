@@ -6,6 +6,7 @@ import { tell } from "../api/commands";
 import { post } from "../api/http";
 import { figures } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
+import { t } from "../state/language";
 import styles from "./TemperatureField.module.css";
 
 /** The room's temperature: what is known of it, and a place to tell it. */
@@ -16,7 +17,7 @@ export function TemperatureField({ celsius }: { celsius: number | null }) {
       await post("/api/temperature", { celsius: Number(text.replace(",", ".")) });
       setText("");
     } catch (error) {
-      tell(error, "the temperature was not kept");
+      tell(error, t("the temperature was not kept"));
     }
   };
   const submit = (event: FormEvent) => {
@@ -26,11 +27,11 @@ export function TemperatureField({ celsius }: { celsius: number | null }) {
   return (
     <form className={styles.field} onSubmit={submit}>
       <label className={fields.label} htmlFor="room-temperature">
-        Room temperature: {celsius === null ? "not known" : <strong>{figures(celsius, 1)} °C</strong>}
+        {t("Room temperature")}: {celsius === null ? t("not known") : <strong>{figures(celsius, 1)} °C</strong>}
       </label>
       <div className={fields.row}>
-        <UnitInput id="room-temperature" unit="°C" min={-20} max={60} value={text} placeholder={celsius === null ? "tell it" : "now"} onText={setText} />
-        {text !== "" && <PressButton onPress={set}>Set</PressButton>}
+        <UnitInput id="room-temperature" unit="°C" min={-20} max={60} value={text} placeholder={celsius === null ? t("tell it") : t("now")} onText={setText} />
+        {text !== "" && <PressButton onPress={set}>{t("Set")}</PressButton>}
       </div>
     </form>
   );

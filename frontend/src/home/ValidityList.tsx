@@ -2,22 +2,23 @@ import type { Validity } from "../api/types";
 import { bound } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
+import { t, words } from "../state/language";
 import { go } from "../state/router";
 import styles from "./ValidityList.module.css";
 
 const WORD: Record<Validity["state"], string> = {
-  valid: "valid",
-  due: "due",
-  missing: "to do",
-  failed: "failed",
-  unsure: "not decided",
+  valid: words("valid"),
+  due: words("due"),
+  missing: words("to do"),
+  failed: words("failed"),
+  unsure: words("not decided"),
 };
 
 /** What must be in order to measure: whether it is, why not, and where it is done; what comes
  *  `next` has its button beside the list. */
 export function ValidityList({ checks, next }: { checks: Validity[]; next: string }) {
   return (
-    <ul className={styles.list} aria-label="What is valid and what is due">
+    <ul className={styles.list} aria-label={t("What is valid and what is due")}>
       {checks.map((check) => (
         <li key={check.id} className={styles.row} data-state={check.state}>
           <QualityMark quality={check.quality} size="1.5rem" />
@@ -25,7 +26,7 @@ export function ValidityList({ checks, next }: { checks: Validity[]; next: strin
             <p className={styles.title}>
               {check.title}
               <span className={styles.state} data-quality={check.quality}>
-                {WORD[check.state]}
+                {t(WORD[check.state])}
               </span>
             </p>
             <p className={styles.text}>{bound(check.text)}</p>

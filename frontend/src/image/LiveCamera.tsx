@@ -7,6 +7,7 @@ import { age, bound, figures } from "../parts/format";
 import { inUnits, lengthFigures, unitOf } from "../parts/lengths";
 import { QualityMark } from "../parts/QualityMark";
 import { Readouts } from "../parts/Readouts";
+import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./LiveCamera.module.css";
 import { drawBand, drawOverlay, drawSaturated, drawTarget } from "./overlay";
@@ -64,12 +65,12 @@ export function LiveCamera({ target = [], over }: LiveCameraProps) {
           className={styles.canvas}
           data-old={old || undefined}
           role="img"
-          aria-label="Live picture of the camera"
+          aria-label={t("Live picture of the camera")}
         />
         {header && over && <Over header={header} width={width} height={height} over={over} />}
         {header && !old && <Aims aids={header.aids} />}
         {header && old_s > AWAY_S && <Away old_s={old_s} />}
-        {!header && <p className={styles.waiting}>No picture yet. It appears when the camera sends one.</p>}
+        {!header && <p className={styles.waiting}>{t("No picture yet. It appears when the camera sends one.")}</p>}
       </div>
       {header && <Panel header={header} old_s={old ? old_s : null} line={over !== undefined} rate={rate} />}
     </div>
@@ -80,10 +81,15 @@ export function LiveCamera({ target = [], over }: LiveCameraProps) {
 function Away({ old_s }: { old_s: number }) {
   const heard = useLive((s) => s.connection === "live");
   const sensor = useLive((s) => s.devices?.sensor.state ?? "lost");
-  const why = !heard ? "The station has been away" : sensor === "lost" || sensor === "off" ? "The camera has been away" : "No newer picture has come";
+  const values = { age: age(old_s) };
+  const why = !heard
+    ? t("The station has been away for {age}.", values)
+    : sensor === "lost" || sensor === "off"
+      ? t("The camera has been away for {age}.", values)
+      : t("No newer picture has come for {age}.", values);
   return (
     <p className={styles.away} role="status">
-      {bound(`${why} for ${age(old_s)}. The picture goes on by itself.`)}
+      {bound(`${why} ${t("The picture goes on by itself.")}`)}
     </p>
   );
 }
@@ -162,7 +168,7 @@ function Panel({ header, old_s, line, rate }: PanelProps) {
   return (
     <>
       {wrong.length > 0 && (
-        <ul className={styles.wrong} aria-label="About the picture">
+        <ul className={styles.wrong} aria-label={t("About the picture")}>
           {wrong.map(({ quality, text, remedy }) => (
             <li key={text}>
               <QualityMark quality={quality} size="1.25rem" />
@@ -175,13 +181,13 @@ function Panel({ header, old_s, line, rate }: PanelProps) {
       <Readouts
         readouts={[
           old_s === null
-            ? { label: "Picture", value: age(header.age_s), unit: "old", note: rate ? `${figures(rate)}/s` : "" }
-            : { label: "Picture", value: age(old_s), unit: "old", quality: "bad" },
-          { label: "Laser", value: header.laser_on ? "on" : "off" },
-          { label: "Arm", value: header.arm_still ? "still" : "moving", quality: header.arm_still ? "good" : "attention" },
+            ? { label: t("Picture"), value: age(header.age_s), unit: t("old"), note: rate ? `${figures(rate)}/s` : "" }
+            : { label: t("Picture"), value: age(old_s), unit: t("old"), quality: "bad" },
+          { label: t("Laser"), value: header.laser_on ? t("on") : t("off") },
+          { label: t("Arm"), value: header.arm_still ? t("still") : t("moving"), quality: header.arm_still ? "good" : "attention" },
           line
-            ? { label: "Line", value: header.stripe.length > 0 ? "found" : "none" }
-            : { label: "Corners", value: figures(header.corners.length) },
+            ? { label: t("Line"), value: header.stripe.length > 0 ? t("found") : t("none") }
+            : { label: t("Corners"), value: figures(header.corners.length) },
           ...header.aids.map(({ title, value, unit, decimals, quality, wanted }) => ({
             label: title,
             value: lengthFigures(value, unit, decimals),
@@ -205,7 +211,7 @@ function Aims({ aids }: { aids: Aid[] }) {
   const told = aids.filter(({ words }) => words);
   if (told.length === 0) return null;
   return (
-    <ul className={styles.aims} aria-label="To aim, expose and focus">
+    <ul className={styles.aims} aria-label={t("To aim, expose and focus")}>
       {told.map(({ name, quality, words }) => (
         <li key={name}>
           <QualityMark quality={quality} size="1.375rem" />

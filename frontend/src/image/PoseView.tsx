@@ -4,6 +4,7 @@ import { bound, figures } from "../parts/format";
 import { measured } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
+import { t, words } from "../state/language";
 import styles from "./PoseView.module.css";
 import { StillImage } from "./StillImage";
 
@@ -17,7 +18,7 @@ interface PoseViewProps {
   worst?: WorstPoint[];
 }
 
-const WORDS = { taken: "", used: "", left_out: ", left out", aside: ", set aside" };
+const WORDS = { taken: "", used: "", left_out: words("left out"), aside: words("set aside") };
 
 /** The poses one beside the other, the picture of one of them, and the way to set it aside. */
 export function PoseView({ poses, shown, onShow, residuals = false, worst = [] }: PoseViewProps) {
@@ -27,14 +28,14 @@ export function PoseView({ poses, shown, onShow, residuals = false, worst = [] }
     <div className={styles.view}>
       {poses.length > 1 && (
         <div className={styles.strip}>
-          <div className={styles.poses} role="group" aria-label="Poses">
+          <div className={styles.poses} role="group" aria-label={t("Poses")}>
             {poses.map(({ number, state, note }) => (
               <button
                 key={number}
                 type="button"
                 className={styles.pose}
                 aria-pressed={number === pose.number}
-                aria-label={`Pose ${number}${WORDS[state]}`}
+                aria-label={[t("Pose {n}", { n: number }), t(WORDS[state])].filter(Boolean).join(", ")}
                 data-state={state}
                 onClick={() => onShow(number)}
               >
@@ -70,6 +71,6 @@ export function SetAside({ pose }: { pose: PosePicture }) {
 
 function told({ number, note, edges_rms_px, off_um }: PosePicture): string {
   if (note) return bound(`${note.replace(/\.$/, "")}.`);
-  if (edges_rms_px === null || off_um === null) return `Pose ${number}`;
-  return bound(`Edges ${figures(edges_rms_px, 2)} px rms, ${measured(off_um, "µm")} off the others`);
+  if (edges_rms_px === null || off_um === null) return t("Pose {n}", { n: number });
+  return bound(t("Edges {edges} px rms, {off} off the others", { edges: figures(edges_rms_px, 2), off: measured(off_um, "µm") }));
 }

@@ -5,6 +5,7 @@ import type { ImageCorner, ImageMark, Vec3, WorstPoint } from "../api/types";
 import { figures } from "../parts/format";
 import { measured } from "../parts/lengths";
 import { cornerWords } from "../result/names";
+import { t, words } from "../state/language";
 import { COLOURS, type Overlay } from "./overlay";
 import styles from "./StillImage.module.css";
 
@@ -23,11 +24,11 @@ interface StillImageProps extends Overlay {
 }
 
 const MARKS: Record<ImageMark["kind"], { colour: string; words: string }> = {
-  disagrees: { colour: "#ff9f43", words: "edges that do not lie where they should" },
-  outside: { colour: "#d0a2ff", words: "out of the frame" },
-  clipped: { colour: "#ff5a5f", words: "overexposed" },
-  outline: { colour: COLOURS.outline, words: "the object as it was nearest found" },
-  segment: { colour: "#9aa7b4", words: "straight edges" },
+  disagrees: { colour: "#ff9f43", words: words("edges that do not lie where they should") },
+  outside: { colour: "#d0a2ff", words: words("out of the frame") },
+  clipped: { colour: "#ff5a5f", words: words("overexposed") },
+  outline: { colour: COLOURS.outline, words: words("the object as it was nearest found") },
+  segment: { colour: "#9aa7b4", words: words("straight edges") },
 };
 /** So much of the picture's size is shown beyond it at most, where the object reaches out. */
 const BEYOND = 0.35;
@@ -86,7 +87,7 @@ export function StillImage(props: StillImageProps) {
           className={styles.picture}
           viewBox={frameOf(marks, width_px, height_px)}
           role="img"
-          aria-label="The captured picture with corners, outline and stripe"
+          aria-label={t("The captured picture with corners, outline and stripe")}
         >
           <image href={image_url} x="-0.5" y="-0.5" width={width_px} height={height_px} />
           <path
@@ -161,17 +162,17 @@ function Legend({ marks }: { marks: ImageMark[] }) {
   const shown = KINDS.filter((kind) => marks.some((mark) => mark.kind === kind));
   return shown.map((kind) => (
     <span key={kind} className={styles.legend}>
-      <i style={{ background: MARKS[kind].colour }} /> {MARKS[kind].words}
+      <i style={{ background: MARKS[kind].colour }} /> {t(MARKS[kind].words)}
     </span>
   ));
 }
 
 function told(name: string, residual_px: number | null): string {
-  const words = cornerWords(name);
-  return residual_px === null ? words : `${words}: residual ${figures(residual_px, 3)} px`;
+  const where = cornerWords(name);
+  return residual_px === null ? where : t("{corner}: residual {value} px", { corner: where, value: figures(residual_px, 3) });
 }
 
 function summary({ corners, stripe }: Overlay, times: number): string {
-  const found = `${figures(corners.length)} corners, ${figures(stripe.length)} stripe points`;
-  return times ? `${found}. Arrows: found minus computed, ${times} times enlarged.` : found;
+  const found = t("{corners} corners, {points} stripe points", { corners: figures(corners.length), points: figures(stripe.length) });
+  return times ? `${found}. ${t("Arrows: found minus computed, {times} times enlarged.", { times })}` : found;
 }

@@ -1,5 +1,6 @@
 import type { Band, ImageCorner } from "../api/types";
 import { measured } from "../parts/lengths";
+import { t } from "../state/language";
 
 export interface Overlay {
   corners: ImageCorner[];
@@ -91,8 +92,8 @@ export function drawBand(context: CanvasRenderingContext2D, band: Band, scale: n
   context.shadowColor = "#000";
   context.shadowBlur = 4;
   for (const [line, words] of [
-    [band.near, `nearest ${measured(band.near_mm, "mm")}`],
-    [band.far, `furthest ${measured(band.far_mm, "mm")}`],
+    [band.near, t("nearest {value}", { value: measured(band.near_mm, "mm") })],
+    [band.far, t("furthest {value}", { value: measured(band.far_mm, "mm") })],
   ] as const) {
     const first = line[0];
     if (!first) continue;

@@ -1,4 +1,5 @@
 import type { BlockGeometry, Vec3 } from "../api/types";
+import { t } from "../state/language";
 import { BlockDrawing } from "./BlockDrawing";
 import { isSeen } from "./block";
 import styles from "./Illustration.module.css";
@@ -22,7 +23,7 @@ const STRIPE_Y_MM = -7;
 export function Illustration() {
   return (
     <div className={styles.illustration}>
-      <BlockDrawing block={ANY_BLOCK} face={null} label="A crenellated object with the laser stripe across it">
+      <BlockDrawing block={ANY_BLOCK} face={null} label={t("A crenellated object with the laser stripe across it")}>
         {(view) => <path className={styles.stripe} d={stripePath(view, ANY_BLOCK)} />}
       </BlockDrawing>
     </div>

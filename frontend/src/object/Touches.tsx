@@ -2,6 +2,7 @@ import type { KeyboardEvent } from "react";
 
 import type { BlockGeometry, TouchedPoint, Vec3 } from "../api/types";
 import { signedLength } from "../parts/lengths";
+import { said, t } from "../state/language";
 import { isSeen, NORMALS } from "./block";
 import { rampColour } from "./residuals";
 import styles from "./Touches.module.css";
@@ -104,7 +105,7 @@ interface TouchProps {
 
 function Touch({ point, at, radius, scale_um, chosen, side, onPoint }: TouchProps) {
   const residual = point.residual_um;
-  const words = residual === null ? "no residual yet" : signedLength(residual, "µm");
+  const value = residual === null ? t("no residual yet") : signedLength(residual, "µm");
   const fill = residual === null ? "var(--ink-3)" : rampColour(Math.abs(residual) / scale_um);
   const onKey = (event: KeyboardEvent) => {
     if (event.key !== "Enter" && event.key !== " ") return;
@@ -117,7 +118,7 @@ function Touch({ point, at, radius, scale_um, chosen, side, onPoint }: TouchProp
       transform={`translate(${at[0]} ${at[1]})`}
       role="button"
       tabIndex={0}
-      aria-label={`Point ${point.index + 1} on ${point.face}, ${words}${point.outlier ? ", outlier" : ""}`}
+      aria-label={[t("Point {n} on {face}", { n: point.index + 1, face: said(point.face) }), value, point.outlier ? t("outlier") : ""].filter(Boolean).join(", ")}
       data-chosen={chosen || undefined}
       onClick={() => onPoint(point.index)}
       onKeyDown={onKey}
@@ -136,7 +137,7 @@ function Touch({ point, at, radius, scale_um, chosen, side, onPoint }: TouchProp
           className={styles.value}
           data-outlier={point.outlier || undefined}
         >
-          {words}
+          {value}
         </text>
       )}
     </g>

@@ -7,6 +7,7 @@ import { ArmPictureView } from "../arm/ArmPictureView";
 import { History } from "../arm/History";
 import { Layout } from "../frame/Layout";
 import { MainAct } from "../parts/Actions";
+import { t } from "../state/language";
 import { Chips } from "../verify/Chips";
 import { CardHead } from "../parts/CardHead";
 import { PressButton } from "../parts/PressButton";
@@ -28,10 +29,10 @@ function NotStarted() {
         <>
           <div className={styles.chips}>
             <Chips
-              label="What was checked"
+              label={t("What was checked")}
               options={[
-                { value: "arm", label: "Arm" },
-                { value: "tip", label: "Tip" },
+                { value: "arm", label: t("Arm") },
+                { value: "tip", label: t("Tip") },
               ]}
               value={tips ? "tip" : "arm"}
               onChange={(value) => setTips(value === "tip")}
@@ -43,28 +44,27 @@ function NotStarted() {
       card={
         <>
           <CardHead
-            title="Is the arm in order?"
-            text="Hold the tip in a cone or ball seat and swing the arm about it: what the tip seems to move by is the arm's own error. It takes five minutes."
+            title={t("Is the arm in order?")}
+            text={t("Hold the tip in a cone or ball seat and swing the arm about it: what the tip seems to move by is the arm's own error. It takes five minutes.")}
           />
           <MainAct>
             <PressButton kind="primary" onPress={() => startArm("check")}>
-              Check the arm
+              {t("Check the arm")}
             </PressButton>
           </MainAct>
           <div className={styles.other}>
-            <h2 className={styles.heading}>Check the tip</h2>
+            <h2 className={styles.heading}>{t("Check the tip")}</h2>
             <p className={styles.text}>
-              Before work: touch a sphere of known diameter nine times. A worn, bent or wrong tip shows at once. It takes a minute.
+              {t("Before work: touch a sphere of known diameter nine times. A worn, bent or wrong tip shows at once. It takes a minute.")}
             </p>
-            <PressButton onPress={() => startArm("tip")}>Check the tip</PressButton>
+            <PressButton onPress={() => startArm("tip")}>{t("Check the tip")}</PressButton>
           </div>
           <div className={styles.other}>
-            <h2 className={styles.heading}>Identify the arm</h2>
+            <h2 className={styles.heading}>{t("Identify the arm")}</h2>
             <p className={styles.text}>
-              From six seats, ends of a ball bar or spheres all over the reach the arm's geometry is determined anew. Do it when a check fails, or
-              before the first calibration.
+              {t("From six seats, ends of a ball bar or spheres all over the reach the arm's geometry is determined anew. Do it when a check fails, or before the first calibration.")}
             </p>
-            <PressButton onPress={() => startArm("identify")}>Identify the arm</PressButton>
+            <PressButton onPress={() => startArm("identify")}>{t("Identify the arm")}</PressButton>
           </div>
           <NextStep />
         </>

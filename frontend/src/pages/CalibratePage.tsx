@@ -7,6 +7,7 @@ import { CardHead } from "../parts/CardHead";
 import { EmptyState } from "../parts/EmptyState";
 import { unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
+import { t } from "../state/language";
 import { useLive } from "../state/store";
 
 export function CalibratePage() {
@@ -26,16 +27,16 @@ function NotStarted() {
     <Layout
       picture={
         <EmptyState
-          title="From touches and a few pictures to a calibrated sensor"
-          text={`You touch the faces of the crenellated object with the arm's tip, then hold the sensor over it and take a picture in each of a few poses; the station says which. It shows how good the result is, in ${unitOf("µm")}, before anything is replaced.`}
+          title={t("From touches and a few pictures to a calibrated sensor")}
+          text={t("You touch the faces of the crenellated object with the arm's tip, then hold the sensor over it and take a picture in each of a few poses; the station says which. It shows how good the result is, in {unit}, before anything is replaced.", { unit: unitOf("µm") })}
         />
       }
       card={
         <>
-          <CardHead title="Calibrate the sensor" text="Have the object clamped and the tip clean. It takes a few minutes." />
+          <CardHead title={t("Calibrate the sensor")} text={t("Have the object clamped and the tip clean. It takes a few minutes.")} />
           <MainAct>
             <PressButton kind="primary" onPress={startFlow}>
-              Start calibration
+              {t("Start calibration")}
             </PressButton>
           </MainAct>
         </>

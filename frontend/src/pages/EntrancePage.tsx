@@ -6,6 +6,7 @@ import { Mark } from "../parts/icons";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
 import { TextField } from "../parts/TextField";
+import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./EntrancePage.module.css";
 
@@ -37,7 +38,7 @@ function Way({ session }: { session: Session }) {
     <>
       {byName ? <SignIn /> : <ByCode />}
       <PressButton free kind="quiet" onPress={() => setByName(!byName)}>
-        {byName ? "Enter by the console’s code" : "Sign in by name"}
+        {byName ? t("Enter by the console’s code") : t("Sign in by name")}
       </PressButton>
     </>
   );
@@ -97,14 +98,14 @@ function SignIn() {
   const [password, setPassword] = useState("");
   return (
     <Form
-      title="Sign in"
-      text="Whoever looks on sees everything; acting takes an operator’s account."
-      act="Sign in"
+      title={t("Sign in")}
+      text={t("Whoever looks on sees everything; acting takes an operator’s account.")}
+      act={t("Sign in")}
       onAct={() => signIn(name, password)}
     >
-      <TextField label="Name" autoComplete="username" autoFocus value={name} onText={setName} />
+      <TextField label={t("Name")} autoComplete="username" autoFocus value={name} onText={setName} />
       <TextField
-        label="Password"
+        label={t("Password")}
         type="password"
         autoComplete="current-password"
         value={password}
@@ -118,12 +119,12 @@ function ByCode() {
   const [code, setCode] = useState("");
   return (
     <Form
-      title="Open it by its link"
-      text="The console that runs Crenel shows a link: open that one. Or enter what stands there after code=."
-      act="Enter"
+      title={t("Open it by its link")}
+      text={t("The console that runs Crenel shows a link: open that one. Or enter what stands there after code=.")}
+      act={t("Enter")}
       onAct={() => enterByCode(code)}
     >
-      <TextField label="Code" autoComplete="off" autoCapitalize="characters" autoFocus value={code} onText={setCode} />
+      <TextField label={t("Code")} autoComplete="off" autoCapitalize="characters" autoFocus value={code} onText={setCode} />
     </Form>
   );
 }
@@ -134,25 +135,25 @@ function FirstAdmin() {
   const [password, setPassword] = useState("");
   return (
     <Form
-      title="Make the administrator’s account"
-      text="This station is new: nobody can sign in yet. The console that runs it shows a code for this."
-      act="Make the account"
+      title={t("Make the administrator’s account")}
+      text={t("This station is new: nobody can sign in yet. The console that runs it shows a code for this.")}
+      act={t("Make the account")}
       onAct={() => makeAdmin(code, name, password)}
     >
       <TextField
-        label="Code on the console"
+        label={t("Code on the console")}
         autoComplete="off"
         autoCapitalize="characters"
         autoFocus
         value={code}
         onText={setCode}
       />
-      <TextField label="Your name" autoComplete="username" value={name} onText={setName} />
+      <TextField label={t("Your name")} autoComplete="username" value={name} onText={setName} />
       <TextField
-        label="Password"
+        label={t("Password")}
         type="password"
         autoComplete="new-password"
-        help="10 characters or more; three unrelated words are good."
+        help={t("10 characters or more; three unrelated words are good.")}
         value={password}
         onText={setPassword}
       />

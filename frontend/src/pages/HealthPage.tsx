@@ -8,6 +8,7 @@ import { Keeping } from "../health/Keeping";
 import { LogList } from "../health/LogList";
 import { Scrapers } from "../health/Scrapers";
 import { Telling } from "../health/Telling";
+import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./RecordsPage.module.css";
 
@@ -36,7 +37,7 @@ export function HealthPage() {
   return (
     <main className={styles.page}>
       <div className={styles.records}>
-        {view ? <Checks health={view.health} /> : <p className={styles.empty}>The station is being looked at.</p>}
+        {view ? <Checks health={view.health} /> : <p className={styles.empty}>{t("The station is being looked at.")}</p>}
         {view && <Keeping backup={view.backup} admin={admin} operator={operator} onChange={read} />}
         <Telling admin={admin} />
         {admin && <Scrapers />}

@@ -8,6 +8,7 @@ import { Findings } from "../parts/Findings";
 import { lengthFigures, unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
+import { t } from "../state/language";
 import { go } from "../state/router";
 import { useLive } from "../state/store";
 import styles from "./HomePage.module.css";
@@ -15,7 +16,7 @@ import styles from "./HomePage.module.css";
 /** What is valid, what is due, what to do next. */
 export function HomePage() {
   const home = useLive((s) => s.home);
-  if (!home) return <Layout picture={null} card={<CardHead title="Home" text="Waiting for the station." />} />;
+  if (!home) return <Layout picture={null} card={<CardHead title={t("Home")} text={t("Waiting for the station.")} />} />;
   return (
     <Layout
       picture={
@@ -30,16 +31,20 @@ export function HomePage() {
 }
 
 function Active({ calibration }: { calibration: CalibrationSummary }) {
-  const devices = [`arm ${calibration.arm_serial}`, `sensor ${calibration.sensor_serial}`, `object ${calibration.object_serial}`];
+  const devices = [
+    t("arm {serial}", { serial: calibration.arm_serial }),
+    t("sensor {serial}", { serial: calibration.sensor_serial }),
+    t("object {serial}", { serial: calibration.object_serial }),
+  ];
   return (
     <div className={styles.active}>
       <p className={styles.label}>
-        <QualityMark quality={calibration.verdict} /> In use: {calibration.name}
+        <QualityMark quality={calibration.verdict} /> {t("In use: {name}", { name: calibration.name })}
       </p>
       <p className={styles.value}>
         {lengthFigures(calibration.total_um, "µm")} <span>{unitOf("µm")}</span>
       </p>
-      <p className={styles.note}>standard uncertainty of a scanned point, k = 1 · {devices.join(" · ")}</p>
+      <p className={styles.note}>{t("standard uncertainty of a scanned point, k = 1")} · {devices.join(" · ")}</p>
     </div>
   );
 }
@@ -50,7 +55,7 @@ function Next({ home }: { home: Home }) {
     <>
       {/* on a phone it is read first, as a verdict is */}
       <div data-verdict>
-        <CardHead title="What to do next" text={next.text} />
+        <CardHead title={t("What to do next")} text={next.text} />
       </div>
       <MainAct>
         <PressButton free kind="primary" onPress={() => go(next.page)}>

@@ -2,6 +2,7 @@ import { Accounts } from "../access/Accounts";
 import { AuditList } from "../access/AuditList";
 import { Walls } from "../access/Walls";
 import { Banners } from "../frame/Banners";
+import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./RecordsPage.module.css";
 
@@ -18,7 +19,7 @@ export function PeoplePage() {
             <AuditList />
           </>
         ) : (
-          <p className={styles.empty}>Accounts are an administrator’s affair.</p>
+          <p className={styles.empty}>{t("Accounts are an administrator’s affair.")}</p>
         )}
       </div>
       <Banners />

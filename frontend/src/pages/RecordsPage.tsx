@@ -6,6 +6,7 @@ import type { VerificationSummary } from "../api/verifyTypes";
 import { CalibrationHistory } from "../records/CalibrationHistory";
 import { CalibrationRecord } from "../records/CalibrationRecord";
 import { CalibrationRow, ScanRow, VerificationRow } from "../records/Rows";
+import { t } from "../state/language";
 import { useDetail } from "../state/router";
 import { useLive } from "../state/store";
 import { useList } from "../state/useList";
@@ -28,21 +29,21 @@ function AllRecords() {
     <main className={styles.page}>
       <div className={styles.records}>
       <Section
-        title="Calibrations"
-        empty="Accepted calibrations will be here, the newest first. Accept one on the Calibrate page."
+        title={t("Calibrations")}
+        empty={t("Accepted calibrations will be here, the newest first. Accept one on the Calibrate page.")}
         above={<CalibrationHistory />}
         {...calibrations}
         row={(summary) => <CalibrationRow key={summary.id} summary={summary} />}
       />
       <Section
-        title="Verifications"
-        empty="Accepted verifications will be here, the newest first. Make one on the Verify page."
+        title={t("Verifications")}
+        empty={t("Accepted verifications will be here, the newest first. Make one on the Verify page.")}
         {...verifications}
         row={(summary) => <VerificationRow key={summary.id} summary={summary} />}
       />
       <Section
-        title="Scans"
-        empty="Saved clouds will be here, the newest first. Start a scan on the Scan page."
+        title={t("Scans")}
+        empty={t("Saved clouds will be here, the newest first. Start a scan on the Scan page.")}
         {...scans}
         row={(summary) => <ScanRow key={summary.id} summary={summary} />}
       />
@@ -69,7 +70,7 @@ function Section<T>({ title, above, empty, list, failed, row }: SectionProps<T>)
       {list && list.length > 0 ? (
         <ul className={styles.list}>{list.map(row)}</ul>
       ) : (
-        <p className={styles.empty}>{list ? empty : failed ? "The list could not be read. It is read again when the station is back." : "Reading the list."}</p>
+        <p className={styles.empty}>{list ? empty : failed ? t("The list could not be read. It is read again when the station is back.") : t("Reading the list.")}</p>
       )}
     </section>
   );

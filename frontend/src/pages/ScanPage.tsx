@@ -7,16 +7,17 @@ import { CardHead } from "../parts/CardHead";
 import { Download } from "../parts/Download";
 import { Findings } from "../parts/Findings";
 import { NextStep } from "../home/NextStep";
+import { t, words } from "../state/language";
 import { useLive } from "../state/store";
 import { ReplayCard } from "../scan/ReplayCard";
 import { ScanFigures } from "../scan/ScanFigures";
 import { ScanPicture } from "../scan/ScanPicture";
 
 const WORDS: Record<ScanState["state"], { title: string; text: string }> = {
-  idle: { title: "Ready to scan", text: "Start, then pass the stripe slowly over the part." },
-  running: { title: "Scanning", text: "Pass the stripe slowly over the part." },
-  stopping: { title: "Stopping", text: "The cloud is being written." },
-  blocked: { title: "Scanning is not possible now", text: "The reason stands by the button." },
+  idle: { title: words("Ready to scan"), text: words("Start, then pass the stripe slowly over the part.") },
+  running: { title: words("Scanning"), text: words("Pass the stripe slowly over the part.") },
+  stopping: { title: words("Stopping"), text: words("The cloud is being written.") },
+  blocked: { title: words("Scanning is not possible now"), text: words("The reason stands by the button.") },
 };
 
 export function ScanPage() {
@@ -24,21 +25,21 @@ export function ScanPage() {
   const hasHand = useLive((s) => s.station?.has_hand ?? false);
   const replay = useLive((s) => s.replay);
   if (replay) return <Layout picture={<ScanPicture />} card={<ReplayCard replay={replay} />} />;
-  if (!scan) return <Layout picture={<ScanPicture />} card={<CardHead title="Scan" text="Waiting for the station." />} />;
-  const words = WORDS[scan.state];
+  if (!scan) return <Layout picture={<ScanPicture />} card={<CardHead title={t("Scan")} text={t("Waiting for the station.")} />} />;
+  const { title, text } = WORDS[scan.state];
   return (
     <Layout
       picture={<ScanPicture />}
       card={
         <>
-          <CardHead title={words.title} text={words.text} />
+          <CardHead title={t(title)} text={t(text)} />
           <BigNumber
-            number={{ label: "Points", value: scan.points, unit: "", decimals: 0, quality: "neutral", note: shown(scan) }}
+            number={{ label: t("Points"), value: scan.points, unit: "", decimals: 0, quality: "neutral", note: shown(scan) }}
           />
           <ScanFigures scan={scan} />
           <Actions actions={actionsOf(scan, hasHand)} onAct={act}>
             {scan.state === "idle" && scan.scan_id && scan.points > 0 && (
-              <Download href={`/api/scans/${scan.scan_id}/cloud.ply`}>Save as PLY</Download>
+              <Download href={`/api/scans/${scan.scan_id}/cloud.ply`}>{t("Save as PLY")}</Download>
             )}
             <Findings findings={scan.findings} />
             {scan.state === "blocked" && <NextStep />}
@@ -50,7 +51,7 @@ export function ScanPage() {
 }
 
 function shown(scan: ScanState): string {
-  return scan.points_shown < scan.points ? "the view shows a part of them" : "";
+  return scan.points_shown < scan.points ? t("the view shows a part of them") : "";
 }
 
 function action(name: string, label: string, primary: boolean, why_not = ""): Action {
@@ -60,12 +61,12 @@ function action(name: string, label: string, primary: boolean, why_not = ""): Ac
 function actionsOf(scan: ScanState, hasHand: boolean): Action[] {
   const running = scan.state === "running";
   const main = running
-    ? action("stop", "Stop the scan", true)
-    : action("start", "Start scan", true, scan.state === "stopping" ? "The last scan is being written." : scan.why_not);
+    ? action("stop", t("Stop the scan"), true)
+    : action("start", t("Start scan"), true, scan.state === "stopping" ? t("The last scan is being written.") : scan.why_not);
   if (!hasHand || scan.state === "blocked") return [main];
   const hand = scan.hand_running
-    ? action("hand_off", "Stop the hand", false)
-    : action("hand_on", "Let the hand do it", false);
+    ? action("hand_off", t("Stop the hand"), false)
+    : action("hand_on", t("Let the hand do it"), false);
   return [main, hand];
 }
 

@@ -12,6 +12,7 @@ import styles from "../settings/Settings.module.css";
 import { useZones } from "../settings/useZones";
 import { ZoneButtons } from "../settings/ZoneButtons";
 import { ZoneEditor } from "../settings/ZoneEditor";
+import { t } from "../state/language";
 import { useLive } from "../state/store";
 
 /** What an operator sets of scans, beside the live picture on which it shows at once. */
@@ -21,7 +22,7 @@ export function SettingsPage() {
   const zones = useZones(settings);
   useEffect(() => void readSettings(), []);
   if (!settings) {
-    return <Layout picture={<LiveCamera />} card={<CardHead title="Settings" text="Waiting for the station." />} />;
+    return <Layout picture={<LiveCamera />} card={<CardHead title={t("Settings")} text={t("Waiting for the station.")} />} />;
   }
   return (
     <Layout
@@ -31,11 +32,11 @@ export function SettingsPage() {
       card={
         <>
           <CardHead
-            title="Settings of scans"
+            title={t("Settings of scans")}
             text={
               laser
-                ? "The line that is found is drawn red on the picture. Every change is in use at once, and kept."
-                : "Switch the laser on to see the line that is found. Every change is in use at once, and kept."
+                ? t("The line that is found is drawn red on the picture. Every change is in use at once, and kept.")
+                : t("Switch the laser on to see the line that is found. Every change is in use at once, and kept.")
             }
           />
           <Findings findings={settings.findings} />
@@ -43,19 +44,19 @@ export function SettingsPage() {
           <LineSettings settings={settings} />
           <section className={styles.section} aria-labelledby="speed">
             <h2 id="speed" className={styles.heading}>
-              Speed
+              {t("Speed")}
             </h2>
             <NumberSetting
               name="blur_limit_mm"
-              label="Blur from which a pass is too fast"
+              label={t("Blur from which a pass is too fast")}
               unit="mm"
-              help="The part’s way under the line during one exposure. Automatic: four times the spacing of the points along the line."
+              help={t("The part’s way under the line during one exposure. Automatic: four times the spacing of the points along the line.")}
               settings={settings}
             />
           </section>
           <section className={styles.section} aria-labelledby="recording">
             <h2 id="recording" className={styles.heading}>
-              Recording
+              {t("Recording")}
             </h2>
             <label className={styles.switch}>
               <input
@@ -63,11 +64,10 @@ export function SettingsPage() {
                 checked={settings.record_pictures}
                 onChange={(event) => void changeSettings({ record_pictures: event.target.checked })}
               />
-              Record pictures, too
+              {t("Record pictures, too")}
             </label>
             <p className={styles.help}>
-              They take some 30 MB a second, and can be extracted anew. Every line is recorded in any case, and comes
-              first.
+              {t("They take some 30 MB a second, and can be extracted anew. Every line is recorded in any case, and comes first.")}
             </p>
           </section>
           <DelaySettings settings={settings} />

@@ -2,10 +2,11 @@ import { useEffect, useState } from "react";
 
 import type { Quality } from "../api/types";
 import type { StationReport, StationShown } from "../api/watchTypes";
-import { age, plural } from "../parts/format";
+import { age } from "../parts/format";
 import { Mark } from "../parts/icons";
 import { QualityMark } from "../parts/QualityMark";
 import { useSilence } from "../state/freshness";
+import { counted, t } from "../state/language";
 import { useLive } from "../state/store";
 import { Board } from "../supervise/Board";
 import { StationCards } from "../supervise/StationCards";
@@ -31,7 +32,7 @@ export function SupervisePage() {
   if (!report) {
     return (
       <main className={styles.page}>
-        <p className={styles.waiting}>Waiting for the station.</p>
+        <p className={styles.waiting}>{t("Waiting for the station.")}</p>
       </main>
     );
   }
@@ -39,15 +40,15 @@ export function SupervisePage() {
     <main className={styles.page} data-wall={wall || undefined}>
       <header className={styles.head}>
         {wall && <Mark size="1.5em" />}
-        <h1 className={styles.name}>{shown === "all" ? "All stations" : report.name}</h1>
+        <h1 className={styles.name}>{shown === "all" ? t("All stations") : report.name}</h1>
         <Freshness live={live} silent_s={silent_s} {...(shown === "all" ? sumOf(report, others ?? []) : alarmsOf(report))} />
         {several && (
-          <div className={styles.choice} role="group" aria-label="What is shown">
+          <div className={styles.choice} role="group" aria-label={t("What is shown")}>
             <button type="button" aria-pressed={shown === "this"} onClick={() => pick("this")}>
-              This station
+              {t("This station")}
             </button>
             <button type="button" aria-pressed={shown === "all"} onClick={() => pick("all")}>
-              All {(others?.length ?? 0) + 1}
+              {t("All {n}", { n: (others?.length ?? 0) + 1 })}
             </button>
           </div>
         )}
@@ -73,23 +74,23 @@ interface Sum {
 
 function alarmsOf(report: StationReport): Sum {
   const alarms = report.alarms.length;
-  return { words: alarms ? plural(alarms, "alarm") : "live", quality: worst(report) };
+  return { words: alarms ? counted(alarms, "{n} alarm", "{n} alarms") : t("live"), quality: worst(report) };
 }
 
 /** How many want somebody; of all of them. */
 function sumOf(report: StationReport, others: StationShown[]): Sum {
   const qualities = [worst(report), ...others.map((one) => stationState(one).quality)];
   const count = (quality: Quality) => qualities.filter((one) => one === quality).length;
-  if (count("bad")) return { words: `${count("bad")} of ${qualities.length} at fault`, quality: "bad" };
-  if (count("attention")) return { words: `${count("attention")} of ${qualities.length} want attention`, quality: "attention" };
-  return { words: plural(qualities.length, "station"), quality: "good" };
+  if (count("bad")) return { words: t("{n} of {all} at fault", { n: count("bad"), all: qualities.length }), quality: "bad" };
+  if (count("attention")) return { words: t("{n} of {all} want attention", { n: count("attention"), all: qualities.length }), quality: "attention" };
+  return { words: counted(qualities.length, "{n} station", "{n} stations"), quality: "good" };
 }
 
 function Freshness({ live, silent_s, words, quality }: Sum & { live: boolean; silent_s: number }) {
   if (!live) {
     return (
       <p className={styles.fresh} data-quality="bad" role="status">
-        <QualityMark quality="bad" size="1em" /> not heard for {age(Math.floor(silent_s))}
+        <QualityMark quality="bad" size="1em" /> {t("not heard for {age}", { age: age(Math.floor(silent_s)) })}
       </p>
     );
   }

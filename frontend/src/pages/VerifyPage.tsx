@@ -3,6 +3,7 @@ import type { VerificationRecord } from "../api/verifyFiles";
 import type { VerificationSummary, VerifyView } from "../api/verifyTypes";
 import { Layout } from "../frame/Layout";
 import { MainAct } from "../parts/Actions";
+import { t } from "../state/language";
 import { BigVerdict } from "../verify/BigVerdict";
 import { CardHead } from "../parts/CardHead";
 import { Download } from "../parts/Download";
@@ -57,24 +58,24 @@ function Records({ opened, running }: { opened: string | null; running: boolean 
           {running ? (
             <MainAct>
               <PressButton free kind="primary" onPress={() => setState({ record: null })}>
-                Go on verifying
+                {t("Go on verifying")}
               </PressButton>
             </MainAct>
           ) : current && shown?.result !== "fail" ? (
             <MainAct>
               <PressButton free kind="primary" onPress={() => go("scan")}>
-                Scan the part
+                {t("Scan the part")}
               </PressButton>
             </MainAct>
           ) : null}
           {!running && (
             <PressButton kind={current && shown?.result !== "fail" ? "secondary" : "primary"} onPress={begin}>
-              {shown ? "Verify again" : "Start verification"}
+              {shown ? t("Verify again") : t("Start verification")}
             </PressButton>
           )}
           {shown && <Reports of={`/api/verifications/${shown.id}`} />}
           {shown && (
-            <Download href={`/api/verifications/${shown.id}`}>Record of {moment(shown.accepted_at)}</Download>
+            <Download href={`/api/verifications/${shown.id}`}>{t("Record of {when}", { when: moment(shown.accepted_at) })}</Download>
           )}
           {list && list.length > 1 && <RecordList list={list} shown={shown?.id ?? ""} />}
         </>
@@ -94,24 +95,24 @@ function First({ calibrated }: { calibrated: boolean }) {
       picture={
         <EmptyState
           picture={<GaugeDrawing shape="sphere" touching scanning />}
-          title="Is the calibration good? A gauge tells"
-          text="You touch a gauge plate or sphere with the probe, then scan it a few times. The clouds are compared with the gauge's paper and with the probe, against your limits, with their uncertainty. It takes two minutes."
+          title={t("Is the calibration good? A gauge tells")}
+          text={t("You touch a gauge plate or sphere with the probe, then scan it a few times. The clouds are compared with the gauge's paper and with the probe, against your limits, with their uncertainty. It takes two minutes.")}
         />
       }
       card={
         <>
           <CardHead
-            title="Verify the calibration"
-            text={calibrated ? "Clamp a gauge within the arm's reach." : "There is no calibration in use yet. Calibrate first."}
+            title={t("Verify the calibration")}
+            text={calibrated ? t("Clamp a gauge within the arm's reach.") : t("There is no calibration in use yet. Calibrate first.")}
           />
           <MainAct>
             {calibrated ? (
               <PressButton kind="primary" onPress={begin}>
-                Start verification
+                {t("Start verification")}
               </PressButton>
             ) : (
               <PressButton free kind="primary" onPress={() => go("calibrate")}>
-                Calibrate
+                {t("Calibrate")}
               </PressButton>
             )}
           </MainAct>

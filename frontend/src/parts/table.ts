@@ -10,7 +10,14 @@ export interface Amount {
   plus: boolean;
 }
 
-export type Cell = string | Amount | { unit: string };
+/** Words of this browser: as they are copied, and as they are shown. */
+interface Words {
+  plain: string;
+  shown: string;
+}
+
+/** Words of the station stand as they are. */
+export type Cell = string | Amount | Words | { unit: string };
 /** A column's head, with its unit where all of it has one. */
 export type Head = string | { words: string; unit: string };
 
@@ -29,6 +36,7 @@ export function amount(value: number, decimals: number, unit = "", plus = false)
 /** As it is copied: in the station's units. */
 export function plainCell(cell: Cell): string {
   if (typeof cell === "string") return cell;
+  if ("plain" in cell) return cell.plain;
   if (!("value" in cell)) return cell.unit;
   return cell.plus ? signed(cell.value, cell.decimals) : figures(cell.value, cell.decimals);
 }
@@ -41,6 +49,7 @@ export function plainHead(head: Head): string {
 /** As it is shown: in this browser's units. */
 export function shownCell(cell: Cell): string {
   if (typeof cell === "string") return said(cell);
+  if ("plain" in cell) return cell.shown;
   if (!("value" in cell)) return unitOf(cell.unit);
   return lengthFigures(cell.value, cell.unit, cell.decimals, cell.plus);
 }

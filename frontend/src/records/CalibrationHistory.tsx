@@ -5,6 +5,7 @@ import type { CalibrationPoint } from "../api/recordTypes";
 import { TimeChart } from "../parts/TimeChart";
 import { bound } from "../parts/format";
 import { measured } from "../parts/lengths";
+import { t, words } from "../state/language";
 import { go } from "../state/router";
 import { useList } from "../state/useList";
 import styles from "./CalibrationHistory.module.css";
@@ -13,51 +14,56 @@ interface Measure {
   label: string;
   unit: string;
   words: string;
+  /** It is a change since the calibration before. */
+  since?: boolean;
   value: (point: CalibrationPoint) => number | null;
   limit: (point: CalibrationPoint) => number | null;
 }
 
-const SINCE = "against the calibration before; dashed: what the uncertainties of both let expect of a sensor that did not move (k = 2)";
 const MEASURES: Record<string, Measure> = {
   total: {
-    label: "Uncertainty",
+    label: words("Uncertainty"),
     unit: "µm",
-    words: "Standard uncertainty of a scanned point, k = 1; dashed: good up to there",
+    words: words("Standard uncertainty of a scanned point, k = 1; dashed: good up to there"),
     value: (point) => point.total_um,
     limit: (point) => point.good_um,
   },
   sensor_um: {
-    label: "Sensor shift",
+    label: words("Sensor shift"),
     unit: "µm",
-    words: `Shift of the middle of the measuring volume in the frame of the arm's last joint, ${SINCE}`,
+    words: words("Shift of the middle of the measuring volume in the frame of the arm's last joint"),
+    since: true,
     value: (point) => point.sensor_um,
     limit: (point) => point.expected_um,
   },
   sensor_arcsec: {
-    label: "Sensor turn",
+    label: words("Sensor turn"),
     unit: "″",
-    words: `Turn of the measuring volume, ${SINCE}`,
+    words: words("Turn of the measuring volume"),
+    since: true,
     value: (point) => point.sensor_arcsec,
     limit: (point) => point.expected_arcsec,
   },
   plane_um: {
-    label: "Laser shift",
+    label: words("Laser shift"),
     unit: "µm",
-    words: `Shift of the laser plane along its normal, ${SINCE}`,
+    words: words("Shift of the laser plane along its normal"),
+    since: true,
     value: (point) => point.plane_um,
     limit: (point) => point.expected_um,
   },
   plane_arcsec: {
-    label: "Laser turn",
+    label: words("Laser turn"),
     unit: "″",
-    words: `Turn of the laser plane, ${SINCE}`,
+    words: words("Turn of the laser plane"),
+    since: true,
     value: (point) => point.plane_arcsec,
     limit: (point) => point.expected_arcsec,
   },
   temperature: {
-    label: "Temperature",
+    label: words("Temperature"),
     unit: "°C",
-    words: "Temperature at acceptance",
+    words: words("Temperature at acceptance"),
     value: (point) => point.temperature_c,
     limit: () => null,
   },
@@ -71,7 +77,7 @@ export function CalibrationHistory() {
   if (!list || !newest) return null;
   const own = list.filter((p) => p.arm_serial === newest.arm_serial && p.sensor_serial === newest.sensor_serial);
   if (own.length < 2) {
-    return <p className={styles.first}>From the second calibration on, what changed between them is drawn here.</p>;
+    return <p className={styles.first}>{t("From the second calibration on, what changed between them is drawn here.")}</p>;
   }
   const names = Object.keys(MEASURES).filter((name) => own.some((point) => MEASURES[name]?.value(point) !== null));
   const measure = MEASURES[shown] ?? MEASURES.total!;
@@ -86,20 +92,20 @@ export function CalibrationHistory() {
         <SegmentedControl
           value={shown}
           onChange={setShown}
-          data={names.map((name) => ({ value: name, label: MEASURES[name]?.label ?? name }))}
+          data={names.map((name) => ({ value: name, label: t(MEASURES[name]?.label ?? name) }))}
           size="md"
           radius="md"
-          aria-label="What is drawn over time"
+          aria-label={t("What is drawn over time")}
           classNames={{ root: styles.control ?? "", indicator: styles.indicator ?? "" }}
         />
       </div>
       <TimeChart
         points={points}
         unit={measure.unit}
-        label={`${measure.label} over time`}
+        label={t("{figure} over time", { figure: t(measure.label) })}
         onPoint={(id) => go("records", `calibration/${id}`)}
       />
-      <p className={styles.words}>{bound(`${measure.words}. ${told(points[points.length - 1], measure)}`)}</p>
+      <p className={styles.words}>{bound(`${explained(measure)}. ${told(points[points.length - 1], measure)}`)}</p>
     </div>
   );
 }
@@ -112,8 +118,15 @@ function judged(shown: string, point: CalibrationPoint, beyond: boolean) {
   return beyond ? "attention" : "good";
 }
 
+function explained({ words: what, since }: Measure): string {
+  if (!since) return t(what);
+  return `${t(what)}, ${t("against the calibration before; dashed: what the uncertainties of both let expect of a sensor that did not move (k = 2)")}`;
+}
+
 function told(last: Point | undefined, { unit, label }: Measure): string {
   if (!last || last.value === null) return "";
-  const limit = last.limit === null ? "" : `, ${last.value > last.limit ? "beyond" : "within"} ${measured(last.limit, unit)}`;
-  return `${label} last: ${measured(last.value, unit, last.value < 10 ? 1 : 0)}${limit}.`;
+  const value = t("{figure} last: {value}", { figure: t(label), value: measured(last.value, unit, last.value < 10 ? 1 : 0) });
+  if (last.limit === null) return `${value}.`;
+  const limit = measured(last.limit, unit);
+  return `${value}, ${last.value > last.limit ? t("beyond {limit}", { limit }) : t("within {limit}", { limit })}.`;
 }

@@ -8,6 +8,7 @@ import { figures, moment } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
 import { Reports } from "../parts/Reports";
 import { ResultPicture } from "../result/ResultPicture";
+import { t } from "../state/language";
 import { go } from "../state/router";
 import { useLive } from "../state/store";
 import { useRead } from "../state/useRead";
@@ -19,9 +20,9 @@ export function CalibrationRecord({ id }: { id: string }) {
   const { value, failed } = useRead<RecordedCalibration>(`/api/calibrations/${id}`, inUse);
   if (!value) {
     const text = failed
-      ? "It cannot be shown: its files are not in the data folder any more, or the station is away."
-      : "Reading the calibration.";
-    return <Layout picture={null} card={<Head title="Calibration" text={text} />} />;
+      ? t("It cannot be shown: its files are not in the data folder any more, or the station is away.")
+      : t("Reading the calibration.");
+    return <Layout picture={null} card={<Head title={t("Calibration")} text={text} />} />;
   }
   const { summary, picture, findings } = value;
   return (
@@ -29,12 +30,12 @@ export function CalibrationRecord({ id }: { id: string }) {
       picture={<ResultPicture picture={picture} />}
       card={
         <>
-          <Head title={summary.name.replaceAll("-", "\u2011")} text={summary.active ? "It is in use." : "It is not in use any more."} />
+          <Head title={summary.name.replaceAll("-", "\u2011")} text={summary.active ? t("It is in use.") : t("It is not in use any more.")} />
           <BigNumber
             kept
             verdict
             number={{
-              label: "Uncertainty of a scanned point (k = 1)",
+              label: t("Uncertainty of a scanned point (k = 1)"),
               value: summary.total_um,
               unit: "µm",
               decimals: 0,
@@ -59,7 +60,7 @@ function Head({ title, text }: { title: string; text: string }) {
     <>
       <div>
         <PressButton free kind="quiet" onPress={() => go("records")}>
-          ← All records
+          ← {t("All records")}
         </PressButton>
       </div>
       <CardHead title={title} text={text} />
@@ -69,13 +70,13 @@ function Head({ title, text }: { title: string; text: string }) {
 
 function Facts({ record: { summary, operator, station, temperature_c } }: { record: RecordedCalibration }) {
   const rows = [
-    ["Accepted", moment(summary.accepted_at)],
-    ["Operator", operator || "not stated"],
-    ["Station", station || "not stated"],
-    ["Arm", summary.arm_serial],
-    ["Sensor", summary.sensor_serial],
-    ["Object", summary.object_serial],
-    ["Temperature", temperature_c === null ? "not measured" : `${figures(temperature_c, 1)} °C`],
+    [t("Accepted"), moment(summary.accepted_at)],
+    [t("Operator"), operator || t("not stated")],
+    [t("Station"), station || t("not stated")],
+    [t("Arm"), summary.arm_serial],
+    [t("Sensor"), summary.sensor_serial],
+    [t("Object"), summary.object_serial],
+    [t("Temperature"), temperature_c === null ? t("not measured") : `${figures(temperature_c, 1)} °C`],
   ];
   return (
     <dl className={styles.facts}>

@@ -1,11 +1,12 @@
 import type { CalibrationSummary, ScanSummary } from "../api/types";
 import { Download } from "../parts/Download";
-import { days, duration, figures, moment, plural } from "../parts/format";
+import { daysAgo, duration, moment } from "../parts/format";
 import { measured } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
 import { Reports } from "../parts/Reports";
 import type { VerificationSummary } from "../api/verifyTypes";
+import { counted, t } from "../state/language";
 import { go } from "../state/router";
 import { setState } from "../state/store";
 import { QUALITY, WORD } from "../verify/shown";
@@ -19,18 +20,18 @@ export function CalibrationRow({ summary }: { summary: CalibrationSummary }) {
       <div className={styles.what}>
         <p className={styles.name}>
           {summary.name}
-          {summary.active && <span className={styles.active}>active</span>}
+          {summary.active && <span className={styles.active}>{t("active")}</span>}
         </p>
         <p className={styles.detail}>
-          {moment(summary.accepted_at)}, {days(summary.age_days)} ago · arm {summary.arm_serial} · sensor{" "}
-          {summary.sensor_serial} · object {summary.object_serial}
+          {moment(summary.accepted_at)}, {daysAgo(summary.age_days)} · {t("arm {serial}", { serial: summary.arm_serial })} ·{" "}
+          {t("sensor {serial}", { serial: summary.sensor_serial })} · {t("object {serial}", { serial: summary.object_serial })}
         </p>
       </div>
       <p className={styles.value}>
         {measured(summary.total_um, "µm")} <span>k = 1</span>
       </p>
       <PressButton free onPress={() => go("records", `calibration/${summary.id}`)}>
-        Look at it
+        {t("Look at it")}
       </PressButton>
       <Reports of={`/api/calibrations/${summary.id}`} />
     </li>
@@ -47,15 +48,15 @@ export function VerificationRow({ summary }: { summary: VerificationSummary }) {
       <QualityMark quality={QUALITY[summary.result]} />
       <div className={styles.what}>
         <p className={styles.name}>
-          {WORD[summary.result]}: {summary.gauge}
+          {t(WORD[summary.result])}: {summary.gauge}
         </p>
         <p className={styles.detail}>
-          {moment(summary.accepted_at)} · {plural(summary.clouds, "cloud")} · of {summary.calibration}
+          {moment(summary.accepted_at)} · {counted(summary.clouds, "{n} cloud", "{n} clouds")} · {t("of {calibration}", { calibration: summary.calibration })}
           {summary.operator && ` · ${summary.operator}`}
         </p>
       </div>
       <PressButton free onPress={open}>
-        Open
+        {t("Open")}
       </PressButton>
       <Reports of={`/api/verifications/${summary.id}`} />
     </li>
@@ -68,10 +69,10 @@ export function ScanRow({ summary }: { summary: ScanSummary }) {
       <div className={styles.what}>
         <p className={styles.name}>{summary.name}</p>
         <p className={styles.detail}>
-          {moment(summary.started_at)} · {duration(summary.seconds)} · {plural(summary.frames, "picture")}
+          {moment(summary.started_at)} · {duration(summary.seconds)} · {counted(summary.frames, "{n} picture", "{n} pictures")}
         </p>
       </div>
-      <p className={styles.value}>{figures(summary.points)} points</p>
+      <p className={styles.value}>{counted(summary.points, "{n} point", "{n} points")}</p>
       <ScanActs scan={summary} />
       <Download href={`/api/scans/${summary.id}/cloud.ply`}>PLY</Download>
     </li>

@@ -5,6 +5,7 @@ import { deleteScan, renameScan } from "../api/viewCommands";
 import { figures } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
 import { Question } from "../parts/Question";
+import { t } from "../state/language";
 import styles from "./ScanActs.module.css";
 
 /** Another name for a scan, or its end; the end is asked for twice. */
@@ -13,25 +14,28 @@ export function ScanActs({ scan }: { scan: ScanSummary }) {
   const [asking, setAsking] = useState(false);
   const end: Action = {
     name: "delete",
-    label: "Delete it",
+    label: t("Delete it"),
     args: {},
     primary: false,
     enabled: true,
     why_not: "",
-    confirm: `Delete ${scan.name}? Its recording and its ${figures(scan.points)} points are taken from the disk and cannot be brought back.`,
+    confirm: t("Delete {name}? Its recording and its {points} points are taken from the disk and cannot be brought back.", {
+      name: scan.name,
+      points: figures(scan.points),
+    }),
   };
   if (renaming) return <NewName scan={scan} onDone={() => setRenaming(false)} />;
   return (
     <div className={styles.acts}>
       <PressButton kind="quiet" onPress={() => setRenaming(true)}>
-        Rename
+        {t("Rename")}
       </PressButton>
       <PressButton kind="quiet" onPress={() => setAsking(true)}>
-        Delete
+        {t("Delete")}
       </PressButton>
       <Question
         action={end}
-        no="No, keep it"
+        no={t("No, keep it")}
         opened={asking}
         onClose={() => setAsking(false)}
         onAct={async () => void (await deleteScan(scan.id))}
@@ -59,16 +63,16 @@ function NewName({ scan, onDone }: { scan: ScanSummary; onDone: () => void }) {
         value={name}
         maxLength={120}
         autoFocus
-        aria-label={`New name of ${scan.name}`}
+        aria-label={t("New name of {name}", { name: scan.name })}
         onFocus={(event) => event.currentTarget.select()}
         onChange={(event) => setName(event.target.value)}
         onKeyDown={(event) => event.key === "Escape" && onDone()}
       />
       <PressButton onPress={save} disabled={empty}>
-        Save
+        {t("Save")}
       </PressButton>
       <PressButton kind="quiet" free onPress={onDone}>
-        Cancel
+        {t("Cancel")}
       </PressButton>
     </form>
   );

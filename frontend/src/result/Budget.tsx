@@ -1,6 +1,7 @@
 import type { BudgetRow, CalibrationResult } from "../api/types";
 import { bound } from "../parts/format";
 import { inUnit, lengthFigures, measured, unitOf } from "../parts/lengths";
+import { t } from "../state/language";
 import styles from "./Budget.module.css";
 
 /** Where the uncertainty comes from, the largest first, and what changed since the last time. */
@@ -9,16 +10,16 @@ export function Budget({ result }: { result: CalibrationResult }) {
   const largest = Math.max(result.total_um, 1e-9);
   return (
     <div className={styles.budget}>
-      <h3 className={styles.title}>{bound("Standard uncertainty of a scanned point, k = 1")}</h3>
+      <h3 className={styles.title}>{bound(t("Standard uncertainty of a scanned point, k = 1"))}</h3>
       <div className={styles.rows}>
         {rows.map((row) => (
           <Row key={row.source} row={row} largest={largest} />
         ))}
-        <Row row={{ source: "Together", value_um: result.total_um }} largest={largest} total />
+        <Row row={{ source: t("Together"), value_um: result.total_um }} largest={largest} total />
       </div>
       {result.good_um !== null && result.usable_um !== null && (
         <p className={styles.limits}>
-          Good up to {measured(result.good_um, "µm")}, usable up to {measured(result.usable_um, "µm")}.
+          {t("Good up to {good}, usable up to {usable}.", { good: measured(result.good_um, "µm"), usable: measured(result.usable_um, "µm") })}
         </p>
       )}
       <Compared result={result} />
@@ -47,14 +48,17 @@ function Compared({ result }: { result: CalibrationResult }) {
   const { comparison } = result;
   return (
     <div className={styles.compared}>
-      <h3 className={styles.title}>Against the last calibration</h3>
+      <h3 className={styles.title}>{t("Against the last calibration")}</h3>
       {comparison ? (
         <p>
-          Points of the measuring volume moved by {measured(comparison.rms_um, "µm")} rms, {measured(comparison.max_um, "µm")} at
-          most, since {comparison.with_name}.
+          {t("Points of the measuring volume moved by {rms} rms, {most} at most, since {name}.", {
+            rms: measured(comparison.rms_um, "µm"),
+            most: measured(comparison.max_um, "µm"),
+            name: comparison.with_name,
+          })}
         </p>
       ) : (
-        <p>This is the first one. The next is compared with it here.</p>
+        <p>{t("This is the first one. The next is compared with it here.")}</p>
       )}
     </div>
   );

@@ -2,6 +2,7 @@ import type { CalibrationResult } from "../api/types";
 import { figures } from "../parts/format";
 import { lengthFigures, unitOf } from "../parts/lengths";
 import { Readouts } from "../parts/Readouts";
+import { t } from "../state/language";
 
 /** The figures that a metrologist looks for first. */
 export function KeyFigures({ result }: { result: CalibrationResult }) {
@@ -10,14 +11,14 @@ export function KeyFigures({ result }: { result: CalibrationResult }) {
     <Readouts
       wrap
       readouts={[
-        { label: "Edges, rms", value: figures(result.reprojection_rms_px, 3), unit: "px" },
-        { label: "Laser plane, rms", value: lengthFigures(result.laser_plane_rms_um, "µm"), unit: unitOf("µm") },
-        { label: "Touches, rms", value: lengthFigures(result.alignment_rms_um, "µm"), unit: unitOf("µm") },
-        { label: "Depth range", value: `${lengthFigures(near, "mm", 1)} to ${lengthFigures(far, "mm", 1)}`, unit: unitOf("mm") },
+        { label: t("Edges, rms"), value: figures(result.reprojection_rms_px, 3), unit: "px" },
+        { label: t("Laser plane, rms"), value: lengthFigures(result.laser_plane_rms_um, "µm"), unit: unitOf("µm") },
+        { label: t("Touches, rms"), value: lengthFigures(result.alignment_rms_um, "µm"), unit: unitOf("µm") },
+        { label: t("Depth range"), value: t("{low} to {high}", { low: lengthFigures(near, "mm", 1), high: lengthFigures(far, "mm", 1) }), unit: unitOf("mm") },
         ...(result.plane
           ? [
-              { label: "Plane's angle, k = 1", value: figures(result.plane.angle_arcsec), unit: "″" },
-              { label: "Plane's offset, k = 1", value: lengthFigures(result.plane.offset_um, "µm", 1), unit: unitOf("µm") },
+              { label: t("Plane's angle, k = 1"), value: figures(result.plane.angle_arcsec), unit: "″" },
+              { label: t("Plane's offset, k = 1"), value: lengthFigures(result.plane.offset_um, "µm", 1), unit: unitOf("µm") },
             ]
           : []),
       ]}

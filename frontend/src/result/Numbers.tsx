@@ -1,6 +1,7 @@
 import type { CalibrationResult, PosePicture } from "../api/types";
 import { CopyCsv } from "../parts/CopyCsv";
 import { DataTable } from "../parts/DataTable";
+import { asSent } from "../state/spoken";
 import styles from "./Numbers.module.css";
 import { PosesTable } from "./PosesTable";
 import { POSES, tablesOf } from "./tables";
@@ -10,7 +11,7 @@ export function Numbers({ result, poses }: { result: CalibrationResult; poses: P
   return (
     <div className={styles.numbers}>
       <div className={styles.copy}>
-        <CopyCsv tables={tables} />
+        <CopyCsv tables={tablesOf(asSent(result))} />
       </div>
       <div className={styles.tables}>
         {tables.map((table) => (

@@ -3,6 +3,7 @@ import { SetAside } from "../image/PoseView";
 import { figures } from "../parts/format";
 import { lengthFigures, unitOf } from "../parts/lengths";
 import table from "../parts/DataTable.module.css";
+import { t } from "../state/language";
 import { lookAtPose } from "../state/store";
 import styles from "./PosesTable.module.css";
 
@@ -11,14 +12,14 @@ export function PosesTable({ poses }: { poses: PosePicture[] }) {
   const acts = poses.some(({ action }) => action);
   return (
     <table className={table.table}>
-      <caption className={table.caption}>Poses</caption>
+      <caption className={table.caption}>{t("Poses")}</caption>
       <thead>
         <tr>
-          <th scope="col">Pose</th>
-          <th scope="col">Edges, px</th>
-          <th scope="col">Stripe, px</th>
-          <th scope="col">Off, {unitOf("µm")}</th>
-          {acts && <th scope="col" aria-label="Set aside" />}
+          <th scope="col">{t("Pose")}</th>
+          <th scope="col">{t("Edges")}, px</th>
+          <th scope="col">{t("Stripe")}, px</th>
+          <th scope="col">{t("Off")}, {unitOf("µm")}</th>
+          {acts && <th scope="col" aria-label={t("Set aside")} />}
         </tr>
       </thead>
       <tbody>
@@ -26,7 +27,7 @@ export function PosesTable({ poses }: { poses: PosePicture[] }) {
           <tr key={pose.number} data-aside={pose.state === "aside" || undefined} className={styles.row}>
             <td>
               <button type="button" className={styles.show} onClick={() => lookAtPose(pose.number)}>
-                Pose {pose.number}
+                {t("Pose {n}", { n: pose.number })}
               </button>
             </td>
             <Figures pose={pose} />
@@ -46,7 +47,7 @@ function Figures({ pose: { note, edges_rms_px, stripe_rms_px, off_um } }: { pose
   if (note || edges_rms_px === null || stripe_rms_px === null || off_um === null) {
     return (
       <td colSpan={3} className={styles.note}>
-        {note || "not solved yet"}
+        {note || t("not solved yet")}
       </td>
     );
   }

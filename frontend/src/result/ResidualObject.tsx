@@ -7,6 +7,7 @@ import { BlockDrawing } from "../object/BlockDrawing";
 import { scaleEnd } from "../object/residuals";
 import { ResidualSticks, Touches } from "../object/Touches";
 import styles from "../flow/ObjectPicture.module.css";
+import { t } from "../state/language";
 
 interface ResidualObjectProps {
   block: BlockGeometry;
@@ -26,7 +27,7 @@ export function ResidualObject({ block, points, worst }: ResidualObjectProps) {
         block={block}
         face={face}
         onFace={(tapped) => setFace(tapped === face ? null : tapped)}
-        label="Residuals on the object"
+        label={t("Residuals on the object")}
       >
         {(view) => (
           <>

@@ -2,6 +2,7 @@ import { SegmentedControl } from "@mantine/core";
 import { useRef, useState } from "react";
 
 import { PoseView } from "../image/PoseView";
+import { t, words } from "../state/language";
 import { useLook } from "../state/useLook";
 import { Budget } from "./Budget";
 import { KeyFigures } from "./KeyFigures";
@@ -12,11 +13,11 @@ import { UncertaintyMap } from "./UncertaintyMap";
 import type { ResultView } from "./view";
 
 const TABS = [
-  { value: "object", label: "Object" },
-  { value: "image", label: "Poses" },
-  { value: "map", label: "Map" },
-  { value: "budget", label: "Error budget" },
-  { value: "numbers", label: "Numbers" },
+  { value: "object", label: words("Object") },
+  { value: "image", label: words("Poses") },
+  { value: "map", label: words("Map") },
+  { value: "budget", label: words("Error budget") },
+  { value: "numbers", label: words("Numbers") },
 ];
 
 /** The result as pictures first; the table is one tap away. */
@@ -36,10 +37,10 @@ export function ResultPicture({ picture }: { picture: ResultView }) {
         <SegmentedControl
           value={tab}
           onChange={setTab}
-          data={TABS}
+          data={TABS.map(({ value, label }) => ({ value, label: t(label) }))}
           size="md"
           radius="md"
-          aria-label="What to look at"
+          aria-label={t("What to look at")}
           classNames={{ root: styles.control ?? "", label: styles.tab ?? "", indicator: styles.indicator ?? "" }}
         />
       </div>

@@ -4,6 +4,7 @@ import { useState } from "react";
 import type { CalibrationResult } from "../api/types";
 import { figures } from "../parts/format";
 import { lengthFigures, measured } from "../parts/lengths";
+import { t } from "../state/language";
 import styles from "./UncertaintyMap.module.css";
 
 interface MapProps {
@@ -28,7 +29,7 @@ export function UncertaintyMap({ result, width_px, height_px }: MapProps) {
   const [shown, setShown] = useState("known");
   const { map, comparison } = result;
   if (map.length === 0) {
-    return <p className={styles.none}>Calibrations of older versions carry no map.</p>;
+    return <p className={styles.none}>{t("Calibrations of older versions carry no map.")}</p>;
   }
   const inside = new Map(map.map((p) => [`${p.u} ${p.v}`, p.inside]));
   const moved = comparison?.map ?? [];
@@ -41,12 +42,12 @@ export function UncertaintyMap({ result, width_px, height_px }: MapProps) {
             value={shown}
             onChange={setShown}
             data={[
-              { value: "known", label: "Uncertainty" },
-              { value: "moved", label: "Change" },
+              { value: "known", label: t("Uncertainty") },
+              { value: "moved", label: t("Change") },
             ]}
             size="md"
             radius="md"
-            aria-label="What the map shows"
+            aria-label={t("What the map shows")}
             classNames={{ root: styles.control ?? "", indicator: styles.indicator ?? "" }}
           />
         </div>
@@ -59,8 +60,12 @@ export function UncertaintyMap({ result, width_px, height_px }: MapProps) {
         }
         words={
           change
-            ? `How far a scanned point moved since ${comparison.with_name}: ${measured(comparison.rms_um, "µm")} rms, at most ${measured(comparison.max_um, "µm")}.`
-            : "Standard uncertainty of a scanned point, k = 1, over the picture."
+            ? t("How far a scanned point moved since {name}: {rms} rms, at most {most}.", {
+                name: comparison.with_name,
+                rms: measured(comparison.rms_um, "µm"),
+                most: measured(comparison.max_um, "µm"),
+              })
+            : t("Standard uncertainty of a scanned point, k = 1, over the picture.")
         }
         width_px={width_px}
         height_px={height_px}
@@ -92,7 +97,7 @@ function Field({ cells, words, width_px, height_px }: FieldProps) {
         className={styles.picture}
         viewBox={`0 0 ${width_px} ${height_px}`}
         role="img"
-        aria-label={`${words} ${lengthFigures(low, "µm")} to ${measured(high, "µm")}`}
+        aria-label={`${words} ${t("{low} to {high}", { low: lengthFigures(low, "µm"), high: measured(high, "µm") })}`}
       >
         <defs>
           <pattern id="extrapolated" width="14" height="14" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">
@@ -107,7 +112,7 @@ function Field({ cells, words, width_px, height_px }: FieldProps) {
           {cells.map(({ u, v, um, inside: covered }) => (
             <g key={`${u} ${v}`}>
               <rect x={u - wide / 2} y={v - tall / 2} width={wide + 1} height={tall + 1} fill={colour(um)}>
-                <title>{`${measured(um, "µm", 1)} at ${figures(u)}, ${figures(v)} px`}</title>
+                <title>{t("{value} at {u}, {v} px", { value: measured(um, "µm", 1), u: figures(u), v: figures(v) })}</title>
               </rect>
               {!covered && (
                 <rect x={u - wide / 2} y={v - tall / 2} width={wide + 1} height={tall + 1} fill="url(#extrapolated)" />
@@ -133,7 +138,7 @@ function Field({ cells, words, width_px, height_px }: FieldProps) {
         </span>
         <span>{measured(high, "µm", 1)}</span>
         <span className={styles.words}>
-          {words} Hatched: beyond the depths that the stripe covered. Named: the largest within them.
+          {words} {t("Hatched: beyond the depths that the stripe covered. Named: the largest within them.")}
         </span>
       </figcaption>
     </figure>

@@ -1,56 +1,58 @@
-import type { CalibrationResult } from "../api/types";
+import type { CalibrationResult, WorstPoint } from "../api/types";
 import { amount, type TableData } from "../parts/table";
+import { t, words } from "../state/language";
 import { cornerWords } from "./names";
 
-export const POSES = "Poses";
+export const POSES = words("Poses");
+const KINDS: Record<WorstPoint["kind"], string> = { corner: words("corner"), contact: words("contact"), stripe: words("stripe") };
 const DISTORTION = ["k1", "k2", "p1", "p2", "k3"];
 
 export function tablesOf(result: CalibrationResult): TableData[] {
   return [
     {
-      title: "Faces",
-      head: ["Face", "Points", { words: "rms", unit: "µm" }, { words: "Form", unit: "µm" }],
+      title: words("Faces"),
+      head: [words("Face"), words("Points"), { words: words("rms"), unit: "µm" }, { words: words("Form"), unit: "µm" }],
       rows: result.faces.map((f) => [f.face, amount(f.points, 0), amount(f.rms_um, 1, "µm"), amount(f.form_um, 1, "µm")]),
     },
     {
       title: POSES,
-      head: ["Pose", { words: "Edges", unit: "px" }, { words: "Stripe", unit: "px" }, { words: "Off", unit: "µm" }],
+      head: [words("Pose"), { words: words("Edges"), unit: "px" }, { words: words("Stripe"), unit: "px" }, { words: words("Off"), unit: "µm" }],
       rows: result.poses.map((p) =>
         p.used
           ? [String(p.number), amount(p.edges_rms_px, 3), amount(p.stripe_rms_px, 3), amount(p.off_um, 0, "µm")]
-          : [String(p.number), `left out: ${p.reason}`, "", ""],
+          : [String(p.number), { plain: `left out: ${p.reason}`, shown: t("left out: {reason}", { reason: p.reason }) }, "", ""],
       ),
     },
     {
-      title: "Largest residuals",
-      head: ["Where", "Kind", "Residual", "Unit"],
+      title: words("Largest residuals"),
+      head: [words("Where"), words("Kind"), words("Residual"), words("Unit")],
       rows: result.worst.map((w) => [
-        w.kind === "corner" ? cornerWords(w.name) : w.name,
-        w.kind,
+        w.kind === "corner" ? { plain: cornerWords(w.name, (text) => text), shown: cornerWords(w.name) } : w.name,
+        { plain: w.kind, shown: t(KINDS[w.kind]) },
         amount(w.value, w.unit === "px" ? 3 : 1, w.unit),
         { unit: w.unit },
       ]),
     },
     {
-      title: "Error budget, k = 1",
-      head: ["Source", { words: "", unit: "µm" }],
+      title: words("Error budget, k = 1"),
+      head: [words("Source"), { words: "", unit: "µm" }],
       rows: [
         ...result.budget.map((row) => [row.source, amount(row.value_um, 2, "µm")]),
-        ["Together", amount(result.total_um, 2, "µm")],
+        [words("Together"), amount(result.total_um, 2, "µm")],
       ],
     },
     {
-      title: "Probe matrix T_flange_sensor",
+      title: words("Probe matrix T_flange_sensor"),
       wide: true,
-      head: ["Row", "x", "y", "z", { words: "t", unit: "mm" }],
+      head: [words("Row"), "x", "y", "z", { words: "t", unit: "mm" }],
       rows: result.probe_matrix.map((row, i) => [
         String(i + 1),
         ...row.map((value, j) => amount(value, j === 3 && i < 3 ? 3 : 6, j === 3 && i < 3 ? "mm" : "")),
       ]),
     },
     {
-      title: "Lens distortion",
-      head: ["Term", "Value"],
+      title: words("Lens distortion"),
+      head: [words("Term"), words("Value")],
       rows: result.distortion.map((value, i) => [DISTORTION[i] ?? `d${i}`, amount(value, 6)]),
     },
   ];
