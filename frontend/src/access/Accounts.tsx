@@ -6,6 +6,7 @@ import { moment } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
 import { Question } from "../parts/Question";
 import { TextField } from "../parts/TextField";
+import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./Access.module.css";
 import { useReread } from "./useReread";
@@ -14,8 +15,8 @@ import { useReread } from "./useReread";
 export function Accounts() {
   const { list, reread } = useReread<Account>("/api/accounts");
   return (
-    <section className={styles.section} aria-label="Accounts">
-      <h1 className={styles.title}>Accounts</h1>
+    <section className={styles.section} aria-label={t("Accounts")}>
+      <h1 className={styles.title}>{t("Accounts")}</h1>
       <ul className={styles.list}>
         {list?.map((account) => (
           <AccountRow key={account.name} account={account} onChange={reread} />
@@ -41,10 +42,10 @@ function AccountRow({ account, onChange }: { account: Account; onChange: () => P
   const act = {
     name: "remove",
     args: {},
-    label: `Remove ${account.name}`,
+    label: t("Remove {name}", { name: account.name }),
     enabled: true,
     why_not: "",
-    confirm: `${account.name} is signed out everywhere and cannot sign in any more. What they did stays in the log.`,
+    confirm: t("{name} is signed out everywhere and cannot sign in any more. What they did stays in the log.", { name: account.name }),
     primary: false,
   };
   return (
@@ -52,35 +53,35 @@ function AccountRow({ account, onChange }: { account: Account; onChange: () => P
       <div className={styles.words}>
         <strong>
           {account.name}
-          {own && " (you)"}
+          {own && ` (${t("you")})`}
         </strong>
-        <span>since {moment(account.made_at)}</span>
+        <span>{t("since {when}", { when: moment(account.made_at) })}</span>
       </div>
       <RoleChoice role={account.role} disabled={own} onRole={(role) => change({ role })} name={account.name} />
       {!own && password === null && (
         <PressButton free onPress={() => setPassword("")}>
-          New password
+          {t("New password")}
         </PressButton>
       )}
       {!own && (
         <PressButton free kind="quiet" onPress={() => setAsking(true)}>
-          Remove
+          {t("Remove")}
         </PressButton>
       )}
       {password !== null && (
         <div className={styles.line}>
           <TextField
-            label={`New password of ${account.name}`}
+            label={t("New password of {name}", { name: account.name })}
             type="password"
             autoComplete="new-password"
             value={password}
             onText={setPassword}
           />
           <PressButton free onPress={() => change({ password })}>
-            Set
+            {t("Set")}
           </PressButton>
           <PressButton free kind="quiet" onPress={() => setPassword(null)}>
-            Leave it
+            {t("Leave it")}
           </PressButton>
         </div>
       )}
@@ -100,14 +101,14 @@ function RoleChoice({ name, role, disabled = false, onRole }: RoleChoiceProps) {
   return (
     <select
       className={styles.role}
-      aria-label={`What ${name || "the new account"} may do`}
+      aria-label={t("What {name} may do", { name: name || t("the new account") })}
       value={role}
       disabled={disabled}
       onChange={(event) => onRole(event.target.value as Role)}
     >
       {(Object.keys(ROLES) as Role[]).map((one) => (
         <option key={one} value={one}>
-          {ROLES[one]}
+          {t(ROLES[one])}
         </option>
       ))}
     </select>
@@ -126,10 +127,10 @@ function NewAccount({ onDone }: { onDone: () => Promise<void> }) {
   };
   return (
     <div className={styles.line}>
-      <TextField label="New account" placeholder="Name" autoComplete="off" value={name} onText={setName} />
+      <TextField label={t("New account")} placeholder={t("Name")} autoComplete="off" value={name} onText={setName} />
       <TextField
-        label="Its first password"
-        placeholder="10 characters or more"
+        label={t("Its first password")}
+        placeholder={t("10 characters or more")}
         type="password"
         autoComplete="new-password"
         value={password}
@@ -137,7 +138,7 @@ function NewAccount({ onDone }: { onDone: () => Promise<void> }) {
       />
       <RoleChoice name={name} role={role} onRole={setRole} />
       <PressButton free disabled={!name.trim() || !password} onPress={add}>
-        Add
+        {t("Add")}
       </PressButton>
     </div>
   );

@@ -5,6 +5,7 @@ import { addWall, removeWall } from "../api/session";
 import { moment } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
 import { TextField } from "../parts/TextField";
+import { t } from "../state/language";
 import styles from "./Access.module.css";
 import { useReread } from "./useReread";
 
@@ -26,10 +27,10 @@ export function Walls() {
     await reread();
   };
   return (
-    <section className={styles.section} aria-label="Wall screens">
-      <h2 className={styles.title}>Wall screens</h2>
+    <section className={styles.section} aria-label={t("Wall screens")}>
+      <h2 className={styles.title}>{t("Wall screens")}</h2>
       {list?.length === 0 && (
-        <p className={styles.text}>A link for a screen in the hall: it shows everything, and nobody can act there.</p>
+        <p className={styles.text}>{t("A link for a screen in the hall: it shows everything, and nobody can act there.")}</p>
       )}
       {list && list.length > 0 && (
         <ul className={styles.list}>
@@ -38,11 +39,11 @@ export function Walls() {
               <div className={styles.words}>
                 <strong>{wall.name}</strong>
                 <span>
-                  made by {wall.made_by}, {moment(wall.made_at)}
+                  {t("made by {name}, {when}", { name: wall.made_by, when: moment(wall.made_at) })}
                 </span>
               </div>
               <PressButton free kind="quiet" onPress={() => remove(wall.id)}>
-                End this link
+                {t("End this link")}
               </PressButton>
             </li>
           ))}
@@ -50,14 +51,14 @@ export function Walls() {
       )}
       {address && (
         <div className={styles.link} role="status">
-          <p>Open this at the screen. It is shown this once:</p>
+          <p>{t("Open this at the screen. It is shown this once:")}</p>
           <code>{address}</code>
         </div>
       )}
       <div className={styles.line}>
-        <TextField label="New link" placeholder="Where the screen hangs" value={name} maxLength={60} onText={setName} />
+        <TextField label={t("New link")} placeholder={t("Where the screen hangs")} value={name} maxLength={60} onText={setName} />
         <PressButton free disabled={!name.trim()} onPress={add}>
-          Make a link
+          {t("Make a link")}
         </PressButton>
       </div>
     </section>

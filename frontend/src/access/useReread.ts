@@ -2,6 +2,7 @@ import { useCallback, useEffect, useState } from "react";
 
 import { tell } from "../api/commands";
 import { get } from "../api/http";
+import { t } from "../state/language";
 
 /** A list of the station's, and how to read it anew after a change. */
 export function useReread<T>(path: string): { list: T[] | null; reread: () => Promise<void> } {
@@ -10,7 +11,7 @@ export function useReread<T>(path: string): { list: T[] | null; reread: () => Pr
     try {
       setList(await get<T[]>(path));
     } catch (error) {
-      tell(error, "the list could not be read");
+      tell(error, t("the list could not be read"));
     }
   }, [path]);
   useEffect(() => void reread(), [reread]);

@@ -1,6 +1,7 @@
 import type { Health, HealthItem } from "../api/watchTypes";
 import { bound } from "../parts/format";
 import { QualityMark } from "../parts/QualityMark";
+import { t } from "../state/language";
 import styles from "./Health.module.css";
 
 /** Every check: what needs somebody in full, the rest in a line each. */
@@ -8,7 +9,7 @@ export function Checks({ health }: { health: Health }) {
   const wanting = health.items.filter((item) => item.quality === "bad" || item.quality === "attention");
   const fine = health.items.filter((item) => item.quality === "good" || item.quality === "neutral");
   return (
-    <section className={styles.section} aria-label="Health">
+    <section className={styles.section} aria-label={t("Health")}>
       <h1 className={styles.title}>{titleOf(wanting)}</h1>
       {wanting.length > 0 && (
         <ul className={styles.wanting}>
@@ -36,9 +37,9 @@ export function Checks({ health }: { health: Health }) {
 
 function titleOf(wanting: HealthItem[]): string {
   const bad = wanting.filter((item) => item.quality === "bad").length;
-  if (bad > 0) return bad === 1 ? "One thing is wrong" : `${bad} things are wrong`;
-  if (wanting.length > 0) return wanting.length === 1 ? "One thing wants attention" : `${wanting.length} things want attention`;
-  return "All is well";
+  if (bad > 0) return bad === 1 ? t("One thing is wrong") : t("{n} things are wrong", { n: bad });
+  if (wanting.length > 0) return wanting.length === 1 ? t("One thing wants attention") : t("{n} things want attention", { n: wanting.length });
+  return t("All is well");
 }
 
 function Fine({ item }: { item: HealthItem }) {

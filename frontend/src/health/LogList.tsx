@@ -6,12 +6,13 @@ import type { LogLine } from "../api/watchTypes";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
 import { TextField } from "../parts/TextField";
+import { t, words } from "../state/language";
 import styles from "./Health.module.css";
 
 const LEVELS = [
-  { level: "info", label: "All" },
-  { level: "warning", label: "Warnings" },
-  { level: "error", label: "Errors" },
+  { level: "info", label: words("All") },
+  { level: "warning", label: words("Warnings") },
+  { level: "error", label: words("Errors") },
 ] as const;
 const QUALITY = { info: "neutral", warning: "attention", error: "bad" } as const;
 const TYPED_MS = 300;
@@ -25,7 +26,7 @@ export function LogList() {
     try {
       setLines(await get<LogLine[]>(`/api/logs?level=${level}&words=${encodeURIComponent(words)}`));
     } catch (error) {
-      tell(error, "the log could not be read");
+      tell(error, t("the log could not be read"));
     }
   }, [level, words]);
   useEffect(() => {
@@ -33,22 +34,22 @@ export function LogList() {
     return () => clearTimeout(timer);
   }, [read]);
   return (
-    <section className={styles.section} aria-label="Log">
-      <h2 className={styles.title}>Log</h2>
+    <section className={styles.section} aria-label={t("Log")}>
+      <h2 className={styles.title}>{t("Log")}</h2>
       <div className={styles.filter}>
-        <div className={styles.levels} role="group" aria-label="Which lines">
+        <div className={styles.levels} role="group" aria-label={t("Which lines")}>
           {LEVELS.map((one) => (
             <button key={one.level} type="button" aria-pressed={one.level === level} onClick={() => setLevel(one.level)}>
-              {one.label}
+              {t(one.label)}
             </button>
           ))}
         </div>
-        <TextField label="Words in it" value={words} maxLength={100} onText={setWords} />
+        <TextField label={t("Words in it")} value={words} maxLength={100} onText={setWords} />
         <PressButton free kind="quiet" onPress={read}>
-          Read again
+          {t("Read again")}
         </PressButton>
       </div>
-      <ol className={styles.log} tabIndex={0} aria-label="Lines of the log">
+      <ol className={styles.log} tabIndex={0} aria-label={t("Lines of the log")}>
         {lines?.map((line, i) => (
           <li key={`${line.at}${i}`} data-level={line.level}>
             <time>{timeOf(line.at)}</time>
@@ -58,14 +59,14 @@ export function LogList() {
               <p className={styles.from}>{line.logger}</p>
               {line.trace && (
                 <details>
-                  <summary>Where in the program</summary>
+                  <summary>{t("Where in the program")}</summary>
                   <pre>{line.trace}</pre>
                 </details>
               )}
             </div>
           </li>
         ))}
-        {lines?.length === 0 && <li className={styles.empty}>No line of the log is like that.</li>}
+        {lines?.length === 0 && <li className={styles.empty}>{t("No line of the log is like that.")}</li>}
       </ol>
     </section>
   );

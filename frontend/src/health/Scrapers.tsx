@@ -7,6 +7,7 @@ import type { Scraper } from "../api/watchTypes";
 import { moment } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
 import { TextField } from "../parts/TextField";
+import { t } from "../state/language";
 
 /** Tokens by which programs read the metrics. */
 export function Scrapers() {
@@ -26,9 +27,9 @@ export function Scrapers() {
     await reread();
   };
   return (
-    <section className={styles.section} aria-label="Metrics">
-      <h2 className={styles.title}>Metrics</h2>
-      <p className={styles.text}>Prometheus reads {window.location.origin}/metrics with a token of its own, sent as Bearer.</p>
+    <section className={styles.section} aria-label={t("Metrics")}>
+      <h2 className={styles.title}>{t("Metrics")}</h2>
+      <p className={styles.text}>{t("Prometheus reads {address} with a token of its own, sent as Bearer.", { address: `${window.location.origin}/metrics` })}</p>
       {list && list.length > 0 && (
         <ul className={styles.list}>
           {list.map((one) => (
@@ -36,11 +37,11 @@ export function Scrapers() {
               <div className={styles.words}>
                 <strong>{one.name}</strong>
                 <span>
-                  made by {one.made_by}, {moment(one.made_at)}
+                  {t("made by {name}, {when}", { name: one.made_by, when: moment(one.made_at) })}
                 </span>
               </div>
               <PressButton free kind="quiet" onPress={() => remove(one.id)}>
-                End this token
+                {t("End this token")}
               </PressButton>
             </li>
           ))}
@@ -48,14 +49,14 @@ export function Scrapers() {
       )}
       {token && (
         <div className={styles.link} role="status">
-          <p>Give this to the program. It is shown this once:</p>
+          <p>{t("Give this to the program. It is shown this once:")}</p>
           <code>{token}</code>
         </div>
       )}
       <div className={styles.line}>
-        <TextField label="New token" placeholder="Which program" value={name} maxLength={60} onText={setName} />
+        <TextField label={t("New token")} placeholder={t("Which program")} value={name} maxLength={60} onText={setName} />
         <PressButton free disabled={!name.trim()} onPress={add}>
-          Make a token
+          {t("Make a token")}
         </PressButton>
       </div>
     </section>

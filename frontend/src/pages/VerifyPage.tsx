@@ -12,6 +12,7 @@ import { moment } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
 import { Reports } from "../parts/Reports";
 import { go } from "../state/router";
+import { asSent } from "../state/spoken";
 import { setState, useLive } from "../state/store";
 import { useList } from "../state/useList";
 import { CloudsView } from "../verify/CloudsView";
@@ -38,7 +39,7 @@ function Picture({ view }: { view: VerifyView }) {
   if (view.step === "gauge") return <GaugeChoice gauges={view.gauges} gauge={view.gauge} />;
   if (view.step === "touch") return <TouchView picture={picture} />;
   if (view.step === "scan") return <CloudsView picture={picture} busy={view.busy !== null} />;
-  return <ResultTabs shown={shownOf(picture)} />;
+  return <ResultTabs shown={shownOf(picture)} sent={shownOf(asSent(picture))} />;
 }
 
 function Records({ opened, running }: { opened: string | null; running: boolean }) {

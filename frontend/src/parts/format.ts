@@ -50,7 +50,3 @@ export function bound(text: string): string {
     .replaceAll("k = ", "k\u00a0=\u00a0")
     .replaceAll(/ ([×Ø]) (?=\d)/g, "\u00a0$1\u00a0");
 }
-
-export function plural(count: number, word: string): string {
-  return `${figures(count)} ${word}${count === 1 ? "" : "s"}`;
-}

@@ -1,5 +1,6 @@
 import { type ReactNode, type RefObject, type SyntheticEvent, useState } from "react";
 
+import { t } from "../state/language";
 import styles from "./CloudView.module.css";
 
 /** Of the 3D view's page only the picture is shown, on this page's own ground. */
@@ -30,13 +31,13 @@ export function CloudView({ viewKey, frame, children }: CloudViewProps) {
   };
   return (
     <div className={styles.view}>
-      {!ready && <p className={styles.waiting}>The 3D view opens here.</p>}
+      {!ready && <p className={styles.waiting}>{t("The 3D view opens here.")}</p>}
       <iframe
         ref={frame}
         className={styles.frame}
         data-ready={ready || undefined}
         src={`/viewer/${viewKey}/`}
-        title="Live cloud of points"
+        title={t("Live cloud of points")}
         onLoad={prepare}
       />
       {children}

@@ -6,6 +6,7 @@ import { UnitInput } from "../arm/UnitInput";
 import { fromTyped, unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { useBarred } from "../state/control";
+import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./ColourPanel.module.css";
 import { decimalsOf, inShown, MEASURES } from "./LegendBar";
@@ -20,8 +21,8 @@ export function ColourPanel() {
   const fitted = useLive((s) => (s.view?.fits.length ?? 0) > 0);
   return (
     <>
-      <h2 className={styles.title}>Colour by</h2>
-      <div role="radiogroup" aria-label="Colour by" className={styles.measures}>
+      <h2 className={styles.title}>{t("Colour by")}</h2>
+      <div role="radiogroup" aria-label={t("Colour by")} className={styles.measures}>
         {ORDER.map((one) => {
           const missing = one === "deviation" && !fitted;
           const off = missing || barred;
@@ -35,8 +36,8 @@ export function ColourPanel() {
               className={styles.measure}
               onClick={() => !off && void colourBy(one)}
             >
-              {MEASURES[one].name}
-              {missing && <span className={styles.why}>Fit a shape first</span>}
+              {t(MEASURES[one].name)}
+              {missing && <span className={styles.why}>{t("Fit a shape first")}</span>}
             </button>
           );
         })}
@@ -75,18 +76,18 @@ function Limits({ legend }: { legend: Legend }) {
   return (
     <>
       <h2 className={styles.title}>
-        Limits <span className={styles.how}>{legend.automatic ? "automatic" : "set by hand"}</span>
+        {t("Limits")} <span className={styles.how}>{legend.automatic ? t("automatic") : t("set by hand")}</span>
       </h2>
       <div className={styles.limits}>
-        <UnitInput unit={unit} long={unit.length > 3} value={low} onText={type(setLow)} aria-label={`Lower limit, ${unit}`} />
-        <UnitInput unit={unit} long={unit.length > 3} value={high} onText={type(setHigh)} aria-label={`Upper limit, ${unit}`} />
+        <UnitInput unit={unit} long={unit.length > 3} value={low} onText={type(setLow)} aria-label={t("Lower limit, {unit}", { unit })} />
+        <UnitInput unit={unit} long={unit.length > 3} value={high} onText={type(setHigh)} aria-label={t("Upper limit, {unit}", { unit })} />
       </div>
-      {typed && wrong && <p className={styles.wrong}>The lower limit must be below the upper.</p>}
+      {typed && wrong && <p className={styles.wrong}>{t("The lower limit must be below the upper.")}</p>}
       <div className={styles.acts}>
         <PressButton onPress={apply} disabled={!typed || wrong}>
-          Use these limits
+          {t("Use these limits")}
         </PressButton>
-        {!legend.automatic && <PressButton onPress={automatic}>Automatic</PressButton>}
+        {!legend.automatic && <PressButton onPress={automatic}>{t("Automatic")}</PressButton>}
       </div>
     </>
   );

@@ -1,14 +1,15 @@
 import type { Legend } from "../api/viewTypes";
 import { figures } from "../parts/format";
 import { inUnit, unitOf } from "../parts/lengths";
+import { said, t, words } from "../state/language";
 import styles from "./LegendBar.module.css";
 
 export const MEASURES: Record<Legend["measure"], { name: string; legend: string }> = {
-  height: { name: "Height", legend: "Height" },
-  intensity: { name: "Light returned", legend: "Light returned" },
-  uncertainty: { name: "Uncertainty", legend: "Uncertainty of a point, k = 1" },
-  age: { name: "Age", legend: "Age, before the newest" },
-  deviation: { name: "Deviation", legend: "Deviation from the shape" },
+  height: { name: words("Height"), legend: words("Height") },
+  intensity: { name: words("Light returned"), legend: words("Light returned") },
+  uncertainty: { name: words("Uncertainty"), legend: words("Uncertainty of a point, k = 1") },
+  age: { name: words("Age"), legend: words("Age, before the newest") },
+  deviation: { name: words("Deviation"), legend: words("Deviation from the shape") },
 };
 
 /** So many decimals that the ends can be told apart. */
@@ -30,8 +31,8 @@ export function LegendBar({ legend }: { legend: Legend }) {
   return (
     <figure className={styles.legend}>
       <figcaption className={styles.title}>
-        {MEASURES[legend.measure].legend}
-        <span className={styles.unit}>{unit}</span>
+        {t(MEASURES[legend.measure].legend)}
+        <span className={styles.unit}>{said(unit)}</span>
       </figcaption>
       <div className={styles.bar} style={{ background: `linear-gradient(to right, ${legend.colours.join(", ")})` }} />
       <div className={styles.ends}>

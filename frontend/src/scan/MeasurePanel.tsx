@@ -3,16 +3,17 @@ import type { ReactNode } from "react";
 import { colourBy, removeFit } from "../api/viewCommands";
 import type { Figure, Fitted, ShapeName } from "../api/viewTypes";
 import { CloseIcon, CylinderIcon, PlaneIcon, SphereIcon } from "../parts/icons";
-import { figures, plural } from "../parts/format";
+import { figures } from "../parts/format";
 import { lengthFigures, measured, unitOf } from "../parts/lengths";
 import { useBarred } from "../state/control";
+import { counted, said, t, words } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./MeasurePanel.module.css";
 
 const SHAPES: { name: ShapeName; label: string; icon: ReactNode }[] = [
-  { name: "plane", label: "Plane", icon: <PlaneIcon /> },
-  { name: "sphere", label: "Sphere", icon: <SphereIcon /> },
-  { name: "cylinder", label: "Cylinder", icon: <CylinderIcon /> },
+  { name: "plane", label: words("Plane"), icon: <PlaneIcon /> },
+  { name: "sphere", label: words("Sphere"), icon: <SphereIcon /> },
+  { name: "cylinder", label: words("Cylinder"), icon: <CylinderIcon /> },
 ];
 
 /** Shapes fitted to what is drawn around, the newest first. */
@@ -21,10 +22,10 @@ export function MeasurePanel({ onPick }: { onPick: (shape: ShapeName) => void })
   const barred = useBarred() !== "";
   const busy = useLive((s) => s.view?.busy ?? "");
   const some = useLive((s) => Boolean(s.view?.legend));
-  const why = busy ? `${busy}.` : some ? "" : "There is no cloud in the picture yet. Scan, or show a scan.";
+  const why = busy ? `${said(busy)}.` : some ? "" : t("There is no cloud in the picture yet. Scan, or show a scan.");
   return (
     <>
-      <h2 className={styles.title}>Fit a shape</h2>
+      <h2 className={styles.title}>{t("Fit a shape")}</h2>
       <div className={styles.shapes}>
         {SHAPES.map((shape) => (
           <button
@@ -35,7 +36,7 @@ export function MeasurePanel({ onPick }: { onPick: (shape: ShapeName) => void })
             onClick={() => !barred && !why && onPick(shape.name)}
           >
             {shape.icon}
-            {shape.label}
+            {t(shape.label)}
           </button>
         ))}
       </div>
@@ -54,7 +55,7 @@ export function MeasurePanel({ onPick }: { onPick: (shape: ShapeName) => void })
 function FitCard({ fitted, last }: { fitted: Fitted; last: boolean }) {
   const barred = useBarred() !== "";
   const byDeviation = useLive((s) => s.view?.measure === "deviation");
-  const label = SHAPES.find(({ name }) => name === fitted.shape)?.label ?? fitted.shape;
+  const label = t(SHAPES.find(({ name }) => name === fitted.shape)?.label ?? fitted.shape);
   // of a plane its form is asked for first, of round shapes their diameter
   const flat = fitted.shape === "plane";
   const [first, ...rest] = fitted.figures;
@@ -67,39 +68,40 @@ function FitCard({ fitted, last }: { fitted: Fitted; last: boolean }) {
           {label} {fitted.id}
         </h3>
         {!barred && (
-          <button type="button" className={styles.remove} onClick={() => void removeFit(fitted.id)} aria-label={`Remove ${label} ${fitted.id}`}>
+          <button type="button" className={styles.remove} onClick={() => void removeFit(fitted.id)} aria-label={t("Remove {name}", { name: `${label} ${fitted.id}` })}>
             <CloseIcon size="1.25rem" />
           </button>
         )}
       </header>
       {main && (
         <p className={styles.main}>
-          <span className={styles.mainLabel}>{main.label}</span>
+          <span className={styles.mainLabel}>{said(main.label)}</span>
           {lengthFigures(main.value, main.unit, main.decimals)} <span className={styles.mainUnit}>{unitOf(main.unit)}</span>
           <Known figure={main} />
         </p>
       )}
       <dl className={styles.rows}>
         {others.map((figure) => (
-          <Row key={figure.label} label={figure.label}>
+          <Row key={figure.label} label={said(figure.label)}>
             {measured(figure.value, figure.unit, figure.decimals)} <Known figure={figure} />
           </Row>
         ))}
-        {!flat && <Row label={FORM}>{micrometres(fitted.form_um)}</Row>}
-        <Row label="Distances, rms">{micrometres(fitted.rms_um)}</Row>
-        <Row label="Largest distance">{micrometres(fitted.largest_um)}</Row>
+        {!flat && <Row label={t(FORM)}>{micrometres(fitted.form_um)}</Row>}
+        <Row label={t("Distances, rms")}>{micrometres(fitted.rms_um)}</Row>
+        <Row label={t("Largest distance")}>{micrometres(fitted.largest_um)}</Row>
       </dl>
       <p className={styles.note}>
-        {plural(fitted.points, "point")}
-        {fitted.points < fitted.picked && <> of {figures(fitted.picked)}</>}
-        {fitted.every ? "" : ", of those in the picture, which are thinned"}.{" "}
+        {fitted.points < fitted.picked
+          ? t("{n} of {all} points", { n: figures(fitted.points), all: figures(fitted.picked) })
+          : counted(fitted.points, "{n} point", "{n} points")}
+        {fitted.every ? "" : `, ${t("of those in the picture, which are thinned")}`}.{" "}
         {fitted.figures.some((figure) => figure.uncertainty !== null)
-          ? "± is the standard uncertainty, k = 1, by the scatter of the scan; what calibration and arm add is not in it."
-          : "Too few pictures took part to tell an uncertainty."}
+          ? t("± is the standard uncertainty, k = 1, by the scatter of the scan; what calibration and arm add is not in it.")
+          : t("Too few pictures took part to tell an uncertainty.")}
       </p>
       {last && !byDeviation && !barred && (
         <button type="button" className={styles.deviations} onClick={() => void colourBy("deviation")}>
-          Colour by deviation from it
+          {t("Colour by deviation from it")}
         </button>
       )}
     </article>
@@ -124,11 +126,11 @@ function Known({ figure }: { figure: Figure }) {
   );
 }
 
-const FORM = "Form, highest to lowest";
+const FORM = words("Form, highest to lowest");
 
 function formOf({ form_um }: Fitted): Figure {
   const decimals = form_um < 10 ? 1 : 0;
-  return { label: FORM, value: form_um, unit: "µm", decimals, uncertainty: null, uncertainty_unit: "" };
+  return { label: t(FORM), value: form_um, unit: "µm", decimals, uncertainty: null, uncertainty_unit: "" };
 }
 
 const small = (value: number, unit: string) => measured(value, unit, value < 10 ? 1 : 0);

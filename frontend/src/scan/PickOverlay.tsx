@@ -1,6 +1,7 @@
 import { type PointerEvent, useEffect, useRef, useState } from "react";
 
 import type { Region, ShapeName } from "../api/viewTypes";
+import { t, words } from "../state/language";
 import styles from "./PickOverlay.module.css";
 
 interface PickOverlayProps {
@@ -8,6 +9,12 @@ interface PickOverlayProps {
   onPick: (region: Region) => void;
   onCancel: () => void;
 }
+
+const DRAW: Record<ShapeName, string> = {
+  plane: words("Draw a rectangle over the plane"),
+  sphere: words("Draw a rectangle over the sphere"),
+  cylinder: words("Draw a rectangle over the cylinder"),
+};
 
 type Spot = { x: number; y: number };
 
@@ -52,7 +59,7 @@ export function PickOverlay({ shape, onPick, onCancel }: PickOverlayProps) {
     >
       {region && <div className={styles.rectangle} style={boxOf(region)} />}
       <div className={styles.words}>
-        <p>Draw a rectangle over the {shape}</p>
+        <p>{t(DRAW[shape])}</p>
         <button
           type="button"
           className={styles.cancel}
@@ -60,7 +67,7 @@ export function PickOverlay({ shape, onPick, onCancel }: PickOverlayProps) {
           onPointerDown={(event) => event.stopPropagation()}
           onClick={onCancel}
         >
-          Cancel
+          {t("Cancel")}
         </button>
       </div>
     </div>

@@ -5,6 +5,7 @@ import { fitShape } from "../api/viewCommands";
 import type { Region, ShapeName } from "../api/viewTypes";
 import { CameraIcon, CloudsIcon, ColoursIcon, MeasureIcon } from "../parts/icons";
 import { useBarred } from "../state/control";
+import { t, words } from "../state/language";
 import { notify } from "../state/notices";
 import { getState, useLive } from "../state/store";
 import { CloudView } from "./CloudView";
@@ -20,9 +21,9 @@ import { savePicture } from "./savePicture";
 type Panel = "scans" | "colours" | "measure";
 
 const TOOLS: { panel: Panel; label: string; icon: ReactNode }[] = [
-  { panel: "scans", label: "Scans", icon: <CloudsIcon /> },
-  { panel: "colours", label: "Colours", icon: <ColoursIcon /> },
-  { panel: "measure", label: "Measure", icon: <MeasureIcon /> },
+  { panel: "scans", label: words("Scans"), icon: <CloudsIcon /> },
+  { panel: "colours", label: words("Colours"), icon: <ColoursIcon /> },
+  { panel: "measure", label: words("Measure"), icon: <MeasureIcon /> },
 ];
 
 /** The 3D view with what can be done in it; one panel is open at a time. */
@@ -44,7 +45,7 @@ export function ScanPicture() {
   return (
     <CloudView viewKey={viewKey} frame={frame}>
       {picking && <PickOverlay shape={picking} onPick={pick} onCancel={() => setPicking(null)} />}
-      <div className={styles.tools} role="toolbar" aria-label="3D view" hidden={picking !== null}>
+      <div className={styles.tools} role="toolbar" aria-label={t("3D view")} hidden={picking !== null}>
         {TOOLS.map((tool) => (
           <button
             key={tool.panel}
@@ -54,16 +55,16 @@ export function ScanPicture() {
             onClick={() => toggle(tool.panel)}
           >
             {tool.icon}
-            {tool.label}
+            {t(tool.label)}
           </button>
         ))}
         <button type="button" className={styles.tool} onClick={() => void save(frame.current)}>
           <CameraIcon />
-          Save picture
+          {t("Save picture")}
         </button>
       </div>
       {panel && !picking && (
-        <section className={styles.panel} aria-label={TOOLS.find((tool) => tool.panel === panel)?.label}>
+        <section className={styles.panel} aria-label={t(TOOLS.find((tool) => tool.panel === panel)?.label ?? "")}>
           {barred && <p className={styles.barred}>{barred}</p>}
           {panel === "scans" && <ScansPanel />}
           {panel === "colours" && <ColourPanel />}
@@ -79,5 +80,5 @@ export function ScanPicture() {
 async function save(frame: HTMLIFrameElement | null): Promise<void> {
   const { view, station } = getState();
   const saved = frame !== null && (await savePicture(frame, view?.legend ?? null, station?.name ?? ""));
-  if (!saved) notify({ quality: "attention", title: "The picture was not saved: the 3D view is not open yet." }, 6000);
+  if (!saved) notify({ quality: "attention", title: t("The picture was not saved: the 3D view is not open yet.") }, 6000);
 }

@@ -4,6 +4,7 @@ import { showScan } from "../api/viewCommands";
 import { figures, moment } from "../parts/format";
 import { ScanActs } from "../records/ScanActs";
 import { useBarred } from "../state/control";
+import { counted, t } from "../state/language";
 import { useLive } from "../state/store";
 import { useList } from "../state/useList";
 import styles from "./ScansPanel.module.css";
@@ -14,12 +15,12 @@ export function ScansPanel() {
   const shown = useLive((s) => s.view?.scans);
   const running = useLive((s) => (s.scan?.state === "running" || s.scan?.state === "stopping" ? s.scan.scan_id : null));
   const { list, failed } = useList<ScanSummary>("/api/scans", `${records}`);
-  if (!list) return <p>{failed ? "The list could not be read." : "Reading the list."}</p>;
+  if (!list) return <p>{failed ? t("The list could not be read.") : t("Reading the list.")}</p>;
   return (
     <>
-      <h2 className={styles.title}>Scans in the picture</h2>
-      {running && <p className={styles.running}>The scan that is being recorded is always shown.</p>}
-      {list.length === 0 && !running && <p className={styles.empty}>Finished scans will be here. Press Start scan for the first.</p>}
+      <h2 className={styles.title}>{t("Scans in the picture")}</h2>
+      {running && <p className={styles.running}>{t("The scan that is being recorded is always shown.")}</p>}
+      {list.length === 0 && !running && <p className={styles.empty}>{t("Finished scans will be here. Press Start scan for the first.")}</p>}
       <ul className={styles.list}>
         {list.map((scan) => (
           <ScanLine key={scan.id} scan={scan} shown={shown?.find(({ id }) => id === scan.id)} />
@@ -53,6 +54,6 @@ function ScanLine({ scan, shown }: { scan: ScanSummary; shown: ShownScan | undef
 }
 
 function detailOf(scan: ScanSummary, shown: ShownScan | undefined): string {
-  if (shown && shown.loaded < 1) return `Reading, ${figures(100 * shown.loaded)} %`;
-  return `${moment(scan.started_at)} · ${figures(scan.points)} points`;
+  if (shown && shown.loaded < 1) return t("Reading, {n} %", { n: figures(100 * shown.loaded) });
+  return `${moment(scan.started_at)} · ${counted(scan.points, "{n} point", "{n} points")}`;
 }

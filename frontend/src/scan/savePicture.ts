@@ -1,5 +1,6 @@
 import type { Legend } from "../api/viewTypes";
 import { figures } from "../parts/format";
+import { t } from "../state/language";
 import { decimalsOf, MEASURES } from "./LegendBar";
 
 /** The 3D view as it stands, with its legend, saved as PNG; false where there is none yet. */
@@ -35,7 +36,7 @@ function drawLegend(pen: CanvasRenderingContext2D, legend: Legend, size: { width
   const top = size.height - BAR.margin - BAR.height - 20;
   const shades = pen.createLinearGradient(left, 0, left + BAR.width, 0);
   legend.colours.forEach((colour, i) => shades.addColorStop(i / (legend.colours.length - 1), colour));
-  write(pen, `${MEASURES[legend.measure].legend}, ${legend.unit}`, left, top - 7);
+  write(pen, `${t(MEASURES[legend.measure].legend)}, ${legend.unit}`, left, top - 7);
   const ink = pen.fillStyle;
   pen.fillStyle = shades;
   pen.fillRect(left, top, BAR.width, BAR.height);

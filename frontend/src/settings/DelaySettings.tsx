@@ -3,6 +3,7 @@ import type { Delay, StationSettings } from "../api/types";
 import { figures, signed } from "../parts/format";
 import { measured } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
+import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./Settings.module.css";
 
@@ -14,28 +15,27 @@ export function DelaySettings({ settings }: { settings: StationSettings }) {
   return (
     <section className={styles.section} aria-labelledby="delay">
       <h2 id="delay" className={styles.heading}>
-        Delay between arm and camera
+        {t("Delay between arm and camera")}
       </h2>
       {delay ? (
         <Found delay={delay} />
       ) : (
         <p className={styles.help}>
-          None is used. To find it, scan a flat plate: go over it, nearer and away again, at least three times, briskly.
-          Stop, then find it here.
+          {t("None is used. To find it, scan a flat plate: go over it, nearer and away again, at least three times, briskly. Stop, then find it here.")}
         </p>
       )}
       {finding_delay ? (
-        <p className={styles.busy}>{scanning ? "The hand passes over the plate." : "Looking for the delay."}</p>
+        <p className={styles.busy}>{scanning ? t("The hand passes over the plate.") : t("Looking for the delay.")}</p>
       ) : (
         <div className={styles.buttons}>
-          {delay && !delay.applied && <PressButton onPress={() => applyDelay(true)}>Use it</PressButton>}
-          {delay?.applied && <PressButton onPress={() => applyDelay(false)}>Use none</PressButton>}
+          {delay && !delay.applied && <PressButton onPress={() => applyDelay(true)}>{t("Use it")}</PressButton>}
+          {delay?.applied && <PressButton onPress={() => applyDelay(false)}>{t("Use none")}</PressButton>}
           <PressButton onPress={findDelay} disabled={scanning}>
-            Find it in the last scan
+            {t("Find it in the last scan")}
           </PressButton>
           {hasHand && (
             <PressButton onPress={passForDelay} disabled={scanning}>
-              Let the hand do it
+              {t("Let the hand do it")}
             </PressButton>
           )}
         </div>
@@ -51,8 +51,11 @@ function Found({ delay }: { delay: Delay }) {
         {signed(delay.delay_ms, 2)} <span>ms ± {figures(delay.standard_uncertainty_ms, 2)} ms (k = 1)</span>
       </p>
       <p className={styles.help}>
-        {delay.applied ? "In use from the next scan on. " : "Found, not yet used. "}
-        Points about the plane: {measured(delay.rms_without_um, "µm")} rms without it, {measured(delay.rms_um, "µm")} with it
+        {delay.applied ? t("In use from the next scan on.") : t("Found, not yet used.")}{" "}
+        {t("Points about the plane: {without} rms without it, {with} with it", {
+          without: measured(delay.rms_without_um, "µm"),
+          with: measured(delay.rms_um, "µm"),
+        })}
         {delay.scan && ` (${delay.scan})`}.
       </p>
     </>

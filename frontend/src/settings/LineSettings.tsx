@@ -1,14 +1,15 @@
 import { changeSettings, exposeByTheLine } from "../api/settingsCommands";
 import type { StationSettings } from "../api/types";
 import { PressButton } from "../parts/PressButton";
+import { t, words } from "../state/language";
 import { NumberSetting } from "./NumberSetting";
 import styles from "./Settings.module.css";
 
 const CHOICES: { value: StationSettings["choice"]; label: string }[] = [
-  { value: "continuity", label: "The longest line (automatic)" },
-  { value: "strength", label: "The brightest" },
-  { value: "first", label: "The first, from the picture's top" },
-  { value: "last", label: "The last, from the picture's top" },
+  { value: "continuity", label: words("The longest line (automatic)") },
+  { value: "strength", label: words("The brightest") },
+  { value: "first", label: words("The first, from the picture's top") },
+  { value: "last", label: words("The last, from the picture's top") },
 ];
 
 /** How the laser's line is told from everything else that is bright. */
@@ -16,34 +17,34 @@ export function LineSettings({ settings }: { settings: StationSettings }) {
   return (
     <section className={styles.section} aria-labelledby="line">
       <h2 id="line" className={styles.heading}>
-        Laser line
+        {t("Laser line")}
       </h2>
       <NumberSetting
         name="exposure_us"
-        label="Exposure"
+        label={t("Exposure")}
         unit="µs"
-        placeholder="as it is"
-        help="Of scans. Short on bright metal, long on dark parts; a long one blurs."
+        placeholder={t("as it is")}
+        help={t("Of scans. Short on bright metal, long on dark parts; a long one blurs.")}
         settings={settings}
       >
-        <PressButton onPress={exposeByTheLine}>By the line</PressButton>
+        <PressButton onPress={exposeByTheLine}>{t("By the line")}</PressButton>
       </NumberSetting>
       <NumberSetting
         name="threshold"
-        label="Threshold"
-        unit="grey levels"
-        help="How far the line stands out of its surroundings. Automatic: four times the noise."
+        label={t("Threshold")}
+        unit={t("grey levels")}
+        help={t("How far the line stands out of its surroundings. Automatic: four times the noise.")}
         settings={settings}
       />
       <NumberSetting
         name="min_width_px"
-        label="Least width"
+        label={t("Least width")}
         unit="px"
-        help="What is narrower is a glint. Automatic: about half of the line's usual width."
+        help={t("What is narrower is a glint. Automatic: about half of the line's usual width.")}
         settings={settings}
       />
       <label className={styles.field}>
-        <span className={styles.label}>Where several lines cross a column</span>
+        <span className={styles.label}>{t("Where several lines cross a column")}</span>
         <select
           className={styles.select}
           value={settings.choice}
@@ -51,11 +52,11 @@ export function LineSettings({ settings }: { settings: StationSettings }) {
         >
           {CHOICES.map(({ value, label }) => (
             <option key={value} value={value}>
-              {label}
+              {t(label)}
             </option>
           ))}
         </select>
-        <span className={styles.help}>Take the first or the last on glass and film, where two surfaces reflect.</span>
+        <span className={styles.help}>{t("Take the first or the last on glass and film, where two surfaces reflect.")}</span>
       </label>
     </section>
   );

@@ -6,6 +6,7 @@ import { UnitInput } from "../arm/UnitInput";
 import { unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { useHeldLength } from "../parts/useHeldLength";
+import { t } from "../state/language";
 import styles from "./Settings.module.css";
 
 type Name = "threshold" | "min_width_px" | "exposure_us" | "blur_limit_mm";
@@ -23,7 +24,7 @@ interface NumberSettingProps {
 
 /** One number of the settings; an empty field leaves it to the station. */
 export function NumberSetting(props: NumberSettingProps) {
-  const { name, label, unit, help, settings, placeholder = "automatic", children } = props;
+  const { name, label, unit, help, settings, placeholder = t("automatic"), children } = props;
   const id = useId();
   const held = useHeldLength(settings[name], unit);
   const set = async () => {
@@ -48,7 +49,7 @@ export function NumberSetting(props: NumberSettingProps) {
           aria-describedby={`${id}-help`}
           onText={held.setText}
         />
-        {held.changed ? <PressButton onPress={set}>Set</PressButton> : children}
+        {held.changed ? <PressButton onPress={set}>{t("Set")}</PressButton> : children}
       </div>
       <p id={`${id}-help`} className={styles.help}>
         {help}

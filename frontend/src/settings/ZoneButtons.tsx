@@ -1,6 +1,6 @@
 import type { StationSettings } from "../api/types";
-import { plural } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
+import { counted, t } from "../state/language";
 import type { Zones } from "./useZones";
 import styles from "./Settings.module.css";
 
@@ -10,24 +10,24 @@ export function ZoneButtons({ zones, settings }: { zones: Zones; settings: Stati
   return (
     <section className={styles.section} aria-labelledby="zones">
       <h2 id="zones" className={styles.heading}>
-        Zones without measurement
+        {t("Zones without measurement")}
       </h2>
       <p className={styles.help}>
         {zones.drawing
-          ? "Draw it: press on the picture, and pull."
+          ? t("Draw it: press on the picture, and pull.")
           : count === 0
-            ? "Hide what shines in the picture and is no part: a clamp, the sensor’s own edge."
-            : `${plural(count, "zone")}. Pull a corner to move it, a small dot to make a new corner; Delete takes a corner away.`}
+            ? t("Hide what shines in the picture and is no part: a clamp, the sensor’s own edge.")
+            : `${counted(count, "{n} zone", "{n} zones")}. ${t("Pull a corner to move it, a small dot to make a new corner; Delete takes a corner away.")}`}
       </p>
       <div className={styles.buttons}>
         <PressButton onPress={() => zones.setDrawing(!zones.drawing)}>
-          {zones.drawing ? "Draw nothing" : "Draw a zone"}
+          {zones.drawing ? t("Draw nothing") : t("Draw a zone")}
         </PressButton>
         <PressButton onPress={zones.undo} disabled={!zones.canUndo}>
-          Undo
+          {t("Undo")}
         </PressButton>
         <PressButton onPress={() => zones.set([])} disabled={count === 0}>
-          Clear
+          {t("Clear")}
         </PressButton>
       </div>
     </section>

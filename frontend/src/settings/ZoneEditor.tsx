@@ -1,6 +1,7 @@
 import { type KeyboardEvent, type PointerEvent, useEffect, useRef, useState } from "react";
 
 import type { Frame } from "../image/LiveCamera";
+import { t } from "../state/language";
 import type { Zone, Zones } from "./useZones";
 import styles from "./ZoneEditor.module.css";
 
@@ -72,7 +73,7 @@ export function ZoneEditor({ frame, held, zones }: { frame: Frame; held: Zone[];
       data-drawing={zones.drawing || undefined}
       viewBox={`-0.5 -0.5 ${width_px} ${height_px}`}
       role="group"
-      aria-label="Zones without measurement"
+      aria-label={t("Zones without measurement")}
       onPointerDown={begin}
       onPointerMove={move}
       onPointerUp={end}
@@ -104,7 +105,7 @@ export function ZoneEditor({ frame, held, zones }: { frame: Frame; held: Zone[];
                   className={styles.corner}
                   tabIndex={0}
                   role="button"
-                  aria-label={`Corner ${k + 1} of zone ${i + 1}; arrow keys move it, Delete removes it`}
+                  aria-label={t("Corner {corner} of zone {zone}; arrow keys move it, Delete removes it", { corner: k + 1, zone: i + 1 })}
                   onPointerDown={(event) => take(i, k, event)}
                   onKeyDown={(event) => key(i, k, event)}
                 >

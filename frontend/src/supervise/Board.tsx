@@ -5,6 +5,7 @@ import type { Alarm, StationReport } from "../api/watchTypes";
 import { bound } from "../parts/format";
 import { QualityMark } from "../parts/QualityMark";
 import { CloudView } from "../scan/CloudView";
+import { t } from "../state/language";
 import styles from "./Board.module.css";
 import { doing, facts, type Fact, KINDS } from "./words";
 
@@ -17,7 +18,7 @@ export function Board({ report, silent_s }: { report: StationReport; silent_s: n
       <Cloud />
       <dl className={styles.facts}>
         {facts(report, silent_s).map((fact) => (
-          <FactTile key={fact.label} fact={fact} />
+          <FactTile key={fact.id} fact={fact} />
         ))}
       </dl>
     </div>
@@ -27,8 +28,8 @@ export function Board({ report, silent_s }: { report: StationReport; silent_s: n
 function Doing({ report }: { report: StationReport }) {
   const { title, number, unit, note } = doing(report);
   return (
-    <section className={styles.doing} aria-label="What runs" data-idle={report.activity.kind === "idle" || undefined}>
-      <p className={styles.kind}>{KINDS[report.activity.kind]}</p>
+    <section className={styles.doing} aria-label={t("What runs")} data-idle={report.activity.kind === "idle" || undefined}>
+      <p className={styles.kind}>{t(KINDS[report.activity.kind])}</p>
       <h2 className={styles.what}>{number ? number : title}{unit && <span> {unit}</span>}</h2>
       <p className={styles.note}>{note}</p>
     </section>
@@ -37,11 +38,11 @@ function Doing({ report }: { report: StationReport }) {
 
 function Alarms({ alarms }: { alarms: Alarm[] }) {
   return (
-    <section className={styles.alarms} aria-label="Alarms">
+    <section className={styles.alarms} aria-label={t("Alarms")}>
       {alarms.length === 0 && (
         <p className={styles.alarm} data-quality="good">
           <QualityMark quality="good" size="1.25em" />
-          <span>No alarms</span>
+          <span>{t("No alarms")}</span>
         </p>
       )}
       {alarms.map((alarm) => (
@@ -61,7 +62,7 @@ function Cloud() {
   const frame = useRef<HTMLIFrameElement>(null);
   const [viewKey] = useState(newKey);
   return (
-    <section className={styles.cloud} aria-label="Live cloud">
+    <section className={styles.cloud} aria-label={t("Live cloud")}>
       <CloudView viewKey={viewKey} frame={frame} />
     </section>
   );

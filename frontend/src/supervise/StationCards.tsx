@@ -1,6 +1,7 @@
 import type { StationReport, StationShown } from "../api/watchTypes";
 import { bound, figures, moment } from "../parts/format";
 import { QualityMark } from "../parts/QualityMark";
+import { t } from "../state/language";
 import styles from "./StationCards.module.css";
 import { doing, type Fact, facts, KINDS, stationState } from "./words";
 
@@ -8,7 +9,7 @@ import { doing, type Fact, facts, KINDS, stationState } from "./words";
 export function StationCards({ stations, wall }: { stations: StationShown[]; wall: boolean }) {
   const ordered = [...stations].sort((a, b) => rank(a) - rank(b));
   return (
-    <ul className={styles.cards} data-wall={wall || undefined} data-few={stations.length <= 4 || undefined} aria-label="Stations">
+    <ul className={styles.cards} data-wall={wall || undefined} data-few={stations.length <= 4 || undefined} aria-label={t("Stations")}>
       {ordered.map((station) => (
         <Card key={station.id} station={station} wall={wall} />
       ))}
@@ -33,18 +34,18 @@ function Card({ station, wall }: { station: StationShown; wall: boolean }) {
         </div>
         {report?.address && !wall && (
           <a className={styles.open} href={report.address} rel="noreferrer">
-            Open
+            {t("Open")}
           </a>
         )}
       </div>
-      {report ? <Inside report={report} station={station} /> : <p className={styles.none}>Nothing is known of it yet.</p>}
+      {report ? <Inside report={report} station={station} /> : <p className={styles.none}>{t("Nothing is known of it yet.")}</p>}
     </li>
   );
 }
 
 /** The disk is told of where it is nearly full. */
 function isShown(fact: Fact): boolean {
-  return fact.label !== "Disk" || fact.quality !== "neutral";
+  return fact.id !== "disk" || fact.quality !== "neutral";
 }
 
 function Inside({ report, station }: { report: StationReport; station: StationShown }) {
@@ -55,7 +56,7 @@ function Inside({ report, station }: { report: StationReport; station: StationSh
   return (
     <>
       <div className={styles.doing}>
-        <p className={styles.kind}>{live ? KINDS[report.activity.kind] : `As of ${moment(report.at)}`}</p>
+        <p className={styles.kind}>{live ? t(KINDS[report.activity.kind]) : t("As of {when}", { when: moment(report.at) })}</p>
         <p className={styles.what}>
           {number || title} {unit && <span>{unit}</span>}
         </p>
@@ -64,13 +65,13 @@ function Inside({ report, station }: { report: StationReport; station: StationSh
       {live && alarm && (
         <p className={styles.alarm} data-quality={alarm.quality}>
           {report.alarms.length > 1
-            ? `${bound(alarm.text.replace(/\.$/, ""))}, and ${figures(report.alarms.length - 1)} more`
+            ? t("{alarm}, and {n} more", { alarm: bound(alarm.text.replace(/\.$/, "")), n: figures(report.alarms.length - 1) })
             : bound(alarm.text)}
         </p>
       )}
       <dl className={styles.facts}>
         {facts(report, 0).filter(isShown).map((fact) => (
-          <div key={fact.label} data-quality={live ? fact.quality : "neutral"}>
+          <div key={fact.id} data-quality={live ? fact.quality : "neutral"}>
             <dt>{fact.label}</dt>
             <dd>
               {live && (fact.quality === "bad" || fact.quality === "attention") && (

@@ -1,12 +1,13 @@
 import type { ReactNode } from "react";
 
 import type { VerdictLine, VerificationSummary } from "../api/verifyTypes";
-import { moment, plural } from "../parts/format";
+import { moment } from "../parts/format";
 import { QualityMark } from "../parts/QualityMark";
+import { counted, t, words } from "../state/language";
 import styles from "./BigVerdict.module.css";
 import { QUALITY } from "./shown";
 
-const TITLE = { pass: "Passed", fail: "Failed", uncertain: "Uncertain" };
+const TITLE = { pass: words("Passed"), fail: words("Failed"), uncertain: words("Uncertain") };
 
 /** The verdict, readable from two metres. */
 export function Verdict({ result, text, children }: VerdictLine & { children?: ReactNode }) {
@@ -14,7 +15,7 @@ export function Verdict({ result, text, children }: VerdictLine & { children?: R
     <div className={styles.verdict} data-result={result} data-verdict>
       <p className={styles.title}>
         <QualityMark quality={QUALITY[result]} size="2rem" />
-        {TITLE[result]}
+        {t(TITLE[result])}
       </p>
       <p>{text}</p>
       {children}
@@ -27,11 +28,11 @@ export function BigVerdict({ summary }: { summary: VerificationSummary }) {
   return (
     <Verdict {...summary}>
       <p className={styles.detail}>
-        {summary.gauge}, {plural(summary.clouds, "cloud")}
-        {summary.touched ? ", compared with the probe" : ""} · {moment(summary.accepted_at)}
+        {summary.gauge}, {counted(summary.clouds, "{n} cloud", "{n} clouds")}
+        {summary.touched ? `, ${t("compared with the probe")}` : ""} · {moment(summary.accepted_at)}
         {summary.operator && ` · ${summary.operator}`}
       </p>
-      <p className={styles.detail}>of {summary.calibration}</p>
+      <p className={styles.detail}>{t("of {calibration}", { calibration: summary.calibration })}</p>
     </Verdict>
   );
 }

@@ -1,8 +1,9 @@
 import { sendVerify } from "../api/verifyCommands";
 import type { CloudLine, VerifyPicture } from "../api/verifyTypes";
-import { bound, figures, plural } from "../parts/format";
+import { bound, figures } from "../parts/format";
 import { measured, signedLength } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
+import { counted, t, words } from "../state/language";
 import styles from "./CloudsView.module.css";
 import { DeviationMap } from "./DeviationMap";
 import { GaugeDrawing } from "./GaugeDrawing";
@@ -17,7 +18,7 @@ export function CloudsView({ picture, busy }: { picture: VerifyPicture; busy: bo
         <div className={styles.drawing}>
           <GaugeDrawing shape={picture.shape} scanning />
           <p className={styles.words}>
-            {picture.scanning ? "Keep the stripe on the gauge. Slowly: the points come as you pass." : "Each pass becomes a map of where the cloud lies off the gauge."}
+            {picture.scanning ? t("Keep the stripe on the gauge. Slowly: the points come as you pass.") : t("Each pass becomes a map of where the cloud lies off the gauge.")}
           </p>
         </div>
       ) : (
@@ -26,7 +27,7 @@ export function CloudsView({ picture, busy }: { picture: VerifyPicture; busy: bo
         </div>
       )}
       {picture.clouds.length > 0 && (
-        <ul className={styles.list} aria-label="Clouds">
+        <ul className={styles.list} aria-label={t("Clouds")}>
           {picture.clouds.map((cloud) => (
             <Row key={cloud.number} cloud={cloud} busy={busy} />
           ))}
@@ -37,11 +38,11 @@ export function CloudsView({ picture, busy }: { picture: VerifyPicture; busy: bo
 }
 
 const STATE: Record<CloudLine["state"], string> = {
-  scanning: "being scanned",
-  measuring: "being measured",
+  scanning: words("being scanned"),
+  measuring: words("being measured"),
   good: "",
-  refused: "of no use",
-  aside: "set aside",
+  refused: words("of no use"),
+  aside: words("set aside"),
 };
 
 function Row({ cloud, busy }: { cloud: CloudLine; busy: boolean }) {
@@ -51,15 +52,15 @@ function Row({ cloud, busy }: { cloud: CloudLine; busy: boolean }) {
     <li className={styles.row} data-state={state}>
       <div className={styles.what}>
         <p className={styles.name}>
-          Cloud {number}
-          {STATE[state] && <span className={styles.state}>{STATE[state]}</span>}
+          {t("Cloud {n}", { n: number })}
+          {STATE[state] && <span className={styles.state}>{t(STATE[state])}</span>}
         </p>
-        <p className={styles.detail}>{bound(cloud.text || (cloud.points ? plural(cloud.used || cloud.points, "point") : ""))}</p>
+        <p className={styles.detail}>{bound(cloud.text || (cloud.points ? counted(cloud.used || cloud.points, "{n} point", "{n} points") : ""))}</p>
       </div>
       <Figures cloud={cloud} />
       {idle && state !== "refused" && (
         <PressButton kind="quiet" onPress={() => sendVerify(state === "aside" ? "restore_cloud" : "void_cloud", { number })}>
-          {state === "aside" ? "Take it back" : "Set aside"}
+          {state === "aside" ? t("Take it back") : t("Set aside")}
         </PressButton>
       )}
     </li>
@@ -68,11 +69,11 @@ function Row({ cloud, busy }: { cloud: CloudLine; busy: boolean }) {
 
 function Figures({ cloud }: { cloud: CloudLine }) {
   const shown: [string, string | null][] = [
-    ["rms", cloud.rms_um === null ? null : measured(cloud.rms_um, "µm")],
-    ["angle", cloud.angle_arcsec === null ? null : `${figures(cloud.angle_arcsec)}″`],
-    ["Z error", cloud.z_error_um === null ? null : signedLength(cloud.z_error_um, "µm")],
-    ["radius error", cloud.radius_error_um === null ? null : signedLength(cloud.radius_error_um, "µm")],
-    ["centre error", cloud.centre_error_um === null ? null : measured(cloud.centre_error_um, "µm")],
+    [words("rms"), cloud.rms_um === null ? null : measured(cloud.rms_um, "µm")],
+    [words("angle"), cloud.angle_arcsec === null ? null : `${figures(cloud.angle_arcsec)}″`],
+    [words("Z error"), cloud.z_error_um === null ? null : signedLength(cloud.z_error_um, "µm")],
+    [words("radius error"), cloud.radius_error_um === null ? null : signedLength(cloud.radius_error_um, "µm")],
+    [words("centre error"), cloud.centre_error_um === null ? null : measured(cloud.centre_error_um, "µm")],
   ];
   return (
     <dl className={styles.figures}>
@@ -80,7 +81,7 @@ function Figures({ cloud }: { cloud: CloudLine }) {
         ([name, value]) =>
           value && (
             <div key={name}>
-              <dt>{name}</dt>
+              <dt>{t(name)}</dt>
               <dd>{bound(value)}</dd>
             </div>
           ),

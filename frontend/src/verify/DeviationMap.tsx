@@ -3,6 +3,7 @@ import { useState } from "react";
 import type { CloudLine } from "../api/verifyTypes";
 import type { MapFile } from "../api/verifyFiles";
 import { lengthFigures, measured } from "../parts/lengths";
+import { t } from "../state/language";
 import { Chips } from "./Chips";
 import { deviationColour, deviationScale, DEVIATION_CSS } from "./colours";
 import styles from "./DeviationMap.module.css";
@@ -14,11 +15,11 @@ export function DeviationMap({ clouds, shape }: { clouds: CloudLine[]; shape: "p
   const last = clouds[clouds.length - 1];
   const cloud = clouds.find(({ number }) => number === chosen) ?? last;
   const { file, failed } = useFile<MapFile>(cloud?.map_url ?? "");
-  if (!cloud) return <p className={styles.told}>The map of the first cloud will be here once it is scanned.</p>;
+  if (!cloud) return <p className={styles.told}>{t("The map of the first cloud will be here once it is scanned.")}</p>;
   return (
     <div className={styles.view}>
-      <Chips label="Clouds" options={clouds.map(({ number }) => ({ value: number, label: `Cloud ${number}` }))} value={cloud.number} onChange={setChosen} />
-      {file ? <Map file={file} /> : <p className={styles.told}>{failed ? "The map could not be read." : "Reading the map."}</p>}
+      <Chips label={t("Clouds")} options={clouds.map(({ number }) => ({ value: number, label: t("Cloud {n}", { n: number }) }))} value={cloud.number} onChange={setChosen} />
+      {file ? <Map file={file} /> : <p className={styles.told}>{failed ? t("The map could not be read.") : t("Reading the map.")}</p>}
       {file && <Legend file={file} shape={shape} />}
     </div>
   );
@@ -32,7 +33,7 @@ function Map({ file }: { file: MapFile }) {
   const width = Math.max(...x_mm) + cell - low_x;
   const height = Math.max(...y_mm) + cell - low_y;
   return (
-    <svg className={styles.map} viewBox={`${low_x} ${-low_y - height} ${width} ${height}`} role="img" aria-label="Deviations from the fitted shape" shapeRendering="crispEdges">
+    <svg className={styles.map} viewBox={`${low_x} ${-low_y - height} ${width} ${height}`} role="img" aria-label={t("Deviations from the fitted shape")} shapeRendering="crispEdges">
       {x_mm.map((x, i) => (
         <rect key={i} x={x - cell / 2} y={-(y_mm[i] ?? 0) - cell / 2} width={cell * 1.02} height={cell * 1.02} fill={deviationColour((deviation_um[i] ?? 0) / end)} />
       ))}
@@ -48,7 +49,8 @@ function Legend({ file, shape }: { file: MapFile; shape: "plane" | "sphere" }) {
       <span className={styles.ramp} style={{ background: DEVIATION_CSS }} />
       <span>+{measured(end, "µm")}</span>
       <span className={styles.note}>
-        from the fitted {shape}, outward is positive; each cell of {measured(file.cell_mm, "mm", 1)} is the mean of its points
+        {shape === "plane" ? t("from the fitted plane, outward is positive") : t("from the fitted sphere, outward is positive")};{" "}
+        {t("each cell of {size} is the mean of its points", { size: measured(file.cell_mm, "mm", 1) })}
       </span>
     </div>
   );

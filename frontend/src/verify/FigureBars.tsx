@@ -1,6 +1,7 @@
 import type { FigureLine } from "../api/verifyTypes";
 import { measured } from "../parts/lengths";
 import { QualityMark } from "../parts/QualityMark";
+import { t } from "../state/language";
 import styles from "./FigureBars.module.css";
 import { QUALITY, WORD, worded } from "./shown";
 
@@ -33,12 +34,12 @@ function Bar({ figure }: { figure: FigureLine }) {
       </div>
       <p className={styles.words}>
         {limit === null ? (
-          <span>for information, without a limit</span>
+          <span>{t("for information, without a limit")}</span>
         ) : (
           <>
             <QualityMark quality={QUALITY[figure.decision]} size="1.125rem" />
-            <strong>{WORD[figure.decision]}</strong>
-            <span>limit {measured(limit, unit)}</span>
+            <strong>{t(WORD[figure.decision])}</strong>
+            <span>{t("limit {value}", { value: measured(limit, unit) })}</span>
           </>
         )}
         {U > 0 && (

@@ -4,6 +4,7 @@ import choice from "../flow/ChoicesPicture.module.css";
 import { EmptyState } from "../parts/EmptyState";
 import { bound } from "../parts/format";
 import { CheckIcon } from "../parts/icons";
+import { t } from "../state/language";
 import { GaugeDrawing } from "./GaugeDrawing";
 
 /** Which gauge is clamped on the table. */
@@ -12,8 +13,8 @@ export function GaugeChoice({ gauges, gauge }: { gauges: GaugeOption[]; gauge: s
     return (
       <EmptyState
         picture={<GaugeDrawing shape="sphere" />}
-        title="No gauge yet"
-        text="Put the paper of a plate or a sphere into the data folder's gauges, as a nominal with its size, its certificate and its limits. It appears here at once."
+        title={t("No gauge yet")}
+        text={t("Put the paper of a plate or a sphere into the data folder's gauges, as a nominal with its size, its certificate and its limits. It appears here at once.")}
       />
     );
   }
@@ -22,8 +23,8 @@ export function GaugeChoice({ gauges, gauge }: { gauges: GaugeOption[]; gauge: s
     <div className={choice.picture}>
       <div className={choice.choices}>
         <section className={choice.group}>
-          <h3 className={choice.heading}>Gauge</h3>
-          <div role="radiogroup" aria-label="Gauge" className={choice.options}>
+          <h3 className={choice.heading}>{t("Gauge")}</h3>
+          <div role="radiogroup" aria-label={t("Gauge")} className={choice.options}>
             {gauges.map((option) => (
               <button
                 key={option.id}

@@ -1,4 +1,5 @@
 import { lengthFigures, measured } from "../parts/lengths";
+import { t } from "../state/language";
 import styles from "./Charts.module.css";
 
 export interface Line {
@@ -38,8 +39,7 @@ export function LinesChart({ title, unit, lines, labels, limit = null, both = fa
         {title}
         {limit !== null && (
           <span className={styles.limitWords}>
-            limit {measured(limit, unit)}
-            {drawn === null ? ", beyond the chart" : ", dashed"}
+            {t("limit {value}", { value: measured(limit, unit) })}, {drawn === null ? t("beyond the chart") : t("dashed")}
           </span>
         )}
       </figcaption>
@@ -92,7 +92,7 @@ export function RangeBars({ title, unit, bars }: RangeBarsProps) {
       <figcaption className={styles.title}>
         {title}
         <span className={styles.limitWords}>
-          mean {measured(mean, unit, 1)}
+          {t("mean {value}", { value: measured(mean, unit, 1) })}
         </span>
       </figcaption>
       <ul className={styles.bars}>

@@ -1,6 +1,7 @@
 import type { VerificationSummary } from "../api/verifyTypes";
 import { moment } from "../parts/format";
 import { QualityMark } from "../parts/QualityMark";
+import { t } from "../state/language";
 import { setState } from "../state/store";
 import styles from "./RecordList.module.css";
 import { QUALITY } from "./shown";
@@ -9,7 +10,7 @@ import { QUALITY } from "./shown";
 export function RecordList({ list, shown }: { list: VerificationSummary[]; shown: string }) {
   return (
     <section className={styles.records}>
-      <h2 className={styles.title}>Before</h2>
+      <h2 className={styles.title}>{t("Before")}</h2>
       <ul className={styles.list}>
         {list.map((one) => (
           <li key={one.id}>

@@ -4,6 +4,7 @@ import { useState } from "react";
 import { CopyCsv } from "../parts/CopyCsv";
 import { DataTable } from "../parts/DataTable";
 import frame from "../result/ResultPicture.module.css";
+import { t } from "../state/language";
 import { DeviationMap } from "./DeviationMap";
 import { FigureBars } from "./FigureBars";
 import { OverClouds } from "./OverClouds";
@@ -11,15 +12,22 @@ import styles from "./ResultTabs.module.css";
 import { type Shown, tablesOf } from "./shown";
 import { StudyView } from "./StudyView";
 
+interface ResultTabsProps {
+  shown: Shown;
+  /** The same in the station's own words, for files. */
+  sent: Shown;
+  id?: string;
+}
+
 /** Pictures first: what the clouds show, and over clouds and calibrations; the table one tap away. */
-export function ResultTabs({ shown, id }: { shown: Shown; id?: string }) {
+export function ResultTabs({ shown, sent, id }: ResultTabsProps) {
   const [tab, setTab] = useState("figures");
   const tabs = [
-    { value: "figures", label: "Figures" },
-    { value: "map", label: "Map" },
-    { value: "clouds", label: "Clouds" },
-    ...(id ? [{ value: "study", label: "Calibrations" }] : []),
-    { value: "numbers", label: "Numbers" },
+    { value: "figures", label: t("Figures") },
+    { value: "map", label: t("Map") },
+    { value: "clouds", label: t("Clouds") },
+    ...(id ? [{ value: "study", label: t("Calibrations") }] : []),
+    { value: "numbers", label: t("Numbers") },
   ];
   return (
     <div className={frame.picture}>
@@ -30,7 +38,7 @@ export function ResultTabs({ shown, id }: { shown: Shown; id?: string }) {
           data={tabs}
           size="md"
           radius="md"
-          aria-label="What to look at"
+          aria-label={t("What to look at")}
           classNames={{ root: frame.control ?? "", label: frame.tab ?? "", indicator: frame.indicator ?? "" }}
         />
       </div>
@@ -39,18 +47,18 @@ export function ResultTabs({ shown, id }: { shown: Shown; id?: string }) {
         {tab === "map" && <DeviationMap clouds={shown.clouds} shape={shown.shape} />}
         {tab === "clouds" && <OverClouds shown={shown} />}
         {tab === "study" && id && <StudyView id={id} />}
-        {tab === "numbers" && <Tables shown={shown} />}
+        {tab === "numbers" && <Tables shown={shown} sent={sent} />}
       </div>
     </div>
   );
 }
 
-function Tables({ shown }: { shown: Shown }) {
+function Tables({ shown, sent }: Omit<ResultTabsProps, "id">) {
   const tables = tablesOf(shown);
   return (
     <div className={styles.tables}>
       <div className={styles.copy}>
-        <CopyCsv tables={tables} />
+        <CopyCsv tables={tablesOf(sent)} />
       </div>
       {tables.map((table) => (
         <div key={table.title} className={styles.table}>

@@ -9,6 +9,7 @@ import { CopyCsv } from "../parts/CopyCsv";
 import { PressButton } from "../parts/PressButton";
 import { Busy } from "../parts/Progress";
 import { amount, type TableData } from "../parts/table";
+import { counted, said, t, words } from "../state/language";
 import styles from "./Charts.module.css";
 import { LinesChart, RangeBars } from "./LinesChart";
 
@@ -18,18 +19,20 @@ const ASKED_EVERY_MS = 400;
 export function StudyView({ id }: { id: string }) {
   const { state, begin } = useStudy(id);
   if (!state) return null;
-  if (state.running) return <div className={styles.begin}><Busy text={state.text || "Rebuilding the clouds"} fraction={state.fraction} /></div>;
+  if (state.running) return <div className={styles.begin}><Busy text={state.text || t("Rebuilding the clouds")} fraction={state.fraction} /></div>;
   const { study } = state;
   if (!study) {
     return (
       <div className={styles.begin}>
-        <h2>The same clouds with every calibration</h2>
+        <h2>{t("The same clouds with every calibration")}</h2>
         <p>
-          Every cloud of this verification is rebuilt with each of the {state.accepted} accepted calibrations. What differs from one calibration to the next
-          is the calibrations'; what differs from cloud to cloud is the arm's and the scanning's. It runs in the background.
+          {t(
+            "Every cloud of this verification is rebuilt with each of the {n} accepted calibrations. What differs from one calibration to the next is the calibrations'; what differs from cloud to cloud is the arm's and the scanning's. It runs in the background.",
+            { n: state.accepted },
+          )}
         </p>
         <PressButton kind="primary" onPress={begin}>
-          Rebuild with {state.accepted === 1 ? "the calibration" : `${state.accepted} calibrations`}
+          {counted(state.accepted, "Rebuild with the calibration", "Rebuild with {n} calibrations")}
         </PressButton>
       </div>
     );
@@ -76,12 +79,12 @@ interface Measure {
 
 const MEASURES: Record<StudyFile["shape"], [Measure, Measure]> = {
   plane: [
-    { of: (row) => row.angle_arcsec ?? 0, title: "Angle between the normals", unit: "″", both: false },
-    { of: (row) => row.z_error_um ?? 0, title: "Z error in the cloud's middle", unit: "µm", both: true },
+    { of: (row) => row.angle_arcsec ?? 0, title: words("Angle between the normals"), unit: "″", both: false },
+    { of: (row) => row.z_error_um ?? 0, title: words("Z error in the cloud's middle"), unit: "µm", both: true },
   ],
   sphere: [
-    { of: (row) => row.radius_error_um ?? 0, title: "Radius error", unit: "µm", both: true },
-    { of: (row) => row.centre_error_um ?? 0, title: "Distance between the centres", unit: "µm", both: false },
+    { of: (row) => row.radius_error_um ?? 0, title: words("Radius error"), unit: "µm", both: true },
+    { of: (row) => row.centre_error_um ?? 0, title: words("Distance between the centres"), unit: "µm", both: false },
   ],
 };
 
@@ -96,12 +99,12 @@ function Charts({ study, newer, begin }: { study: StudyFile; newer: boolean; beg
       values: study.rows.filter((row) => row.calibration === c).sort((a, b) => a.cloud - b.cloud).map(measure.of),
     }));
   const labels = study.clouds.map((name) => name.replace("Cloud ", ""));
-  const against = study.against_probe ? "against the touched gauge" : "against the mean of all";
+  const against = study.against_probe ? t("against the touched gauge") : t("against the mean of all");
   return (
     <>
       <div className={styles.again}>
         <CopyCsv tables={tables(study, measures)} />
-        {newer && <PressButton onPress={begin}>Rebuild with the newer ones too</PressButton>}
+        {newer && <PressButton onPress={begin}>{t("Rebuild with the newer ones too")}</PressButton>}
       </div>
       <ul className={styles.legend}>
         {study.calibrations.map((name, c) => (
@@ -113,13 +116,13 @@ function Charts({ study, newer, begin }: { study: StudyFile; newer: boolean; beg
       </ul>
       <div className={styles.charts}>
         {measures.map((measure) => (
-          <LinesChart key={measure.title} title={`${measure.title}, ${against}`} unit={measure.unit} lines={lines(measure)} labels={labels} both={measure.both} />
+          <LinesChart key={measure.title} title={`${t(measure.title)}, ${against}`} unit={measure.unit} lines={lines(measure)} labels={labels} both={measure.both} />
         ))}
         {study.between_clouds.length > 0 &&
           measures.map((measure, k) => (
             <RangeBars
               key={measure.title}
-              title={`${measure.title}: range over the clouds`}
+              title={t("{figure}: range over the clouds", { figure: t(measure.title) })}
               unit={measure.unit}
               bars={study.between_clouds.map((range) => ({ name: study.calibrations[range.of] ?? "", value: k ? range.second : range.first, colour: colour(range.of) }))}
             />
@@ -128,13 +131,13 @@ function Charts({ study, newer, begin }: { study: StudyFile; newer: boolean; beg
           measures.map((measure, k) => (
             <RangeBars
               key={measure.title}
-              title={`${measure.title}: range over the calibrations`}
+              title={t("{figure}: range over the calibrations", { figure: t(measure.title) })}
               unit={measure.unit}
-              bars={study.between_calibrations.map((range) => ({ name: study.clouds[range.of] ?? "", value: k ? range.second : range.first, colour: "var(--ink-3)" }))}
+              bars={study.between_calibrations.map((range) => ({ name: said(study.clouds[range.of] ?? ""), value: k ? range.second : range.first, colour: "var(--ink-3)" }))}
             />
           ))}
       </div>
-      {study.left_out.length > 0 && <p className={styles.note}>Left out: {study.left_out.join(" ")}</p>}
+      {study.left_out.length > 0 && <p className={styles.note}>{t("Left out:")} {study.left_out.map(said).join(" ")}</p>}
     </>
   );
 }
@@ -142,8 +145,8 @@ function Charts({ study, newer, begin }: { study: StudyFile; newer: boolean; beg
 function tables(study: StudyFile, measures: [Measure, Measure]): TableData[] {
   return [
     {
-      title: "Clouds and calibrations",
-      head: ["Calibration", "Cloud", ...measures.map(({ title, unit }) => ({ words: title, unit })), { words: "rms", unit: "µm" }],
+      title: words("Clouds and calibrations"),
+      head: [words("Calibration"), words("Cloud"), ...measures.map(({ title, unit }) => ({ words: title, unit })), { words: words("rms"), unit: "µm" }],
       rows: study.rows.map((row) => [
         study.calibrations[row.calibration] ?? "",
         study.clouds[row.cloud] ?? "",

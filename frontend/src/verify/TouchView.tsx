@@ -3,6 +3,7 @@ import legend from "../flow/ResidualLegend.module.css";
 import { RAMP_CSS, rampColour } from "../object/residuals";
 import { figures } from "../parts/format";
 import { measured, roundEnd, signedLength } from "../parts/lengths";
+import { t } from "../state/language";
 import { GaugeDrawing } from "./GaugeDrawing";
 import styles from "./TouchView.module.css";
 
@@ -18,7 +19,7 @@ export function TouchView({ picture }: TouchViewProps) {
       <div className={styles.view}>
         <GaugeDrawing shape={picture.shape} touching />
         <p className={styles.words}>
-          {picture.touches.length === 0 ? "Touch where the dots are; the order does not matter." : `${figures(picture.touches.length)} taken. A few more, and they are drawn here.`}
+          {picture.touches.length === 0 ? t("Touch where the dots are; the order does not matter.") : t("{n} taken. A few more, and they are drawn here.", { n: figures(picture.touches.length) })}
         </p>
       </div>
     );
@@ -31,7 +32,7 @@ export function TouchView({ picture }: TouchViewProps) {
   const dot = half / 28;
   return (
     <div className={styles.view}>
-      <svg className={styles.plot} viewBox={`${-half} ${-half} ${2 * half} ${2 * half}`} role="img" aria-label="Touches, seen from above">
+      <svg className={styles.plot} viewBox={`${-half} ${-half} ${2 * half} ${2 * half}`} role="img" aria-label={t("Touches, seen from above")}>
         {radius !== null ? (
           <circle r={radius} className={styles.gauge} />
         ) : (
@@ -49,7 +50,7 @@ export function TouchView({ picture }: TouchViewProps) {
       <div className={legend.legend}>
         <span>0</span>
         <span className={legend.ramp} style={{ background: RAMP_CSS }} />
-        <span>{measured(end, "µm")} off the gauge that fits them best; outward is positive</span>
+        <span>{t("{end} off the gauge that fits them best; outward is positive", { end: measured(end, "µm") })}</span>
       </div>
     </div>
   );

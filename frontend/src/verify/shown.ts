@@ -3,6 +3,7 @@ import type { CloudLine, FigureLine, VerdictLine, VerifyPicture } from "../api/v
 import { measured, signedLength } from "../parts/lengths";
 import type { Quality } from "../api/types";
 import { amount, type TableData } from "../parts/table";
+import { words } from "../state/language";
 
 /** What is looked at: the open verification, or one of the records. */
 export interface Shown {
@@ -21,10 +22,10 @@ export const QUALITY: Record<FigureLine["decision"], Quality> = {
 };
 
 export const WORD: Record<FigureLine["decision"], string> = {
-  pass: "Pass",
-  fail: "Fail",
-  uncertain: "Uncertain",
-  none: "No limit",
+  pass: words("Pass"),
+  fail: words("Fail"),
+  uncertain: words("Uncertain"),
+  none: words("No limit"),
 };
 
 const NOTHING: Omit<CloudLine, "number"> = {
@@ -63,15 +64,15 @@ export function worded({ name, value, unit }: Pick<FigureLine, "name" | "value" 
 }
 
 const COLUMNS: { name: keyof CloudLine; words: string; unit: string }[] = [
-  { name: "points", words: "Points", unit: "" },
-  { name: "used", words: "Used", unit: "" },
-  { name: "rms_um", words: "rms", unit: "µm" },
-  { name: "form_um", words: "Form", unit: "µm" },
-  { name: "angle_arcsec", words: "Angle", unit: "″" },
-  { name: "z_error_um", words: "Z error", unit: "µm" },
-  { name: "offset_error_um", words: "Distance", unit: "µm" },
-  { name: "radius_error_um", words: "Radius error", unit: "µm" },
-  { name: "centre_error_um", words: "Centre error", unit: "µm" },
+  { name: "points", words: words("Points"), unit: "" },
+  { name: "used", words: words("Used"), unit: "" },
+  { name: "rms_um", words: words("rms"), unit: "µm" },
+  { name: "form_um", words: words("Form"), unit: "µm" },
+  { name: "angle_arcsec", words: words("Angle"), unit: "″" },
+  { name: "z_error_um", words: words("Z error"), unit: "µm" },
+  { name: "offset_error_um", words: words("Distance"), unit: "µm" },
+  { name: "radius_error_um", words: words("Radius error"), unit: "µm" },
+  { name: "centre_error_um", words: words("Centre error"), unit: "µm" },
 ];
 
 /** The figures against their limits, and cloud by cloud. */
@@ -80,14 +81,14 @@ export function tablesOf({ clouds, figures: found }: Shown): TableData[] {
   const number = (value: unknown, unit: string) => (typeof value === "number" ? amount(value, unit ? 1 : 0, unit) : "–");
   return [
     {
-      title: "Figures",
-      head: ["Figure", "Value", "U (k = 2)", "Limit", "Unit", "Decision"],
+      title: words("Figures"),
+      head: [words("Figure"), words("Value"), words("U (k = 2)"), words("Limit"), words("Unit"), words("Decision")],
       rows: found.map((f) => [f.title, amount(f.value, 1, f.unit), amount(f.expanded_uncertainty, 1, f.unit), f.limit === null ? "–" : amount(f.limit, 0, f.unit), { unit: f.unit }, WORD[f.decision]]),
       wide: true,
     },
     {
-      title: "Clouds",
-      head: ["Cloud", ...known],
+      title: words("Clouds"),
+      head: [words("Cloud"), ...known],
       rows: clouds.map((cloud) => [`${cloud.number}`, ...known.map(({ name, unit }) => number(cloud[name], unit))]),
       wide: true,
     },
