@@ -6,7 +6,13 @@ import pytest
 
 import app  # noqa: F401  # sets the numerical libraries' threads before numpy is loaded
 
+FIRST = Path(__file__).parent / "api/test_flow.py"
+"""Counts what the station compiles while it works; other tests' loops would hide some."""
 SHARED = Path(__file__).resolve().parents[2] / "shared"
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    items.sort(key=lambda item: item.path != FIRST)
 
 
 @pytest.fixture(scope="session")

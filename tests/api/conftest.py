@@ -18,6 +18,7 @@ from app.main import build_app, make_server
 from app.station.warm_up import warm_up
 from hardware.twin.station import Twin, TwinConfig
 from tests.entering import cookie, enter
+from tests.loops import loops
 
 
 @dataclass
@@ -30,6 +31,8 @@ class Server:
     twin: Twin
     http: httpx.Client
     application: FastAPI
+    loops: dict[str, set[str]]
+    """What was compiled when it began to serve."""
 
     @property
     def address(self) -> str:
@@ -83,13 +86,14 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
         listening.bind(("127.0.0.1", 0))
         listening.listen()
         app = build_app(parts_of(twin, data))
+        compiled = loops()
         running = make_server(app)
         thread = threading.Thread(target=running.run, kwargs={"sockets": [listening]})
         thread.start()
         port = listening.getsockname()[1]
         with httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=20.0) as http:
             enter(http, app.state.context.entrance.code)
-            yield Server(port, data, app.state.context, twin, http, app)
+            yield Server(port, data, app.state.context, twin, http, app, compiled)
         running.should_exit = True
         thread.join(20.0)
         assert not thread.is_alive()

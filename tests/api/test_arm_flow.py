@@ -33,7 +33,7 @@ def do(server: Server, name: str, **args: object) -> View:
     return dict(answer.json())
 
 
-def wait(server: Server, ready: Callable[[View], bool], timeout_s: float = 90.0) -> View:
+def wait(server: Server, ready: Callable[[View], bool], timeout_s: float = 240.0) -> View:
     deadline = time.monotonic() + timeout_s
     while not ready(view := view_of(server)):
         assert time.monotonic() < deadline, view
