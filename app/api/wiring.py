@@ -121,12 +121,13 @@ def open_context(parts: Parts) -> Context:
     arm_guide = ArmGuide(arm_station, store.journal, store.folder, signing)
     guide.tip = lambda: tip_of(arm_guide, parts.due)
     verify_guide = VerifyGuide(
-        VerifyStation(bus, rig, jobs, scanner, scene, parts.hand, parts.name),
+        VerifyStation(bus, rig, jobs, scanner, scene, parts.hand),
         store.journal,
         store.calibrations,
         store.verifications,
         store.folder,
         parts.verification,
+        signing,
     )
     rig.arm.on_button = _buttons(guide, arm_guide, verify_guide)
     station = Station(parts.name, SOFTWARE.version, has_hand=simulated, simulated=simulated)

@@ -158,6 +158,8 @@ class VerificationFile(Document):
 
     id: str
     station: str
+    simulated: bool = False
+    """Made on simulated hardware."""
     operator: str
     """Who accepted it."""
     started_at: str

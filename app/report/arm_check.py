@@ -12,7 +12,15 @@ from app.metrology.frames import Floats
 from app.report.content import Facts, Pictures, Report, Section, Signatures, Table, Text, Verdict
 from app.report.figure import BLUE, FAINT, LINE, RED, SOFT, Dot, Figure, Shape
 from app.report.traced import inputs_section
-from app.report.words import UNKNOWN, micrometres, millimetres, moment, named, temperature
+from app.report.words import (
+    UNKNOWN,
+    demonstration,
+    micrometres,
+    millimetres,
+    moment,
+    named,
+    temperature,
+)
 
 WORDS = {
     "good": "Within the limit",
@@ -48,7 +56,7 @@ def arm_check_report(folder: Path) -> Report:
         Section("How the arm swung", [_swing(arm, seat.q_rad)]),
         inputs_section(folder, check.inputs, ARM_CHECK),
     ]
-    notes = ["Made on simulated hardware: a demonstration."] if check.simulated else []
+    notes = demonstration(check.simulated)
     return Report(
         title="Arm check",
         number=folder.resolve().name,

@@ -26,7 +26,15 @@ from app.report.content import (
 )
 from app.report.figure import Figure
 from app.report.traced import inputs_section
-from app.report.words import UNKNOWN, micrometres, millimetres, moment, named, temperature
+from app.report.words import (
+    UNKNOWN,
+    demonstration,
+    micrometres,
+    millimetres,
+    moment,
+    named,
+    temperature,
+)
 
 CALIBRATION = "calibration.json"
 SHOWN_POSES = 6
@@ -82,7 +90,7 @@ def calibration_report(folder: Path) -> Report:
 def _notes(accepted: Acceptance | None) -> list[str]:
     if accepted is None:
         return ["This calibration was not accepted at a station."]
-    return ["Made on simulated hardware: a demonstration."] if accepted.simulated else []
+    return demonstration(accepted.simulated)
 
 
 def _operator(sheet: CalibrationFile, accepted: Acceptance | None) -> str:

@@ -14,7 +14,15 @@ from app.report.content import Facts, Pictures, Report, Section, Signatures, Tab
 from app.report.figure import BLUE, FAINT, LINE, RED, SOFT, Dot, Figure, Shape
 from app.report.traced import inputs_section
 from app.report.verification import QUALITIES, WORDS
-from app.report.words import UNKNOWN, micrometres, millimetres, moment, named, temperature
+from app.report.words import (
+    UNKNOWN,
+    demonstration,
+    micrometres,
+    millimetres,
+    moment,
+    named,
+    temperature,
+)
 
 
 def tip_check_report(folder: Path) -> Report:
@@ -41,7 +49,7 @@ def tip_check_report(folder: Path) -> Report:
             Section("The touches", [Pictures([_touches(tips, check.limit_um)])]),
             inputs_section(folder, check.inputs, TIP_CHECK),
         ],
-        notes=["Made on simulated hardware: a demonstration."] if check.simulated else [],
+        notes=demonstration(check.simulated),
     )
 
 

@@ -27,7 +27,15 @@ from app.report.content import (
 from app.report.figure import BLUE, FAINT, GROUND, INK, LINE, ORANGE, RED, SOFT, Dot, Figure, Shape
 from app.report.gauge_figure import deviations
 from app.report.traced import inputs_section
-from app.report.words import UNKNOWN, micrometres, millimetres, moment, named, temperature
+from app.report.words import (
+    UNKNOWN,
+    demonstration,
+    micrometres,
+    millimetres,
+    moment,
+    named,
+    temperature,
+)
 
 WORDS = {"pass": "Pass", "fail": "Fail", "uncertain": "Undecided"}
 QUALITIES: dict[str, Quality] = {
@@ -66,6 +74,7 @@ def verification_report(folder: Path) -> Report:
         station=sheet.station,
         date=moment(sheet.accepted_at),
         verdict=Verdict(QUALITIES[result], WORDS[result], sheet.verdict.text),
+        notes=demonstration(sheet.simulated),
         sections=sections,
     )
 

@@ -42,3 +42,8 @@ def tied(text: str) -> str:
     """The text with numbers not parted from their units, and minus signs as printed."""
     tight = _UNITS.sub("\u00a0", text).replace("k = ", "k\u00a0=\u00a0")
     return _MINUS.sub("−", tight)
+
+
+def demonstration(simulated: bool) -> list[str]:
+    """What to know first of a record that was made without a real arm and sensor."""
+    return ["Made on simulated hardware: a demonstration."] if simulated else []

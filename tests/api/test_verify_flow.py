@@ -127,6 +127,7 @@ def test_a_plate_is_verified_by_the_hand_and_kept(desk: Desk, calibration: str) 
     record = read_verification(folder)
     assert record.operator == newest["operator"] != ""
     assert record.calibration.id == calibration
+    assert record.simulated
     assert record.gauge.serial_number == "TWIN-P1"
     assert record.temperature.end_c == 20.5
     assert len(record.clouds) == 3

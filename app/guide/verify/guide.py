@@ -21,6 +21,7 @@ from app.guide.hand import Hand
 from app.guide.journal import Journal, Row
 from app.guide.session import GuidedSession, new_session_id
 from app.guide.session_folder import CALIBRATION
+from app.guide.signing import UNSIGNED, Signing
 from app.guide.touching import sentence
 from app.guide.verify.flow import view_of
 from app.guide.verify.gauges import gauge_path, read_gauges
@@ -54,7 +55,6 @@ class VerifyStation:
     scanner: Scanner
     scene: Scene
     hand: Hand | None
-    name: str = ""
 
 
 class CalibratedWith(Protocol):
@@ -102,8 +102,10 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyView]):
         verifications: Verifications,
         data_folder: Path,
         limits: VerificationLimits = DEFAULT_LIMITS,
+        signing: Signing = UNSIGNED,
     ) -> None:
         super().__init__(station, journal, KIND, "verify", VerifyState(), after)
+        self.signing = signing
         self.calibrations, self.verifications = calibrations, verifications
         self._data_folder, self._limits = data_folder, limits
         self._gauges: tuple[float, Gauges] | None = None

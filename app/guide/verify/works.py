@@ -140,7 +140,8 @@ def record_of(
     probe = live.touched if state.by_probe and not isinstance(live.touched, Refusal) else None
     return VerificationFile(
         id=state.session_id,
-        station=guide.station.name,
+        station=guide.signing.station,
+        simulated=guide.signing.simulated,
         operator=operator,
         started_at=state.started_at,
         accepted_at=accepted_at,
