@@ -20,7 +20,17 @@ ROOMS = (
 )
 SILENT = (
     *("app/api/metrics.py", "app/api/wiring.py"),
-    *("app/files/cloud_pcd.py", "hardware/arm/protocol.py", "hardware/twin"),
+    *("hardware/arm/protocol.py", "hardware/twin", "app/files/recording_blocks.py"),
+    # what only the console says
+    *(f"app/files/cloud_{kind}.py" for kind in ("e57", "las", "library", "pcd", "tables", "xyz")),
+    *("app/files/ply.py", "app/files/identify.py", "app/files/extract.py", "app/files/verify.py"),
+    *("app/files/calibration_figures.py", "app/files/flange_poses.py"),
+    "app/files/arm_identification.py",
+    *(
+        f"app/metrology/adjustment/{name}.py"
+        for name in ("board_lines", "board_problem", "board_start", "mounting")
+    ),
+    "app/metrology/chessboard",
 )
 """Files of these rooms whose words are for machines."""
 MOST_FORMS = 16
@@ -28,12 +38,13 @@ MOST_FORMS = 16
 
 _LETTERS = re.compile(r"[^\W\d_]{2}")
 _PROGRAM = re.compile(
-    r"[<>\\_@#$]|::|\w=|\.\w{2,4}$|://|^/|[A-Z]+ (TABLE|INTO|FROM|OR|INDEX|BY)\b|[;:]$"
+    r"[<>\\_@#$]|::|\w ?= ?\?|\.\w{2,4}$|://|^/|[A-Z]+ (TABLE|INTO|FROM|OR|INDEX|BY)\b|[;:]$"
     r"|^\W*(SELECT|INSERT|UPDATE|DELETE|PRAGMA|CREATE|BEGIN|ALTER)\b|^\w+/|charset|must-reval"
     r"|repeat\(|^(VERSION|FIELDS|SIZE|TYPE|COUNT|WIDTH|HEIGHT|VIEWPOINT|POINTS|DATA)\b"
-    r"|^(element|property) |-src |max-age|no-store"
+    r"|^(element|property) |-src |frame-anc|max-age|no-store"
 )
 _SENTENCE = re.compile(r"^(?:.*[^\W\d_]{2}.* .*|.* .*[^\W\d_]{2}.*|[A-Z][a-zäöü]+[.:]?)$", re.S)
+_UNITS = re.compile(r"\b(mm|µm|nm|px|rms|ms|ns|rad|deg|GB|MB|UTC)\b")
 _PLACE = re.compile(r"\{\w+\}")
 _QUIET_CALLS = re.compile(r"^(log|logger|logging|re|warnings|struct|np|numpy|cv2|os|mimetypes)$")
 _QUIET_FUNCTIONS = frozenset(
@@ -76,7 +87,7 @@ def of_python(source: str) -> Iterator[str]:
 
 def is_said(text: str) -> bool:
     """Whether it is for people: words beside the places, and not the program's own."""
-    rest = _PLACE.sub("", text)
+    rest = _UNITS.sub("", _PLACE.sub("", text))
     if not _LETTERS.search(rest) or _PROGRAM.search(rest):
         return False
     return bool(_SENTENCE.match(text)) and text == text.strip()
