@@ -3,11 +3,13 @@ import { useComputedColorScheme, useMantineColorScheme } from "@mantine/core";
 import { MoonIcon, MutedIcon, SoundIcon, SunIcon } from "../parts/icons";
 import { t } from "../state/language";
 import { toggleMuted, useMuted } from "../state/sounds";
+import { LanguageMenu } from "./LanguageMenu";
 import styles from "./Toggles.module.css";
 
 export function Toggles() {
   return (
     <div className={styles.toggles}>
+      <LanguageMenu />
       <SoundToggle />
       <SchemeToggle />
     </div>

@@ -8,7 +8,7 @@ import { History } from "../arm/History";
 import { Layout } from "../frame/Layout";
 import { MainAct } from "../parts/Actions";
 import { t } from "../state/language";
-import { Chips } from "../verify/Chips";
+import { Chips } from "../parts/Chips";
 import { CardHead } from "../parts/CardHead";
 import { PressButton } from "../parts/PressButton";
 import { useLive } from "../state/store";

@@ -2,6 +2,7 @@ import { type FormEvent, type ReactNode, useState } from "react";
 
 import type { Session } from "../api/accessTypes";
 import { enterByCode, makeAdmin, signIn } from "../api/session";
+import { ChooseLanguage } from "../parts/ChooseLanguage";
 import { Mark } from "../parts/icons";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
@@ -24,6 +25,7 @@ export function EntrancePage({ session }: { session: Session }) {
         </div>
         <Way session={session} />
         <Told />
+        <ChooseLanguage id="entrance-language" />
       </div>
     </main>
   );

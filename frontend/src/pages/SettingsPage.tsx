@@ -6,6 +6,7 @@ import { LiveCamera } from "../image/LiveCamera";
 import { CardHead } from "../parts/CardHead";
 import { Findings } from "../parts/Findings";
 import { DelaySettings } from "../settings/DelaySettings";
+import { LanguageSettings } from "../settings/LanguageSettings";
 import { LineSettings } from "../settings/LineSettings";
 import { NumberSetting } from "../settings/NumberSetting";
 import styles from "../settings/Settings.module.css";
@@ -71,6 +72,7 @@ export function SettingsPage() {
             </p>
           </section>
           <DelaySettings settings={settings} />
+          <LanguageSettings />
         </>
       }
     />

@@ -1,19 +1,29 @@
 import { t, words } from "../state/language";
+import type { Values } from "../state/sentences";
 
-const SIDES: Record<string, string> = {
+const LEVELS: Record<string, string> = {
+  crest: words("crest {n}"),
+  floor: words("floor {n}"),
+  wall: words("wall {n}"),
+  base: words("base"),
+};
+const PLACES: Record<string, string> = {
   L: words("left"),
   R: words("right"),
   front: words("front"),
   back: words("back"),
+  "L:front": words("front left"),
+  "R:front": words("front right"),
+  "L:back": words("back left"),
+  "R:back": words("back right"),
 };
-const LEVELS: Record<string, string> = { crest: words("crest"), floor: words("floor") };
 
 /** "crest:2:L:front" as the trade says it: "crest 3, front left"; a pose before it stays. */
-export function cornerWords(name: string, say: (text: string) => string = t): string {
-  const [, pose] = /^pose (\d+) /.exec(name) ?? [];
-  if (pose) return `${say("pose")} ${pose}: ${cornerWords(name.slice(name.indexOf(pose) + pose.length + 1), say)}`;
-  const [level = "", ...rest] = name.split(":");
-  const number = /^\d+$/.test(rest[0] ?? "") ? ` ${Number(rest.shift()) + 1}` : "";
-  const place = rest.map((part) => say(SIDES[part] ?? part)).reverse();
-  return place.length > 0 ? `${say(LEVELS[level] ?? level)}${number}, ${place.join(" ")}` : name;
+export function cornerWords(name: string, say: (text: string, values?: Values) => string = t): string {
+  const [, pose, rest = name] = /^pose (\d+) (.*)$/.exec(name) ?? [];
+  if (pose) return `${say("Pose {n}", { n: pose })}: ${cornerWords(rest, say)}`;
+  const [, level = "", number, place = ""] = /^(\w+)(?::(\d+))?(?::([\w:]+))?$/.exec(name) ?? [];
+  const [where, part] = [PLACES[place], LEVELS[level]];
+  if (!where || !part) return name;
+  return `${say(part, { n: Number(number) + 1 })}, ${say(where)}`;
 }

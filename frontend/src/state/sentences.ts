@@ -16,7 +16,7 @@ const JOINTS = [SENTENCE_END, /( · )/, /(: )/, /(; )/, /(, )/];
 const HELD = 2000;
 
 /** The placeholders replaced by their values; one without a value stays. */
-export function filled(text: string, values: Values): string {
+export function filled(text: string, values: Values = {}): string {
   return text.replace(PLACE, (place, name: string) => String(values[name] ?? place));
 }
 

@@ -4,7 +4,7 @@ import type { CloudLine } from "../api/verifyTypes";
 import type { MapFile } from "../api/verifyFiles";
 import { lengthFigures, measured } from "../parts/lengths";
 import { t } from "../state/language";
-import { Chips } from "./Chips";
+import { Chips } from "../parts/Chips";
 import { deviationColour, deviationScale, DEVIATION_CSS } from "./colours";
 import styles from "./DeviationMap.module.css";
 import { useFile } from "./useFile";

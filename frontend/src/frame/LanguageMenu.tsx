@@ -1,0 +1,40 @@
+import { Popover } from "@mantine/core";
+import { useState } from "react";
+
+import { ChooseLanguage, ChooseUnits } from "../parts/ChooseLanguage";
+import { unitOf } from "../parts/lengths";
+import { nameOf, t, useLanguage } from "../state/language";
+import styles from "./LanguageMenu.module.css";
+import toggles from "./Toggles.module.css";
+
+/** This browser's language and units, read off in the bar and changed under it. */
+export function LanguageMenu() {
+  const language = useLanguage();
+  const [opened, setOpened] = useState(false);
+  const label = `${t("Language and units")}: ${nameOf(language)}, ${unitOf("mm")}`;
+  return (
+    <Popover opened={opened} onChange={setOpened} position="bottom-end" shadow="md" radius="md" trapFocus zIndex={310}>
+      <Popover.Target>
+        <button
+          type="button"
+          className={`${toggles.toggle} ${styles.sign}`}
+          aria-label={label}
+          title={label}
+          aria-haspopup="dialog"
+          aria-expanded={opened}
+          onClick={() => setOpened(!opened)}
+        >
+          <span>{language.toUpperCase()}</span>
+          <span>{unitOf("mm")}</span>
+        </button>
+      </Popover.Target>
+      <Popover.Dropdown className={styles.menu} aria-label={t("Language and units")}>
+        <p className={styles.title}>{t("Language")}</p>
+        <ChooseLanguage id="menu-language" />
+        <p className={styles.title}>{t("Lengths")}</p>
+        <ChooseUnits id="menu-units" />
+        <p className={styles.help}>{t("For this browser. Files, reports and CSV keep mm and µm.")}</p>
+      </Popover.Dropdown>
+    </Popover>
+  );
+}

@@ -1,0 +1,31 @@
+import styles from "./Chips.module.css";
+
+interface ChipsProps<T> {
+  label: string;
+  /** `lang` where a label is in that language. */
+  options: { value: T; label: string; lang?: string }[];
+  value: T;
+  onChange: (value: T) => void;
+  id?: string;
+}
+
+/** One of a few, large enough for gloves; nothing where there is no choice. */
+export function Chips<T extends string | number>({ label, options, value, onChange, id }: ChipsProps<T>) {
+  if (options.length < 2) return null;
+  return (
+    <div id={id} className={styles.chips} role="group" aria-label={label}>
+      {options.map((option) => (
+        <button
+          key={option.value}
+          type="button"
+          className={styles.chip}
+          aria-pressed={option.value === value}
+          lang={option.lang}
+          onClick={() => onChange(option.value)}
+        >
+          {option.label}
+        </button>
+      ))}
+    </div>
+  );
+}

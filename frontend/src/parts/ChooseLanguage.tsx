@@ -1,0 +1,36 @@
+import { chooseLanguage, LANGUAGES, nameOf, t, useLanguage } from "../state/language";
+import { chooseUnits, type Units, useUnits } from "../state/units";
+import { Chips } from "./Chips";
+
+/** What is pressed keeps the focus, where the page began anew under it. */
+function focusOn(group: string): void {
+  requestAnimationFrame(() => {
+    if (document.activeElement !== document.body) return;
+    document.getElementById(group)?.querySelector<HTMLElement>("[aria-pressed=true]")?.focus();
+  });
+}
+
+/** This browser's language, each by its own name. */
+export function ChooseLanguage({ id }: { id: string }) {
+  const language = useLanguage();
+  const choose = async (code: string) => {
+    await chooseLanguage(code);
+    focusOn(id);
+  };
+  const options = LANGUAGES.map((code) => ({ value: code, label: nameOf(code), lang: code }));
+  return <Chips id={id} label={t("Language")} options={options} value={language} onChange={(code) => void choose(code)} />;
+}
+
+/** What lengths are shown and typed in, in this browser. */
+export function ChooseUnits({ id }: { id: string }) {
+  const units = useUnits();
+  const choose = (now: Units) => {
+    chooseUnits(now);
+    focusOn(id);
+  };
+  const options: { value: Units; label: string }[] = [
+    { value: "metric", label: "mm, µm" },
+    { value: "inch", label: "inch, µin" },
+  ];
+  return <Chips id={id} label={t("Lengths")} options={options} value={units} onChange={choose} />;
+}
