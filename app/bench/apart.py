@@ -8,13 +8,48 @@ import time
 from collections.abc import Callable, Iterator
 from multiprocessing.connection import Connection
 
+import httpx
+from websockets.exceptions import ConnectionClosed
+
 from app.api.access import cookie_for
 from app.api.context import Context
 from app.api.wiring import Parts
 from app.main import build_app, make_server
+from app.metrology.refusal import Refusal
+from app.station.host import resident
 
 PATIENCE_S = 120.0
+MB = 1 << 20
 GUEST = "Bench"
+
+
+def stuck(what: str) -> Refusal:
+    """That the station under test, or a viewer of it, does not go on."""
+    return Refusal(
+        "bench-stuck",
+        f"Nothing was measured: {what}",
+        f"nothing came of it in {PATIENCE_S:.0f} s",
+        "run it again when the machine has less to do",
+    )
+
+
+@contextlib.contextmanager
+def breaks_told() -> Iterator[None]:
+    """Says so where the station under test does not answer, or has gone."""
+    try:
+        yield
+    except (httpx.TransportError, ConnectionClosed, EOFError, BrokenPipeError) as error:
+        raise Refusal(
+            "bench-broken",
+            "Nothing was measured: the station under test does not answer",
+            str(error) or type(error).__name__,
+            "run it again when the machine has less to do",
+        ) from error
+
+
+def memory_mb(process: int) -> float:
+    """What a process holds, by its id; NaN where the system does not say."""
+    return (resident(process) or float("nan")) / MB
 
 
 @contextlib.contextmanager
@@ -24,17 +59,19 @@ def apart(serve: Callable[..., None], *arguments: object) -> Iterator[tuple[Conn
     Yields our end of the pipe, once something has come through it, and the process's id.
 
     Raises:
-        TimeoutError: nothing came.
+        Refusal: nothing came, or the connection to it broke.
     """
     context = multiprocessing.get_context("spawn")
     ours, theirs = context.Pipe()
     process = context.Process(target=serve, args=(theirs, *arguments), daemon=True)
     process.start()
+    theirs.close()  # else the end of the process would not end the pipe
     try:
         if not ours.poll(PATIENCE_S):
-            raise TimeoutError("the station does not start")
-        yield ours, process.pid or 0
-        ours.send("stop")
+            raise stuck("the station does not start")
+        with breaks_told():
+            yield ours, process.pid or 0
+            ours.send("stop")
         process.join(20.0)
     finally:
         process.kill()

@@ -18,7 +18,7 @@ import httpx
 from websockets.sync.client import connect
 from websockets.sync.connection import Connection
 
-from app.bench.apart import GUEST, PATIENCE_S, served, sign_in
+from app.bench.apart import GUEST, PATIENCE_S, breaks_told, served, sign_in, stuck
 from app.demonstration import parts_of
 from app.files.progress import Progress, no_progress
 from hardware.twin.faults import Faults
@@ -88,13 +88,13 @@ def table(rows: list[FaultRow]) -> list[tuple[str, ...]]:
 
 
 def run(progress: Progress = no_progress) -> list[FaultRow]:
-    """Every failure in every step; ``TimeoutError`` where the station does not go on."""
+    """Every failure in every step; a refusal where the station does not go on."""
     with (
         tempfile.TemporaryDirectory(prefix="crenel-bench-") as folder,
         Twin(TwinConfig(pace=4.0)) as twin,
     ):
         parts = replace(parts_of(twin, Path(folder)), guest=GUEST)
-        with served(parts) as (station, port):
+        with breaks_told(), served(parts) as (station, port):
             signed_in = sign_in(station, port)
             with (
                 httpx.Client(
@@ -146,13 +146,13 @@ class _Told:
         """The monotonic time in s at which a device is told to be there, or not to be.
 
         Raises:
-            TimeoutError: it is not told.
+            Refusal: it is not told.
         """
         with self._changed:
             if not self._changed.wait_for(
                 lambda: self._there.get(device) is there, timeout=PATIENCE_S
             ):
-                raise TimeoutError(f"nothing is told of the {device}")
+                raise stuck(f"nothing is told of the {device}")
             return time.monotonic()
 
 
@@ -169,7 +169,7 @@ class _Bench:
         deadline_s = time.monotonic() + PATIENCE_S
         while not enough(view := self.view()):
             if time.monotonic() > deadline_s:
-                raise TimeoutError(f"the flow stays at {view['step']}")
+                raise stuck(f"the flow stays at {view['step']}")
             time.sleep(POLL_S)
         return view
 

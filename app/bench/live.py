@@ -16,7 +16,7 @@ import httpx
 import numpy as np
 
 from app.api.context import Context
-from app.bench.apart import GUEST, PATIENCE_S, apart, served, sign_in
+from app.bench.apart import GUEST, MB, PATIENCE_S, apart, memory_mb, served, sign_in, stuck
 from app.bench.watching import watching
 from app.files.progress import Progress, no_progress
 from app.files.recording import StripeRecord, open_recording
@@ -38,7 +38,6 @@ from hardware.twin.swift import (
 FOCAL_PX = 4400.0
 SETTLING_S = 60.0
 """What the memory grows by is told from then on, or from a quarter of a shorter run."""
-MB = 1 << 20
 
 
 @dataclass(frozen=True)
@@ -94,7 +93,7 @@ def table(found: LiveBench) -> list[tuple[str, str]]:
 
 
 def run(pace: Pace, seconds: float, progress: Progress = no_progress) -> LiveBench:
-    """Scans for so long; ``Refusal`` or an HTTP error where the station does not."""
+    """Scans for so long; a refusal or an HTTP error where the station does not."""
     with (
         tempfile.TemporaryDirectory(prefix="crenel-bench-") as folder,
         _station(Path(folder), pace) as station,
@@ -129,15 +128,6 @@ class _Station:
             words = Path(f"/proc/{self.pid}/stat").read_text().rsplit(")", 1)[1].split()
             return (int(words[11]) + int(words[12])) / 100
         return float("nan")
-
-
-def memory_mb(pid: int) -> float:
-    """A process's resident memory; NaN where the system does not say."""
-    with contextlib.suppress(OSError):
-        for line in Path(f"/proc/{pid}/status").read_text().splitlines():
-            if line.startswith("VmRSS:"):
-                return int(line.split()[1]) / 1024
-    return float("nan")
 
 
 def _scan(
@@ -198,7 +188,7 @@ def stopped(http: httpx.Client) -> dict[str, float]:
     deadline_s = time.monotonic() + PATIENCE_S
     while (scan := http.get("/api/scan").json())["state"] in ("running", "stopping"):
         if time.monotonic() > deadline_s:
-            raise TimeoutError("the scan does not end")
+            raise stuck("the scan does not end")
         time.sleep(0.1)
     return dict(scan)
 
@@ -213,6 +203,14 @@ def _station(data: Path, pace: Pace) -> Iterator[_Station]:
 
 def _serve(pipe: Connection, data: Path, pace: Pace) -> None:
     """In the station's process: until something comes through the pipe."""
+    with scanning(data, pace) as (station, port, clock):
+        pipe.send((port, clock.start_ns, sign_in(station, port)))
+        pipe.recv()
+
+
+@contextlib.contextmanager
+def scanning(data: Path, pace: Pace) -> Iterator[tuple[Context, int, SwiftClock]]:
+    """As ``serving``, and ready to scan: everything compiled, devices there, calibrated."""
     from app.station.warm_up import warm_up
 
     warm_up()
@@ -222,8 +220,7 @@ def _serve(pipe: Connection, data: Path, pace: Pace) -> None:
         calibration = swift_calibration(pace)
         station.rig.arm.set_model(calibration.arm)
         station.scanner.set_calibration(calibration)
-        pipe.send((port, clock.start_ns, sign_in(station, port)))
-        pipe.recv()
+        yield station, port, clock
 
 
 @contextlib.contextmanager

@@ -15,8 +15,8 @@ from pathlib import Path
 import httpx
 import numpy as np
 
-from app.bench.apart import apart, sign_in
-from app.bench.live import MB, memory_mb, serving
+from app.bench.apart import MB, apart, memory_mb, sign_in
+from app.bench.live import serving
 from app.bench.watching import watching
 from app.files.cloud_points import Points, packed
 from app.files.progress import Progress, no_progress

@@ -20,7 +20,7 @@ import numpy as np
 from websockets.asyncio.client import connect
 
 from app.bench.apart import apart, sign_in
-from app.bench.live import serving, stopped, swift_calibration
+from app.bench.live import scanning, stopped
 from app.bench.watching import PROTOCOL
 from app.files.progress import Progress, no_progress
 from app.station.bus import Bus
@@ -186,16 +186,8 @@ def _station(data: Path, pace: Pace) -> Iterator[tuple[int, dict[str, str]]]:
 
 def _serve(pipe: Connection, data: Path, pace: Pace) -> None:
     """In the station's process: until something comes through the pipe."""
-    from app.station.warm_up import warm_up
-
-    warm_up()
     ended = threading.Event()
-    with serving(data, pace) as (station, port, _):
-        while not station.rig.sensor.fresh:
-            time.sleep(0.05)
-        calibration = swift_calibration(pace)
-        station.rig.arm.set_model(calibration.arm)
-        station.scanner.set_calibration(calibration)
+    with scanning(data, pace) as (station, port, _):
         pulse = threading.Thread(target=_pulse, args=(station.bus, ended))
         pulse.start()
         pipe.send((port, sign_in(station, port)))

@@ -15,6 +15,7 @@ import zstandard
 from websockets.sync.client import connect
 from websockets.typing import Subprotocol
 
+from app.bench.apart import stuck
 from app.metrology.frames import Floats
 
 PROTOCOL = Subprotocol(f"viser-v{viser.__version__}")
@@ -56,15 +57,16 @@ def watching(
     arguments = (theirs, address, signed_in, start_ns, turn_rad_s, until_whole, coloured)
     process = context.Process(target=_watch, args=arguments, daemon=True)
     process.start()
+    theirs.close()
     if not ours.poll(PATIENCE_S):
-        raise TimeoutError("the viewer does not connect")
+        raise stuck("the viewer does not connect")
     ours.recv()
 
     def watched() -> Watched:
         if not (until_whole or coloured):
             ours.send("enough")
         if not ours.poll(PATIENCE_S):
-            raise TimeoutError("the viewer did not get the whole picture")
+            raise stuck("the viewer did not get the whole picture")
         found: Watched = ours.recv()
         return found
 

@@ -8,7 +8,7 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
-MEMINFO, STATUS = Path("/proc/meminfo"), Path("/proc/self/status")
+MEMINFO = Path("/proc/meminfo")
 JUMP_S = 1.0
 
 
@@ -22,13 +22,15 @@ class Memory:
 
 def memory() -> Memory:
     """Of this process, and what is free for all."""
-    return Memory(
-        _kilobytes(STATUS, "VmRSS") or _peak(),
-        _kilobytes(MEMINFO, "MemAvailable"),
-    )
+    return Memory(resident() or _peak(), _bytes(MEMINFO, "MemAvailable"))
 
 
-def _kilobytes(path: Path, key: str) -> int | None:
+def resident(process: int | None = None) -> int | None:
+    """Bytes of memory that a process holds, by its id, or this one; null where nobody tells."""
+    return _bytes(Path(f"/proc/{process or 'self'}/status"), "VmRSS")
+
+
+def _bytes(path: Path, key: str) -> int | None:
     try:
         for line in path.read_text().splitlines():
             if line.startswith(f"{key}:"):

@@ -1,0 +1,41 @@
+"""What a bench says where its station does not go on."""
+
+import math
+import os
+from multiprocessing.connection import Connection
+
+import pytest
+
+from app.bench import apart
+from app.metrology.refusal import Refusal
+
+
+def _gone(pipe: Connection) -> None:
+    pipe.send("ready")
+
+
+def _silent(pipe: Connection) -> None:
+    pipe.recv()
+
+
+def test_a_station_that_ends_is_told() -> None:
+    with (
+        pytest.raises(Refusal, match="the station under test does not answer"),
+        apart.apart(_gone) as (pipe, _),
+    ):
+        list(iter(pipe.recv, None))
+
+
+def test_a_station_that_does_not_start_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(apart, "PATIENCE_S", 0.1)
+    with (
+        pytest.raises(Refusal, match=r"does not start.*nothing came of it in") as told,
+        apart.apart(_silent),
+    ):
+        pass
+    assert "a file" not in told.value.line
+
+
+def test_the_memory_of_a_process_is_told() -> None:
+    assert apart.memory_mb(os.getpid()) > 10
+    assert math.isnan(apart.memory_mb(1 << 30))
