@@ -1,29 +1,35 @@
-"""A growing cloud in the 3D view: small nodes that are merged, thinned above a budget."""
+"""A growing cloud in the 3D view: small nodes that are merged, thinned above a budget.
+
+New points go out as they come, in small nodes. Those are merged into large nodes, each of
+points of one tier (see ``voxels``), so that thinning takes nodes away and sends none again:
+what is to be done at a time does not grow with the cloud.
+"""
 
 from dataclasses import dataclass
+from itertools import chain
 
 import numpy as np
 import viser
 from numpy.typing import NDArray
 
 from app.files.cloud_points import Points
+from app.metrology.compiled import kernel
 from app.metrology.frames import Floats
 from app.station.colours import Bytes
 from app.station.painter import Painter, Points32, Traits, traits_of
 from app.station.views import M_PER_MM
-from app.station.voxels import VoxelFilter
+from app.station.voxels import Tiers, Voxels
 
 FIRST_VOXEL_MM = 0.1
-# Above the budget the cubes grow by this, so that a surface shows half as many points.
-VOXEL_GROWTH = 2**0.5
 NODE_POINTS = 100_000
+FEW_POINTS = 4_000
 MOST_SMALL_NODES = 60
 SMALLEST_POINT_MM = 0.3
 
 
 @dataclass
 class _Node:
-    """A node of the scene, with what is needed to colour or thin it again."""
+    """A node of the scene, with what is needed to colour it again."""
 
     points_mm: Points32
     traits: Traits
@@ -33,7 +39,11 @@ class _Node:
 
     @property
     def newest_s(self) -> float:
-        return float(self.traits["taken_s"][-1])
+        return float(self.traits["taken_s"].max())
+
+    def part(self, which: slice | NDArray[np.int64]) -> "_Node":
+        """Some of its points, not shown yet."""
+        return _Node(self.points_mm[which], self.traits[which])
 
 
 class CloudView:
@@ -55,7 +65,7 @@ class CloudView:
 
     @property
     def voxel_mm(self) -> float:
-        """Of cubes of this size the first point is shown."""
+        """How far apart the shown points of a surface are, about."""
         return self._voxels.size_mm
 
     @property
@@ -99,7 +109,8 @@ class CloudView:
         places = np.empty((len(found), 3))
         for i, axis in enumerate("xyz"):
             places[:, i] = found[axis]
-        new = np.flatnonzero(self._voxels.take_new(places))
+        tiers = self._voxels.take(places)
+        new = np.flatnonzero(tiers >= 0)
         if not len(new):
             return
         points, traits = places[new], traits_of(found[new], taken_s[new])
@@ -107,25 +118,33 @@ class CloudView:
             self._painter.settle_range(self._painter.values(points, traits, float(taken_s[-1])))
         if not self._nodes:
             self._place_origin(points)
-        self._low_mm = np.minimum(self._low_mm, points.min(axis=0))
-        self._high_mm = np.maximum(self._high_mm, points.max(axis=0))
+        self._low_mm = np.minimum(self._low_mm, [axis.min() for axis in points.T])
+        self._high_mm = np.maximum(self._high_mm, [axis.max() for axis in points.T])
         self.newest_s = max(self.newest_s, float(traits["taken_s"][-1]))
         node = _Node((points - self._origin_mm).astype(np.float32), traits)
-        with self._server.atomic():
-            self._show(node)
-            self._small.append(node)
-            if not self.keep_budget() and (
-                len(self._small) >= MOST_SMALL_NODES
-                or sum(len(n.points_mm) for n in self._small) >= NODE_POINTS
-            ):
-                self._merge()
+        self._show(node)
+        self._small.append((node, tiers[new]))
+        if not self.keep_budget() and (
+            len(self._small) >= MOST_SMALL_NODES
+            or sum(len(n.points_mm) for n, _ in self._small) >= NODE_POINTS
+        ):
+            self._merge()
 
     def keep_budget(self) -> bool:
         """Thins what is shown where it is more than the budget; whether it was."""
-        if self._voxels.count <= self.budget:
+        finest = self._voxels.finest
+        while self._voxels.count > self.budget and self._voxels.coarsen():
+            continue
+        if self._voxels.finest == finest:
             return False
         with self._server.atomic():
-            self._thin()
+            for tier in range(finest, self._voxels.finest):
+                for node in self._large.pop(tier, []):
+                    _remove(node)
+            self._merge()
+            for node in self._nodes:
+                if node.handle is not None:
+                    node.handle.point_size = self._point_size
         return True
 
     def repaint(self, most_points: int) -> int:
@@ -144,22 +163,26 @@ class CloudView:
 
     @property
     def _nodes(self) -> list[_Node]:
-        return [*self._large, *self._small]
+        return [*chain.from_iterable(self._large.values()), *(node for node, _ in self._small)]
+
+    @property
+    def _point_size(self) -> float:
+        return M_PER_MM * max(1.4 * self._voxels.size_mm, SMALLEST_POINT_MM)
 
     @property
     def _colouring(self) -> tuple[int, int]:
         return self._painter.version, self._painter.age_step(self.newest_s)
 
     def _forget(self) -> None:
-        self._voxels = VoxelFilter(FIRST_VOXEL_MM)
-        self._small: list[_Node] = []
-        self._large: list[_Node] = []
+        self._voxels = Voxels(FIRST_VOXEL_MM)
+        self._small: list[tuple[_Node, Tiers]] = []
+        self._large: dict[int, list[_Node]] = {}
         self._origin_mm = np.zeros(3)
         self._low_mm, self._high_mm = np.full(3, np.inf), np.full(3, -np.inf)
         self.newest_s = 0.0
 
     def _in_arm(self, points: Points32) -> Floats:
-        return points + self._origin_mm
+        return moved(np.ascontiguousarray(points), self._origin_mm)
 
     def _place_origin(self, points_mm: Floats) -> None:
         """Float32 is exact to a tenth of a micrometre this near to the points."""
@@ -178,59 +201,67 @@ class CloudView:
             f"{self._root}/{self._made}",
             node.points_mm * np.float32(M_PER_MM),
             self._colours(node),
-            point_size=M_PER_MM * max(1.4 * self._voxels.size_mm, SMALLEST_POINT_MM),
+            point_size=self._point_size,
             point_shape="circle",
             point_shading="flat",
             precision="float32",
         )
 
     def _merge(self) -> None:
-        """Many small nodes become few large ones: a browser slows down with many."""
-        small, self._small = self._small, []
-        if self._large and len(self._large[-1].points_mm) < NODE_POINTS // 2:
-            small.insert(0, self._large.pop())
-        self._show_large(small)
+        """Many small nodes become few large ones: a browser slows down with many.
 
-    def _thin(self) -> None:
-        """Shows every point again through larger cubes, until the budget holds.
-
-        Node by node: work on millions of points at once would hold up the other threads.
+        Tiers of which there are only few points yet stay together in one small node.
         """
-        nodes = self._nodes
-        left = nodes
-        while sum(len(node.points_mm) for node in left) > self.budget:
-            self._voxels = VoxelFilter(self._voxels.size_mm * VOXEL_GROWTH)
-            left = [self._thinned(node) for node in left]
-        self._small, self._large = [], []
-        self._show_large(left)
-        for node in nodes:
-            _remove(node)
+        small, self._small = self._small, []
+        if not small:
+            return
+        tiers = np.concatenate([tiers for _, tiers in small])
+        order = np.argsort(tiers, kind="stable")
+        whole, tiers = _joined([node for node, _ in small]).part(order), tiers[order]
+        few = [np.zeros(0, dtype=np.int64)]
+        with self._server.atomic():
+            for tier in range(self._voxels.finest, int(tiers[-1]) + 1):
+                start, end = np.searchsorted(tiers, (tier, tier + 1))
+                if end - start >= FEW_POINTS:
+                    self._append(tier, whole.part(slice(start, end)))
+                else:
+                    few.append(np.arange(start, end))
+            rest = np.concatenate(few)
+            if len(rest):
+                self._small.append((whole.part(rest), tiers[rest]))
+                self._show(self._small[0][0])
+            for node, _ in small:
+                _remove(node)
 
-    def _thinned(self, node: _Node) -> _Node:
-        kept = self._voxels.take_new(self._in_arm(node.points_mm))
-        return _Node(node.points_mm[kept], node.traits[kept])
+    def _append(self, tier: int, node: _Node) -> None:
+        """Shows a node's points in large nodes of their tier; fills up the last of those."""
+        nodes = self._large.setdefault(tier, [])
+        last = nodes.pop() if nodes and len(nodes[-1].points_mm) < NODE_POINTS // 2 else None
+        if last is not None:
+            node = _joined([last, node])
+        for start in range(0, len(node.points_mm), NODE_POINTS):
+            nodes.append(node.part(slice(start, start + NODE_POINTS)))
+            self._show(nodes[-1])
+        if last is not None:
+            _remove(last)
 
-    def _show_large(self, nodes: list[_Node]) -> None:
-        """Shows the nodes' points as nodes of 100 000, then removes what they were shown as."""
-        waiting: list[_Node] = []
-        for node in nodes:
-            waiting.append(node)
-            if sum(len(one.points_mm) for one in waiting) >= NODE_POINTS:
-                self._show_together(waiting)
-                waiting = []
-        if waiting:
-            self._show_together(waiting)
-        for node in nodes:
-            _remove(node)
 
-    def _show_together(self, nodes: list[_Node]) -> None:
-        points = np.concatenate([node.points_mm for node in nodes])
-        traits = np.concatenate([node.traits for node in nodes])
-        for start in range(0, len(points), NODE_POINTS):
-            part = slice(start, start + NODE_POINTS)
-            large = _Node(points[part], traits[part])
-            self._show(large)
-            self._large.append(large)
+@kernel
+def moved(points: NDArray[np.float32], by: Floats) -> Floats:
+    """Points (N, 3) of less precision, and a vector (3,) added to each."""
+    found = np.empty(points.shape)
+    for i in range(len(points)):
+        for axis in range(3):
+            found[i, axis] = points[i, axis] + by[axis]
+    return found
+
+
+def _joined(nodes: list[_Node]) -> _Node:
+    """All their points, not shown yet."""
+    return _Node(
+        np.concatenate([node.points_mm for node in nodes]),
+        np.concatenate([node.traits for node in nodes]),
+    )
 
 
 def _remove(node: _Node) -> None:

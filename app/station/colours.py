@@ -7,6 +7,7 @@ along, the other runs from blue over a light grey to orange.
 import numpy as np
 from numpy.typing import NDArray
 
+from app.metrology.compiled import kernel
 from app.metrology.frames import Floats
 
 Bytes = NDArray[np.uint8]
@@ -76,14 +77,26 @@ BALANCE = np.concatenate(
 
 def painted(values: NDArray[np.floating], low: float, high: float, scale: Bytes) -> Bytes:
     """Colours (N, 3) of values (N,) between two limits; beyond them the outermost."""
-    share = (values - low) * ((STEPS - 1) / max(high - low, 1e-9))
-    known = np.isfinite(share)
-    if not known.all():
-        share = np.where(known, share, 0.0)
-    colours: Bytes = scale[np.clip(share, 0, STEPS - 1).astype(np.uint8)]
-    if not known.all():
-        colours[~known] = NO_VALUE
+    colours = np.empty((len(values), 3), dtype=np.uint8)
+    known = np.append(scale, [NO_VALUE], axis=0).astype(np.uint8)
+    _paint(np.ascontiguousarray(values, dtype=np.float64), low, high, known, colours)
     return colours
+
+
+@kernel
+def _paint(
+    values: Floats, low: float, high: float, scale: Bytes, colours: Bytes
+) -> None:  # pragma: no cover - compiled
+    """The last of the scale is the colour of what has no value."""
+    steps = len(scale) - 1
+    by = (steps - 1) / max(high - low, 1e-9)
+    for i in range(len(values)):
+        at = steps
+        if np.isfinite(values[i]):
+            at = int(min(max((values[i] - low) * by, 0.0), steps - 1.0))
+        colour = scale[at]
+        for channel in range(3):
+            colours[i, channel] = colour[channel]
 
 
 def stops_of(scale: Bytes, count: int = 17) -> tuple[str, ...]:

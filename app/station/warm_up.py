@@ -28,7 +28,9 @@ from app.metrology.refusal import Refusal
 from app.metrology.scene import Scene, edge_rows
 from app.metrology.stripe import extract_stripe
 from app.metrology.stripe_band import StripeBand
-from app.station.voxels import VoxelFilter
+from app.station.cloud_view import moved
+from app.station.colours import SCALE, painted
+from app.station.voxels import Voxels
 
 WIDTH_PX, HEIGHT_PX, FOCAL_PX = 320, 256, 625.0
 FINER = 4
@@ -115,7 +117,15 @@ def warm_up_block() -> None:
     rows = edge_rows(Scene(found.camera, LEVEL, BLOCK), found.edges)
     judged(rows)
     neighbours_alike(rows.places, rows.residuals)
-    VoxelFilter(1.0).take_new(np.zeros((MANY_POINTS, 3)))
+    warm_up_display()
+
+
+def warm_up_display() -> None:
+    """Runs the loops that thin and colour what is shown."""
+    points = np.linspace(0.0, 1e5, 3 * MANY_POINTS).reshape(-1, 3)
+    Voxels(1.0).take(points)
+    placed = moved(points.astype(np.float32), points[0])
+    painted(placed[:, 2], 0.0, 1.0, SCALE)
 
 
 PARTS = (warm_up_stripes, warm_up_block)

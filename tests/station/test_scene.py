@@ -14,7 +14,6 @@ from app.metrology.laser_plane import LaserPlane
 from app.station.ruler import round_length_mm
 from app.station.scene import WINDOW_MESSAGES, Scene
 from app.station.shapes import block_mesh, box, link_path, measuring_field, tube
-from app.station.voxels import VoxelFilter
 from tests.station.conftest import REST_RAD, six_axis_arm, until
 from tests.station.viewer import Viewer
 
@@ -59,7 +58,7 @@ def test_points_come_to_the_browser_where_they_are_to_a_micrometre(
 ) -> None:
     points = surface(3000)
     add(scene, points)
-    until(lambda: scene.points_shown > 0)
+    until(lambda: viewer.listen(0.1).clouds())
     shown = np.concatenate(list(viewer.listen().clouds().values()))
     assert len(shown) == scene.points_shown
     distance = np.linalg.norm(shown[:, None] - points[None], axis=2).min(axis=1)
@@ -102,7 +101,7 @@ def test_small_nodes_are_merged(scene: Scene, viewer: Viewer) -> None:
     with scene._lock:
         for points in add_many:
             scene._clouds.add("", records(points), np.zeros(len(points)))
-    assert len(viewer.listen().clouds()) < 20
+    assert len(viewer.listen().clouds()) < 40
 
 
 def test_a_late_viewer_gets_everything_in_small_windows(scene: Scene) -> None:
@@ -216,24 +215,6 @@ def test_a_port_of_its_own_on_the_loopback_only(scene: Scene) -> None:
     assert other.port != scene.port
     assert other._server.get_host() == "127.0.0.1"
     other.close()
-
-
-def test_the_first_point_of_each_cube_is_shown() -> None:
-    voxels = VoxelFilter(1.0)
-    points = np.array([[0.1, 0.1, 0.1], [0.9, 0.9, 0.9], [-0.1, 0.5, 0.5], [np.nan, 0, 0]])
-    assert voxels.take_new(points).tolist() == [True, False, True, False]
-    assert voxels.take_new(points).tolist() == [False] * 4
-    assert voxels.count == 2
-
-
-def test_many_cubes_are_told_apart_as_numpy_does() -> None:
-    random = np.random.default_rng(3)
-    voxels = VoxelFilter(0.5)
-    batches = [random.normal(0, 20, (40_000, 3)) for _ in range(5)]
-    shown = [batch[voxels.take_new(batch)] for batch in batches]
-    cubes = np.unique(np.floor(np.concatenate(batches) / 0.5), axis=0)
-    assert voxels.count == len(cubes)
-    np.testing.assert_array_equal(np.unique(np.floor(np.concatenate(shown) / 0.5), axis=0), cubes)
 
 
 def test_a_link_runs_from_the_frame_before_to_its_own() -> None:
