@@ -1,5 +1,5 @@
 import { Popover } from "@mantine/core";
-import { useState } from "react";
+import { type ReactNode, useState } from "react";
 
 import { ChooseLanguage, ChooseUnits } from "../parts/ChooseLanguage";
 import { unitOf } from "../parts/lengths";
@@ -7,8 +7,9 @@ import { nameOf, t, useLanguage } from "../state/language";
 import styles from "./LanguageMenu.module.css";
 import toggles from "./Toggles.module.css";
 
-/** This browser's language and units, read off in the bar and changed under it. */
-export function LanguageMenu() {
+/** This browser's language and units, read off in the bar and changed under it; on a phone with
+ *  what else is this browser's own. */
+export function LanguageMenu({ children }: { children: ReactNode }) {
   const language = useLanguage();
   const [opened, setOpened] = useState(false);
   const label = `${t("Language and units")}: ${nameOf(language)}, ${unitOf("mm")}`;
@@ -33,6 +34,7 @@ export function LanguageMenu() {
         <ChooseLanguage id="menu-language" />
         <p className={styles.title}>{t("Lengths")}</p>
         <ChooseUnits id="menu-units" />
+        <div className={styles.narrow}>{children}</div>
         <p className={styles.help}>{t("For this browser. Files, reports and CSV keep mm and µm.")}</p>
       </Popover.Dropdown>
     </Popover>

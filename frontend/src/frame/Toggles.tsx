@@ -9,9 +9,14 @@ import styles from "./Toggles.module.css";
 export function Toggles() {
   return (
     <div className={styles.toggles}>
-      <LanguageMenu />
-      <SoundToggle />
-      <SchemeToggle />
+      <LanguageMenu>
+        <SoundToggle />
+        <SchemeToggle />
+      </LanguageMenu>
+      <span className={styles.wide}>
+        <SoundToggle />
+        <SchemeToggle />
+      </span>
     </div>
   );
 }

@@ -46,7 +46,7 @@ function Fine({ item }: { item: HealthItem }) {
   return (
     <li>
       <details>
-        <summary>
+        <summary data-more={t("Why")} data-less={t("Less")}>
           <QualityMark quality={item.quality} size="1.25rem" />
           <span className={styles.name}>{item.title}</span>
           <span className={styles.short}>{bound(item.what)}</span>
