@@ -98,12 +98,11 @@ def _advice(touch: TouchReport) -> list[Finding]:
     if not told.more:
         return []
     total = sum(count for _, count in told.more)
-    bring = "brings" if total == 1 else "bring"
     words = told.words
     if len(told.more) > LISTED_FACES:
         face, most = told.more[0]
         words = f"{total} more over all faces, {most} of them on the {face} face,"
-    text = f"{known}; {words} {bring} {told.then_um:.0f} µm."
+    text = f"{known}; {words} {'brings' if total == 1 else 'bring'} {told.then_um:.0f} µm."
     if not told.reaches:
         text = f"{text[:-1]}, {touch.target_um:.0f} µm are wanted."
     return [Finding("neutral", text, "Spread them wide, clear of the edges.")]

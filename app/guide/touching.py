@@ -26,8 +26,8 @@ EDGE_MARGIN_MM = 1.0
 TITLES = {
     "crest": "Crests (top)",
     "floor": "Floors (grooves)",
-    "front": "Front",
-    "back": "Back",
+    "front": "Front face",
+    "back": "Back face",
     "left": "Left end",
     "right": "Right end",
 }

@@ -31,6 +31,7 @@ SILENT = (
         for name in ("board_lines", "board_problem", "board_start", "mounting")
     ),
     "app/metrology/chessboard",
+    "app/metrology/lanes.py",
 )
 """Files of these rooms whose words are for machines."""
 MOST_FORMS = 16
@@ -38,12 +39,15 @@ MOST_FORMS = 16
 
 _LETTERS = re.compile(r"[^\W\d_]{2}")
 _PROGRAM = re.compile(
-    r"[<>\\_@#$]|::|\w ?= ?\?|\.\w{2,4}$|://|^/|[A-Z]+ (TABLE|INTO|FROM|OR|INDEX|BY)\b|[;:]$"
+    r"[<>\\_@#$]|::|=\"|filename|\w ?= ?\?|\.\w{2,4}$|://|^/|[;:]$"
+    r"|[A-Z]+ (TABLE|INTO|FROM|OR|INDEX|BY)\b|^WHERE "
     r"|^\W*(SELECT|INSERT|UPDATE|DELETE|PRAGMA|CREATE|BEGIN|ALTER)\b|^\w+/|charset|must-reval"
     r"|repeat\(|^(VERSION|FIELDS|SIZE|TYPE|COUNT|WIDTH|HEIGHT|VIEWPOINT|POINTS|DATA)\b"
     r"|^(element|property) |-src |frame-anc|max-age|no-store"
 )
-_SENTENCE = re.compile(r"^(?:.*[^\W\d_]{2}.* .*|.* .*[^\W\d_]{2}.*|[A-Z][a-zäöü]+[.:]?)$", re.S)
+_SENTENCE = re.compile(
+    r"^(?:.*[^\W\d_]{2}.* .*|.* .*[^\W\d_]{2}.*|[A-Z][a-z]+(?:-[a-z]+)?[.:]?)$", re.S
+)
 _UNITS = re.compile(r"\b(mm|µm|nm|px|rms|ms|ns|rad|deg|GB|MB|UTC)\b")
 _PLACE = re.compile(r"\{\w+\}")
 _QUIET_CALLS = re.compile(r"^(log|logger|logging|re|warnings|struct|np|numpy|cv2|os|mimetypes)$")

@@ -7,10 +7,17 @@ WORDS = (
     *("plane", "sphere", "cylinder", "plate", "block", "board", "gauge", "bar", "seat", "part"),
     *("arm", "sensor", "object", "camera", "laser", "tip", "calibration", "verification", "scan"),
     *("Plane", "Sphere", "Cylinder", "Plate"),
+    # papers of the simulated devices
+    *("Simulated six-axis arm", "Simulated crenellated block", "Simulated stripe sensor"),
+    *("Simulated gauge plate", "Simulated gauge sphere", "Simulated arm", "Simulated camera"),
     # how something is, or which way it goes
     *("warmer", "colder", "above", "below", "left of", "right of", "on", "off", "none", "unknown"),
     # lights of a picture
     *("ambient", "both"),
+    # what the code puts together of pieces
+    *("Touch {missing}", "{count} more on the {face} face"),
+    *(f"tilt {way} {{deg}}°" for way in ("right", "left", "to the back", "to the front")),
+    *(f"turn {way} {{deg}}°" for way in ("anticlockwise", "clockwise")),
     # counted
     *("{n} day", "{n} days", "{n} hour", "{n} hours", "{n} minute", "{n} minutes"),
     *("{n} point", "{n} points", "{n} pose", "{n} poses", "{n} touch", "{n} touches"),

@@ -29,13 +29,15 @@ import { theme } from "./theme";
 const root = document.getElementById("root");
 if (!root) throw new Error("the page has no #root");
 
+// it reads the address, of which a link leaves nothing
+const language = startLanguage();
 startLive();
 void startSession();
 // a link put into the address of a page that is open
 window.addEventListener("hashchange", () => void startSession());
 unlockSound();
 startTelling();
-await startLanguage();
+await language;
 createRoot(root).render(
   <StrictMode>
     <MantineProvider theme={theme} defaultColorScheme="auto">

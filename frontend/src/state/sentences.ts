@@ -9,93 +9,117 @@ interface Template {
   other: string;
 }
 
+/** In the other language, and how many letters of it are not. */
+interface Said {
+  text: string;
+  left: number;
+}
+
 const PLACE = /\{(\w+)\}/g;
 const SENTENCE_END = /(?<=[.?]) (?=[A-Z])/;
 /** Where a text is put together of others, the loosest joint first. */
 const JOINTS = [SENTENCE_END, /( · )/, /(: )/, /(; )/, /(, )/];
+const UNITS = new Set(["mm", "µm", "µs", "ms", "ns", "px", "rms", "Hz", "fps", "GB", "MB", "UTC", "rad", "min"]);
 const HELD = 2000;
 
 /** The placeholders replaced by their values; one without a value stays. */
-export function filled(text: string, values: Values = {}): string {
+export function filled(text: string, values: Values): string {
   return text.replace(PLACE, (place, name: string) => String(values[name] ?? place));
 }
 
 /**
  * Ready English sentences by the templates they were made of. A sentence is looked up as it is,
- * then by the templates with placeholders, then in parts; what a placeholder caught is looked up
- * in turn. What is not known stays as it is.
+ * then by the templates with placeholders and in parts, whichever leaves least in English; what a
+ * placeholder caught is looked up in turn. What is not known stays as it is.
  */
 export class Sentences {
   private readonly strings: Strings;
   private readonly templates = new Map<string, Template[]>();
-  private readonly held = new Map<string, string>();
+  private readonly held = new Map<string, Said>();
 
   constructor(strings: Strings) {
     this.strings = strings;
     const open = Object.keys(strings).filter((text) => text.includes("{"));
-    // the more a template says itself, the better it fits
-    const said = (text: string) => text.replace(PLACE, "").length;
-    for (const text of open.sort((a, b) => said(b) - said(a))) {
+    // of two that fit alike, the one that says more itself
+    const own = (text: string) => text.replace(PLACE, "").length;
+    for (const text of open.sort((a, b) => own(b) - own(a))) {
       const key = keyOf(text);
       this.templates.set(key, [...(this.templates.get(key) ?? []), template(text, strings[text] ?? text)]);
     }
   }
 
   said(text: string): string {
-    let said = this.held.get(text);
-    if (said === undefined) {
-      said = this.known(text) ?? text;
+    return this.best(text).text;
+  }
+
+  private best(text: string): Said {
+    let best = this.held.get(text);
+    if (best === undefined) {
+      best = this.found(text);
       if (this.held.size >= HELD) this.held.clear();
-      this.held.set(text, said);
+      this.held.set(text, best);
     }
-    return said;
+    return best;
   }
 
-  private known(text: string): string | null {
-    if (!/\p{L}{2}/u.test(text)) return null;
-    return this.whole(text) ?? this.parts(text);
+  private found(text: string): Said {
+    let best = { text, left: letters(text) };
+    if (best.left === 0) return best;
+    for (const said of this.ways(text)) {
+      if (said.left < best.left) best = said;
+      if (best.left === 0) break;
+    }
+    return best;
   }
 
-  /** As it is, with or without its full stop, and with its first letter either way. */
-  private whole(text: string): string | null {
-    const found = this.one(text);
-    if (found !== null) return found;
+  /** As it is, with or without its full stop, with its first letter either way, and in parts. */
+  private *ways(text: string): Generator<Said> {
+    yield* this.one(text);
     const stop = text.endsWith(".");
-    const other = this.one(stop ? text.slice(0, -1) : `${text}.`);
-    if (other !== null) return stop ? `${other}.` : other.replace(/\.$/, "");
+    for (const { text: said, left } of this.one(stop ? text.slice(0, -1) : `${text}.`)) {
+      yield { text: stop ? `${said}.` : said.replace(/\.$/, ""), left };
+    }
     const first = text.charAt(0);
     const lower = first.toLowerCase();
-    if (first === lower) return this.strings[first.toUpperCase() + text.slice(1)] ?? null;
-    const begun = this.strings[lower + text.slice(1)];
-    return begun === undefined ? null : begun.charAt(0).toUpperCase() + begun.slice(1);
+    const other = (first === lower ? first.toUpperCase() : lower) + text.slice(1);
+    if (other !== text) {
+      for (const { text: said, left } of this.one(other)) {
+        yield { text: first === lower ? said : said.charAt(0).toUpperCase() + said.slice(1), left };
+      }
+    }
+    yield* this.parts(text);
   }
 
-  private one(text: string): string | null {
-    return this.strings[text] ?? this.fitted(text);
-  }
-
-  private fitted(text: string): string | null {
+  private *one(text: string): Generator<Said> {
+    const exact = this.strings[text];
+    if (exact !== undefined) yield { text: exact, left: 0 };
     const words = text.split(" ");
     for (const key of [`${words[0]} `, ` ${words.at(-1)}`, ""]) {
       for (const { pattern, names, other } of this.templates.get(key) ?? []) {
         const caught = pattern.exec(text)?.slice(1);
         // a placeholder never stands for the end of one sentence and the beginning of the next
         if (!caught || caught.some((part) => SENTENCE_END.test(part))) continue;
-        return filled(other, Object.fromEntries(names.map((name, i) => [name, this.said(caught[i] ?? "")])));
+        const said = caught.map((part) => this.best(part));
+        const values = Object.fromEntries(names.map((name, i) => [name, said[i]?.text ?? ""]));
+        yield { text: filled(other, values), left: said.reduce((sum, part) => sum + part.left, 0) };
       }
     }
-    return null;
   }
 
-  private parts(text: string): string | null {
+  private *parts(text: string): Generator<Said> {
     for (const joint of JOINTS) {
       const pieces = text.split(joint);
       if (pieces.length === 1) continue;
-      const said = pieces.map((piece) => this.said(piece));
-      if (said.some((piece, i) => piece !== pieces[i])) return said.join(joint === SENTENCE_END ? " " : "");
+      const said = pieces.map((piece) => this.best(piece));
+      const left = said.reduce((sum, part) => sum + part.left, 0);
+      yield { text: said.map((part) => part.text).join(joint === SENTENCE_END ? " " : ""), left };
     }
-    return null;
   }
+}
+
+/** How much of a text is words; what is a number with its unit is none. */
+function letters(text: string): number {
+  return Array.from(text.matchAll(/\p{L}{2,}/gu), ([word]) => (UNITS.has(word) ? 0 : word.length)).reduce((sum, n) => sum + n, 0);
 }
 
 /** What a text must begin or end with to fit: a whole word of the template, where it has one there. */

@@ -1,0 +1,141 @@
+"""Ready English sentences in another language, as frontend/src/state/sentences.ts does it.
+
+Pure: a text is looked up as it is, then by the templates with places and in parts, whichever
+leaves least in English; what a place caught is looked up in turn. What is not known stays.
+"""
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cache
+
+from app.strings.files import ENGLISH, strings_of
+
+PLACE = re.compile(r"\{(\w+)\}")
+SENTENCE_END = re.compile(r"(?<=[.?]) (?=[A-Z])")
+JOINTS = (SENTENCE_END, *(re.compile(f"({joint})") for joint in (" · ", ": ", "; ", ", ")))
+"""Where a text is put together of others, the loosest joint first."""
+UNITS = frozenset(
+    ["mm", "µm", "µs", "ms", "ns", "px", "rms", "Hz", "fps", "GB", "MB", "UTC", "rad", "min"]
+)
+_WORDS = re.compile(r"[^\W\d_]{2,}")
+
+
+@dataclass(frozen=True)
+class Said:
+    """A text in the other language, and how many letters of it are not."""
+
+    text: str
+    left: int
+    missed: frozenset[str] = frozenset()
+    """What of it was not known."""
+
+
+class Sentences:
+    """Every sentence of one language."""
+
+    def __init__(self, strings: Mapping[str, str]) -> None:
+        self._strings = strings
+        self._templates: dict[str, list[tuple[re.Pattern[str], list[str], str]]] = {}
+        self._held: dict[str, Said] = {}
+        for text in sorted((text for text in strings if "{" in text), key=_said_by_itself):
+            names = PLACE.findall(text)
+            literals = (re.escape(literal) for literal in re.split(r"\{\w+\}", text))
+            pattern = re.compile("(.*?)".join(literals), re.S)
+            self._templates.setdefault(_key(text), []).append((pattern, names, strings[text]))
+
+    def said(self, text: str) -> str:
+        """The text in the language."""
+        return self.best(text).text
+
+    def best(self, text: str) -> Said:
+        """Of all ways to say it, the one that leaves least in English."""
+        if text not in self._held:
+            self._held[text] = self._found(text)
+        return self._held[text]
+
+    def _found(self, text: str) -> Said:
+        best = Said(text, _letters(text), frozenset({text}))
+        if best.left == 0:
+            return Said(text, 0)
+        for said in self._ways(text):
+            if said.left < best.left:
+                best = said
+            if best.left == 0:
+                break
+        return best
+
+    def _ways(self, text: str) -> Iterator[Said]:
+        """As it is, with or without its full stop, with its first letter either way, in parts."""
+        yield from self._one(text)
+        stop = text.endswith(".")
+        for said in self._one(text[:-1] if stop else f"{text}."):
+            yield replace(said, text=f"{said.text}." if stop else said.text.removesuffix("."))
+        small = text[:1] == text[:1].lower()
+        other = (text[:1].upper() if small else text[:1].lower()) + text[1:]
+        if other != text:
+            for said in self._one(other):
+                yield said if small else replace(said, text=said.text[:1].upper() + said.text[1:])
+        yield from self._parts(text)
+
+    def _one(self, text: str) -> Iterator[Said]:
+        if text in self._strings:
+            yield Said(self._strings[text], 0)
+        words = text.split(" ")
+        for key in (f"{words[0]} ", f" {words[-1]}", ""):
+            for pattern, names, other in self._templates.get(key, ()):
+                match = pattern.fullmatch(text)
+                # a place never stands for the end of one sentence and the beginning of the next
+                if match is None or any(SENTENCE_END.search(part) for part in match.groups()):
+                    continue
+                caught = [self.best(part) for part in match.groups()]
+                values = {name: said.text for name, said in zip(names, caught, strict=True)}
+                yield _together(filled(other, values), caught)
+
+    def _parts(self, text: str) -> Iterator[Said]:
+        for joint in JOINTS:
+            pieces = joint.split(text)
+            if len(pieces) > 1:
+                said = [self.best(piece) for piece in pieces]
+                space = " " if joint is SENTENCE_END else ""
+                yield _together(space.join(part.text for part in said), said)
+
+
+def filled(text: str, values: Mapping[str, object]) -> str:
+    """The places replaced by their values; one without a value stays."""
+    return PLACE.sub(lambda place: str(values.get(place[1], place[0])), text)
+
+
+@cache
+def sentences_of(language: str) -> Sentences:
+    """The sentences of a language; English has none to look up.
+
+    Raises:
+        FileNotFoundError: there is no such language.
+    """
+    return Sentences({} if language == ENGLISH else strings_of(language))
+
+
+def _together(text: str, parts: Sequence[Said]) -> Said:
+    left = sum(part.left for part in parts)
+    return Said(text, left, frozenset[str]().union(*(part.missed for part in parts)))
+
+
+def _letters(text: str) -> int:
+    """How much of a text is words; what is a number with its unit is none."""
+    return sum(len(word) for word in _WORDS.findall(text) if word not in UNITS)
+
+
+def _said_by_itself(text: str) -> int:
+    """Of two templates that fit alike, the one that says more itself is tried first."""
+    return -len(PLACE.sub("", text))
+
+
+def _key(text: str) -> str:
+    """What a text must begin or end with to fit: a whole word, where the template has one there."""
+    words = text.split(" ")
+    if len(words) > 1 and "{" not in words[0]:
+        return f"{words[0]} "
+    if len(words) > 1 and "{" not in words[-1]:
+        return f" {words[-1]}"
+    return ""
