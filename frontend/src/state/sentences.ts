@@ -23,7 +23,7 @@ const UNITS = new Set(["mm", "µm", "µs", "ms", "ns", "px", "rms", "Hz", "fps",
 const HELD = 2000;
 
 /** The placeholders replaced by their values; one without a value stays. */
-export function filled(text: string, values: Values): string {
+export function filled(text: string, values: Values = {}): string {
   return text.replace(PLACE, (place, name: string) => String(values[name] ?? place));
 }
 
