@@ -7,8 +7,8 @@ import { nameOf, t, useLanguage } from "../state/language";
 import styles from "./LanguageMenu.module.css";
 import toggles from "./Toggles.module.css";
 
-/** This browser's language and units, read off in the bar and changed under it; on a phone with
- *  what else is this browser's own. */
+/** This browser's language and units, read off in the bar and changed under it; where there is
+ *  little room with what else is this browser's own. */
 export function LanguageMenu({ children }: { children: ReactNode }) {
   const language = useLanguage();
   const [opened, setOpened] = useState(false);
