@@ -129,6 +129,18 @@ def _load(context: Any, array: Any, index: Any) -> Any:
     return _LANES(array, types.uintp), generate
 
 
+def _load_whole(context: Any, array: Any, index: Any) -> Any:
+    """The sixteen whole numbers of an array from ``index`` on, none below zero."""
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        data = context.make_array(signature.args[0])(context, builder, arguments[0]).data
+        kind = ir.VectorType(data.type.pointee, int(WIDTH))
+        place = builder.bitcast(builder.gep(data, [arguments[1]]), kind.as_pointer())
+        return builder.uitofp(builder.load(place, align=1), _LANES_IR)
+
+    return _LANES(array, types.uintp), generate
+
+
 def _store(context: Any, array: Any, index: Any, value: Any) -> Any:
     """Puts sixteen numbers into an array of single precision from ``index`` on."""
 
@@ -159,6 +171,9 @@ def _where(context: Any, which: Any, one: Any, other: Any) -> Any:
 
 
 load = cast(Callable[[NDArray[np.float32], np.uintp], Lanes], intrinsic(_load))
+load_whole = cast(
+    Callable[[NDArray[np.uint8] | NDArray[np.uint16], np.uintp], Lanes], intrinsic(_load_whole)
+)
 store = cast(Callable[[NDArray[np.float32], np.uintp, Lanes], None], intrinsic(_store))
 all_lanes = cast(Callable[[np.float32], Lanes], intrinsic(_all_lanes))
 where = cast(Callable[[Mask, Lanes, Lanes], Lanes], intrinsic(_where))

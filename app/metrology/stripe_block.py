@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.compiled import vector_kernel
-from app.metrology.lanes import WIDTH, all_lanes, load, store, where
+from app.metrology.lanes import WIDTH, all_lanes, load, load_whole, store, where
 from app.metrology.stripe_search import Grey
 
 Singles = NDArray[np.float32]
@@ -41,6 +41,8 @@ NO_PEAK, WIDER, PEAK = np.float32(0), np.float32(1), np.float32(2)
 REACH, REACH_PX, BESIDE_CLIPPED_PX = np.float32(3.2), np.float32(1), np.float32(2)
 LEAST_START = np.float32(0.4)
 HALF_WIDTHS = np.float32(1 / 2.3548)
+# Neighbouring columns whose peaks are so many rows apart are taken at once.
+MOST_APART = 8
 # Rows about a peak that are looked at where the usual number does not do.
 WIDEST_REACH = 40
 
@@ -79,25 +81,82 @@ def gather(
         raw: room to work in, as long as profile.
         profile: ((2 reach + 1) LANES,) or more, filled row by row.
     """
+    height = len(pixels) // width
+    for group in range(0, ALL, WIDTH):
+        at, behind = np.uintp(group), group + WIDTH
+        if behind <= len(columns) and columns[behind - 1] - columns[group] == WIDTH - 1:
+            lowest = highest = rows[group]
+            for i in range(group, behind):
+                lowest, highest = min(lowest, rows[i]), max(highest, rows[i])
+            inside = lowest >= reach and highest + reach < height
+            if inside and highest - lowest <= MOST_APART:
+                for i in range(group, behind):
+                    profile[i] = rows[i] - lowest  # its first row comes last
+                first = np.uintp((lowest - reach) * width + columns[group])
+                gather_neighbours(pixels, width, first, highest - lowest, reach, profile, at)
+                continue
+        gather_apart(pixels, width, columns, rows, reach, raw, profile, at)
+
+
+@vector_kernel
+def gather_neighbours(
+    pixels: Grey,
+    width: int,
+    first: np.uintp,
+    apart: int,
+    reach: int,
+    profile: Singles,
+    at: np.uintp,
+) -> None:
+    """Takes the pixels for the lanes from ``at`` on, of columns side by side.
+
+    Args:
+        first: the pixel of the first column in the first row of the lowest.
+        apart: rows from the lowest to the highest.
+        profile: its first row says by how many rows each lane is over the lowest.
+    """
+    over = load(profile, at)
+    line = np.uintp(width)
+    for k in range(np.uintp(2 * reach + 1)):
+        pixel = first + k * line
+        taken = load_whole(pixels, pixel)
+        for d in range(1, apart + 1):
+            pixel += line
+            taken = where(over >= np.float32(d), load_whole(pixels, pixel), taken)
+        store(profile, k * ALL + at, taken)
+
+
+@vector_kernel
+def gather_apart(
+    pixels: Grey,
+    width: int,
+    columns: NDArray[np.int32],
+    rows: NDArray[np.int32],
+    reach: int,
+    raw: Grey,
+    profile: Singles,
+    at: np.uintp,
+) -> None:
+    """Takes the pixels for the lanes from ``at`` on, wherever they are; see ``gather``."""
     n = len(columns)
     height = len(pixels) // width
-    for i in range(LANES):
-        lane = min(i, n - 1)
+    for i in range(at, at + WIDTH):
+        lane = min(i, np.uintp(n - 1))
         row = rows[lane] - reach
         to = np.uintp(i)
         if row >= 0 and row + 2 * reach < height:
-            at = np.uintp(row * width + columns[lane])
+            pixel = np.uintp(row * width + columns[lane])
             for _ in range(2 * reach + 1):
-                raw[to] = pixels[at]
-                at += np.uintp(width)
+                raw[to] = pixels[pixel]
+                pixel += np.uintp(width)
                 to += ALL
         else:
             for k in range(2 * reach + 1):
                 inside = min(max(row + k, 0), height - 1)
                 raw[to] = pixels[np.uintp(inside * width + columns[lane])]
                 to += ALL
-    for j in range(np.uintp(LANES * (2 * reach + 1))):
-        profile[j] = np.float32(raw[j])
+    for k in range(np.uintp(2 * reach + 1)):
+        store(profile, k * ALL + at, load_whole(raw, k * ALL + at))
 
 
 @vector_kernel
