@@ -1,5 +1,6 @@
 import { t } from "../state/language";
 import styles from "./DataTable.module.css";
+import { bound } from "./format";
 import { plainHead, shownCell, shownHead, type TableData } from "./table";
 
 /** A plain table of figures: the first column names, the others are numbers. */
@@ -11,7 +12,7 @@ export function DataTable({ table }: { table: TableData }) {
         <tr>
           {table.head.map((head) => (
             <th key={plainHead(head)} scope="col">
-              {shownHead(head)}
+              {bound(shownHead(head))}
             </th>
           ))}
         </tr>

@@ -13,6 +13,9 @@ const READ = new Map(Object.entries(FILES).map(([path, read]) => [path.replace(/
 /** All languages there are, by their codes. */
 export const LANGUAGES: readonly string[] = [ENGLISH, ...READ.keys()];
 
+/** A link may ask for a language; read before anything tidies the address. */
+const ASKED = new URLSearchParams(window.location.search).get("lang");
+
 let language = ENGLISH;
 let strings: Strings = {};
 let sentences: Sentences | null = null;
@@ -74,8 +77,8 @@ export async function chooseLanguage(code: string): Promise<void> {
 
 /** Before the first paint: what the address asks for, what was chosen here, or the browser's own. */
 export async function startLanguage(): Promise<void> {
-  const asked = new URLSearchParams(window.location.search).get("lang");
-  if (asked && LANGUAGES.includes(asked)) return chooseLanguage(asked);
+  if (ASKED) window.history.replaceState(null, "", window.location.pathname + window.location.hash);
+  if (ASKED && LANGUAGES.includes(ASKED)) return chooseLanguage(ASKED);
   const kept = localStorage.getItem(KEY);
   const wanted = [kept ?? "", ...navigator.languages.map((one) => one.slice(0, 2).toLowerCase())];
   await show(wanted.find((code) => LANGUAGES.includes(code)) ?? ENGLISH);
