@@ -6,26 +6,29 @@ import { PressButton } from "../parts/PressButton";
 import { counted, t, words } from "../state/language";
 import styles from "./CloudsView.module.css";
 import { DeviationMap } from "./DeviationMap";
-import { GaugeDrawing } from "./GaugeDrawing";
+import { LiveScan } from "./LiveScan";
 import { shownOf } from "./shown";
 
-/** The newest cloud's map, and every cloud with what it shows; before the first, what to do. */
+/** The cloud being scanned, or the newest one's map, and every cloud with what it shows. */
 export function CloudsView({ picture, busy }: { picture: VerifyPicture; busy: boolean }) {
   const { clouds } = shownOf(picture);
+  const state = picture.scanning
+    ? "scanning"
+    : picture.clouds.some((cloud) => cloud.state === "measuring")
+      ? "measuring"
+      : clouds.length > 0
+        ? "done"
+        : "before";
   return (
     <div className={styles.view}>
-      {picture.scanning || clouds.length === 0 ? (
-        <div className={styles.drawing}>
-          <GaugeDrawing shape={picture.shape} scanning />
-          <p className={styles.words}>
-            {picture.scanning ? t("Keep the stripe on the gauge. Slowly: the points come as you pass.") : t("Each pass becomes a map of where the cloud lies off the gauge.")}
-          </p>
-        </div>
-      ) : (
-        <div className={styles.map}>
-          <DeviationMap clouds={clouds} shape={picture.shape ?? "plane"} />
-        </div>
-      )}
+      <div className={styles.picture}>
+        <LiveScan shape={picture.shape} state={state} />
+        {state === "done" && (
+          <div className={styles.map}>
+            <DeviationMap clouds={clouds} shape={picture.shape ?? "plane"} />
+          </div>
+        )}
+      </div>
       {picture.clouds.length > 0 && (
         <ul className={styles.list} aria-label={t("Clouds")}>
           {picture.clouds.map((cloud) => (
