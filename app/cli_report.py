@@ -16,11 +16,14 @@ def report(
     output: Annotated[
         Path, typer.Option("-o", "--output", help="Where to write it: .pdf or .html.")
     ] = Path("report.pdf"),
+    language: Annotated[
+        str, typer.Option("--language", help="en, or another language of app/strings.")
+    ] = "en",
 ) -> None:
     """Write the report on a session from its folder alone, as the station serves it."""
     from app.files.atomic import checked_target, write_atomically
     from app.report.reports import report_as
 
     checked_target(output)
-    write_atomically(output, report_as(folder, output.suffix))
+    write_atomically(output, report_as(folder, output.suffix, language))
     print(f"{output} written")

@@ -7,7 +7,7 @@ what ``crenel report`` makes of the folder.
 from pathlib import Path as Folder
 from typing import Annotated, Literal
 
-from fastapi import APIRouter, Path
+from fastapi import APIRouter, Path, Query
 from starlette.responses import Response
 
 from app.api.context import Context, TheContext
@@ -17,48 +17,55 @@ from app.report.reports import report_as
 router = APIRouter(prefix="/api")
 Form = Literal["html", "pdf"]
 RecordId = Annotated[str, Path(max_length=128, pattern=r"^[0-9A-Za-z-]+$")]
+Language = Annotated[str, Query(pattern="^[a-z]{2}$")]
 MEDIA: dict[Form, str] = {"html": "text/html; charset=utf-8", "pdf": "application/pdf"}
 
 
 @router.get("/calibrations/{record_id}/report.{form}")
-def of_calibration(record_id: RecordId, form: Form, context: TheContext) -> Response:
+def of_calibration(
+    record_id: RecordId, form: Form, context: TheContext, lang: Language = "en"
+) -> Response:
     """The report on an accepted calibration."""
     record = context.store.calibrations.get(record_id)
     if record is None:
         raise NotFound(f"There is no calibration {record_id}.")
-    return _report(record.file.parent, form)
+    return _report(record.file.parent, form, lang)
 
 
 @router.get("/arm/checks/{record_id}/report.{form}")
-def of_check(record_id: RecordId, form: Form, context: TheContext) -> Response:
+def of_check(
+    record_id: RecordId, form: Form, context: TheContext, lang: Language = "en"
+) -> Response:
     """The report on a finished check of the arm."""
     if all(check.id != record_id for check in context.arm_guide.history()):
         raise NotFound(f"There is no check of the arm {record_id}.")
-    return _report(context.store.folder / "sessions" / record_id, form)
+    return _report(context.store.folder / "sessions" / record_id, form, lang)
 
 
 @router.get("/arm/tips/{record_id}/report.{form}")
-def of_tip(record_id: RecordId, form: Form, context: TheContext) -> Response:
+def of_tip(record_id: RecordId, form: Form, context: TheContext, lang: Language = "en") -> Response:
     """The report on a finished check of the tip."""
     if all(check.id != record_id for check in context.arm_guide.tip_history()):
         raise NotFound(f"There is no check of the tip {record_id}.")
-    return _report(context.store.folder / "sessions" / record_id, form)
+    return _report(context.store.folder / "sessions" / record_id, form, lang)
 
 
 @router.get("/verifications/{record_id}/report.{form}")
-def of_verification(record_id: RecordId, form: Form, context: TheContext) -> Response:
+def of_verification(
+    record_id: RecordId, form: Form, context: TheContext, lang: Language = "en"
+) -> Response:
     """The report on a verification."""
     folder = _verification(context, record_id)
     if not folder.is_dir():
         raise NotFound(f"There is no verification {record_id}.")
-    return _report(folder, form)
+    return _report(folder, form, lang)
 
 
 def _verification(context: Context, record_id: str) -> Folder:
     return context.store.folder / "verifications" / record_id
 
 
-def _report(folder: Folder, form: Form) -> Response:
-    content = report_as(folder, f".{form}")
+def _report(folder: Folder, form: Form, language: str) -> Response:
+    content = report_as(folder, f".{form}", language)
     named = {"Content-Disposition": f'inline; filename="report-{folder.name}.{form}"'}
     return Response(content, media_type=MEDIA[form], headers=named)

@@ -93,3 +93,4 @@ class Report:
     sections: Sequence[Section]
     notes: Sequence[str] = field(default_factory=tuple)
     """What must be known before anything else, such as that the hardware was simulated."""
+    language: str = "en"

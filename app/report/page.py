@@ -18,8 +18,10 @@ from app.report.content import (
     Text,
 )
 from app.report.faces import REGULAR, SEMIBOLD
+from app.report.language import Say
 from app.report.svg import svg
 from app.report.words import tied
+from app.strings.sentences import sentences_of
 
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; font-src data:"
 """What such a page may load: nothing but what is in it."""
@@ -101,10 +103,10 @@ def _faces() -> str:
 def page(report: Report) -> bytes:
     """The whole file, UTF-8."""
     notes = "".join(f'<p class="note">{escape(note)}</p>' for note in report.notes)
-    verdict = report.verdict
+    verdict, say = report.verdict, sentences_of(report.language).said
     of = f"<b>{escape(report.station)}</b><br>{escape(report.number)}<br>{escape(report.date)}"
     text = f"""<!doctype html>
-<html lang="en">
+<html lang="{report.language}">
 <head>
 <meta charset="utf-8">
 <meta http-equiv="Content-Security-Policy" content="{POLICY}">
@@ -119,8 +121,8 @@ def page(report: Report) -> bytes:
 </header>
 {notes}
 <div class="verdict {verdict.quality}"><b>{escape(verdict.word)}</b>{escape(verdict.text)}</div>
-{"".join(_section(section) for section in report.sections)}
-<footer>{escape(made_by())}</footer>
+{"".join(_section(section, say) for section in report.sections)}
+<footer>{escape(say(made_by()))}</footer>
 </body>
 </html>
 """
@@ -137,12 +139,12 @@ def made_by() -> str:
     return f"Report made by Crenel {SOFTWARE.version} from the files of the session alone."
 
 
-def _section(section: Section) -> str:
-    blocks = "".join(_block(block) for block in section.blocks)
+def _section(section: Section, say: Say) -> str:
+    blocks = "".join(_block(block, say) for block in section.blocks)
     return f"<section><h2>{escape(section.title)}</h2>{blocks}</section>\n"
 
 
-def _block(block: Block) -> str:
+def _block(block: Block, say: Say) -> str:
     match block:
         case Facts():
             rows = "".join(
@@ -157,7 +159,7 @@ def _block(block: Block) -> str:
             return f"<p{kind}>{escape(block.text)}</p>"
         case Findings():
             rows = "".join(
-                f'<li><b class="{row.quality}">{MARKS[row.quality]}</b>'
+                f'<li><b class="{row.quality}">{say(MARKS[row.quality])}</b>'
                 f'<span>{escape(row.text)} <span class="small">{escape(row.remedy)}</span></span>'
                 "</li>"
                 for row in block.rows

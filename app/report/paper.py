@@ -37,9 +37,11 @@ from app.report.content import (
 )
 from app.report.faces import REGULAR, SEMIBOLD
 from app.report.figure import FAINT, INK, SOFT
+from app.report.language import Say
 from app.report.page import MARKS, made_by
 from app.report.paper_figure import BOLD, PLAIN, Drawing
 from app.report.words import tied
+from app.strings.sentences import sentences_of
 
 MARGIN = 16 * mm
 WIDTH = A4[0] - 2 * MARGIN
@@ -66,7 +68,7 @@ def paper(report: Report) -> bytes:
 
 def _laid_out(report: Report, sheets: int) -> tuple[bytes, int]:
     """The file, each sheet saying that there are so many, and how many there are."""
-    whole = io.BytesIO()
+    whole, say = io.BytesIO(), sentences_of(report.language).said
     document = SimpleDocTemplate(
         whole,
         pagesize=A4,
@@ -77,6 +79,7 @@ def _laid_out(report: Report, sheets: int) -> tuple[bytes, int]:
         title=f"{report.title} {report.number}",
         author=report.station,
         creator="Crenel",
+        lang=report.language,
         invariant=1,
     )
     foot = _shown(f"{report.title} {report.number}")
@@ -85,10 +88,13 @@ def _laid_out(report: Report, sheets: int) -> tuple[bytes, int]:
         canvas.setFont(PLAIN, 7)
         canvas.setFillColor(HexColor(FAINT))
         canvas.drawString(MARGIN, 9 * mm, foot[:90])
-        canvas.drawRightString(A4[0] - MARGIN, 9 * mm, f"{own.page} of {sheets}")
-        canvas.drawCentredString(A4[0] / 2, 5.5 * mm, made_by())
+        canvas.drawRightString(A4[0] - MARGIN, 9 * mm, say(f"{own.page} of {sheets}"))
+        canvas.drawCentredString(A4[0] / 2, 5.5 * mm, say(made_by()))
 
-    story = [*_head(report), *[part for section in report.sections for part in _section(section)]]
+    story = [
+        *_head(report),
+        *[part for section in report.sections for part in _section(section, say)],
+    ]
     document.build(story, onFirstPage=footer, onLaterPages=footer)
     return whole.getvalue(), document.page
 
@@ -174,18 +180,18 @@ def _padding(left: float, top: float, right: float, bottom: float) -> list[tuple
     return [(f"{name}PADDING", (0, 0), (-1, -1), value) for name, value in sides]
 
 
-def _section(section: Section) -> list[Flowable]:
+def _section(section: Section, say: Say) -> list[Flowable]:
     title = _words(section.title, 11, INK, True)
     parts: list[Flowable] = []
     for block in section.blocks:
-        parts += _block(block)
+        parts += _block(block, say)
     headed = [Spacer(1, 14), title, Spacer(1, 4)]
     if section.together:
         return [KeepTogether([*headed, *parts])]
     return [CondPageBreak(LEAST_ROOM), *headed, *parts]
 
 
-def _block(block: Block) -> list[Flowable]:
+def _block(block: Block, say: Say) -> list[Flowable]:
     match block:
         case Facts():
             return [_facts(block)]
@@ -195,7 +201,7 @@ def _block(block: Block) -> list[Flowable]:
             size, colour = (7.5, SOFT) if block.small else (8.5, INK)
             return [_words(block.text, size, colour), Spacer(1, 4)]
         case Findings():
-            return [_findings(block)]
+            return [_findings(block, say)]
         case Pictures():
             return _pictures(block)
         case Signatures():
@@ -244,10 +250,10 @@ def _table(table: Table) -> Grid:
     return grid
 
 
-def _findings(findings: Findings) -> Grid:
+def _findings(findings: Findings, say: Say) -> Grid:
     rows = [
         [
-            _words(MARKS[row.quality], 8.5, COLOURS[row.quality][0], True),
+            _words(say(MARKS[row.quality]), 8.5, COLOURS[row.quality][0], True),
             [_words(row.text), *([_words(row.remedy, 7.5, SOFT)] if row.remedy else [])],
         ]
         for row in findings.rows

@@ -9,6 +9,7 @@ from app.metrology.refusal import Refusal
 from app.report.arm_check import arm_check_report
 from app.report.calibration import CALIBRATION, calibration_report
 from app.report.content import Report
+from app.report.language import in_language
 from app.report.page import page
 from app.report.paper import paper
 from app.report.tip_check import tip_check_report
@@ -42,11 +43,11 @@ def report_of(folder: Path) -> Report:
     )
 
 
-def report_as(folder: Path, suffix: str) -> bytes:
+def report_as(folder: Path, suffix: str, language: str = "en") -> bytes:
     """The report on a folder as ``.html`` or ``.pdf``, the same bytes for the same files.
 
     Raises:
-        Refusal: as ``report_of``, or for another ``suffix``.
+        Refusal: as ``report_of``, or for another ``suffix`` or an unknown ``language``.
     """
     form = FORMS.get(suffix.lower())
     if form is None:
@@ -55,4 +56,4 @@ def report_as(folder: Path, suffix: str) -> bytes:
             f"a report cannot be written as '{suffix}'",
             remedy=f"End the name with {' or '.join(FORMS)}",
         )
-    return form(report_of(folder))
+    return form(in_language(report_of(folder), language))

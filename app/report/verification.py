@@ -180,8 +180,9 @@ def _against(sheet: VerificationFile) -> tuple[Figure, str]:
         figure.words((x, bottom + 11), "limit", 7.5, RED, "middle")
     words = (
         "Values in shares of their limits: the bar is the expanded uncertainty (k = 2), circles "
+        "are the single clouds."
     )
-    return figure, words + "are the single clouds."
+    return figure, words
 
 
 def _reach(one: FigurePart) -> float:

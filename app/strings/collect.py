@@ -19,7 +19,7 @@ ROOMS = (
     *("app/store", "app/supervise", "hardware"),
 )
 SILENT = (
-    *("app/api/metrics.py", "app/api/wiring.py"),
+    *("app/api/metrics.py", "app/api/wiring.py", "app/api/support.py"),
     *("hardware/arm/protocol.py", "hardware/twin", "app/files/recording_blocks.py"),
     # what only the console says
     *(f"app/files/cloud_{kind}.py" for kind in ("e57", "las", "library", "pcd", "tables", "xyz")),
@@ -86,7 +86,9 @@ def of_python(source: str) -> Iterator[str]:
     """What one module says."""
     speech = _Speech()
     speech.visit(ast.parse(source))
-    yield from (text for text in speech.found if is_said(text))
+    # what only goes on with a sentence is looked up without what joins it
+    texts = (text.strip(" ,;·") for text in speech.found)
+    yield from (text for text in texts if is_said(text))
 
 
 def is_said(text: str) -> bool:
@@ -94,7 +96,7 @@ def is_said(text: str) -> bool:
     rest = _UNITS.sub("", _PLACE.sub("", text))
     if not _LETTERS.search(rest) or _PROGRAM.search(rest):
         return False
-    return bool(_SENTENCE.match(text)) and text == text.strip()
+    return bool(_SENTENCE.match(text))
 
 
 class _Speech(ast.NodeVisitor):

@@ -15,6 +15,7 @@ PLACE = re.compile(r"\{(\w+)\}")
 SENTENCE_END = re.compile(r"(?<=[.?]) (?=[A-Z])")
 JOINTS = (SENTENCE_END, *(re.compile(f"({joint})") for joint in (" · ", ": ", "; ", ", ")))
 """Where a text is put together of others, the loosest joint first."""
+LOOSE = " ,;·"
 UNITS = frozenset(
     ["mm", "µm", "µs", "ms", "ns", "px", "rms", "Hz", "fps", "GB", "MB", "UTC", "rad", "min"]
 )
@@ -55,6 +56,12 @@ class Sentences:
         return self._held[text]
 
     def _found(self, text: str) -> Said:
+        core = text.strip(LOOSE)
+        if core and core != text:
+            # it goes on with a sentence: what joins it stays
+            before, _, after = text.partition(core)
+            said = self.best(core)
+            return replace(said, text=before + said.text + after)
         best = Said(text, _letters(text), frozenset({text}))
         if best.left == 0:
             return Said(text, 0)

@@ -18,6 +18,10 @@ WORDS = (
     *("Touch {missing}", "{count} more on the {face} face"),
     *(f"tilt {way} {{deg}}°" for way in ("right", "left", "to the back", "to the front")),
     *(f"turn {way} {{deg}}°" for way in ("anticlockwise", "clockwise")),
+    *("tip Ø {diameter_mm} mm", "laser {wavelength_nm} nm", "touched points", "laser stripe"),
+    # in tables and figures
+    *("used", "unchanged", "changed", "missing", "pass", "fail", "undecided", "no", "depth"),
+    *("edges", "stripe", "distortion", "corner", "contact", "points", "pictures"),
     # counted
     *("{n} day", "{n} days", "{n} hour", "{n} hours", "{n} minute", "{n} minutes"),
     *("{n} point", "{n} points", "{n} pose", "{n} poses", "{n} touch", "{n} touches"),

@@ -27,7 +27,8 @@ ROOMS_ALLOWED = {
     "app.guide": {"app.guide", "app.station", "app.files", "app.metrology"},
     "app.store": {"app.store", "app.files", "app.metrology"},
     "app.supervise": {"app.supervise", "app.station", "app.files", "app.metrology"},
-    "app.report": {"app.report", "app.files", "app.metrology"},
+    "app.strings": {"app.strings"},
+    "app.report": {"app.report", "app.strings", "app.files", "app.metrology"},
     "app.api": {
         "app.report",
         "app.api",

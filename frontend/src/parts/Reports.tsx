@@ -1,16 +1,17 @@
-import { t } from "../state/language";
+import { languageNow, t } from "../state/language";
 import download from "./Download.module.css";
 import { DownloadIcon } from "./icons";
 import styles from "./Reports.module.css";
 
 /** A record's report: to read in a tab of its own, and as PDF. */
 export function Reports({ of }: { of: string }) {
+  const lang = languageNow() === "en" ? "" : `?lang=${languageNow()}`;
   return (
     <div className={styles.reports}>
-      <a className={download.download} href={`${of}/report.html`} target="_blank" rel="noopener">
+      <a className={download.download} href={`${of}/report.html${lang}`} target="_blank" rel="noopener">
         {t("Report")}
       </a>
-      <a className={download.download} href={`${of}/report.pdf`} target="_blank" rel="noopener">
+      <a className={download.download} href={`${of}/report.pdf${lang}`} target="_blank" rel="noopener">
         <DownloadIcon size="1.25rem" />
         PDF
       </a>

@@ -19,6 +19,7 @@ const PLACE = /\{(\w+)\}/g;
 const SENTENCE_END = /(?<=[.?]) (?=[A-Z])/;
 /** Where a text is put together of others, the loosest joint first. */
 const JOINTS = [SENTENCE_END, /( · )/, /(: )/, /(; )/, /(, )/];
+const LOOSE = /^([ ,;·]*)(.*?)([ ,;·]*)$/s;
 const UNITS = new Set(["mm", "µm", "µs", "ms", "ns", "px", "rms", "Hz", "fps", "GB", "MB", "UTC", "rad", "min"]);
 const HELD = 2000;
 
@@ -63,6 +64,12 @@ export class Sentences {
   }
 
   private found(text: string): Said {
+    const [, before = "", core = "", after = ""] = LOOSE.exec(text) ?? [];
+    if (core && core !== text) {
+      // it goes on with a sentence: what joins it stays
+      const said = this.best(core);
+      return { text: before + said.text + after, left: said.left };
+    }
     let best = { text, left: letters(text) };
     if (best.left === 0) return best;
     for (const said of this.ways(text)) {
