@@ -82,12 +82,12 @@ def gather(
         profile: ((2 reach + 1) LANES,) or more, filled row by row.
     """
     height = len(pixels) // width
-    for group in range(0, ALL, WIDTH):
-        at, behind = np.uintp(group), group + WIDTH
-        if behind <= len(columns) and columns[behind - 1] - columns[group] == WIDTH - 1:
-            lowest = highest = rows[group]
+    for group in range(0, LANES, int(WIDTH)):
+        at, behind = np.uintp(group), group + int(WIDTH)
+        if behind <= len(columns) and columns[behind - 1] - columns[group] == behind - group - 1:
+            lowest = highest = int(rows[group])
             for i in range(group, behind):
-                lowest, highest = min(lowest, rows[i]), max(highest, rows[i])
+                lowest, highest = min(lowest, int(rows[i])), max(highest, int(rows[i]))
             inside = lowest >= reach and highest + reach < height
             if inside and highest - lowest <= MOST_APART:
                 for i in range(group, behind):
@@ -141,7 +141,7 @@ def gather_apart(
     n = len(columns)
     height = len(pixels) // width
     for i in range(at, at + WIDTH):
-        lane = min(i, np.uintp(n - 1))
+        lane = min(int(i), n - 1)
         row = rows[lane] - reach
         to = np.uintp(i)
         if row >= 0 and row + 2 * reach < height:
