@@ -73,17 +73,20 @@ class Sentences:
         return best
 
     def _ways(self, text: str) -> Iterator[Said]:
-        """As it is, with or without its full stop, with its first letter either way, in parts."""
-        yield from self._one(text)
+        """With or without its full stop, with its first letter either way, and in parts."""
+        yield from self._either_case(text)
         stop = text.endswith(".")
-        for said in self._one(text[:-1] if stop else f"{text}."):
+        for said in self._either_case(text[:-1] if stop else f"{text}."):
             yield replace(said, text=f"{said.text}." if stop else said.text.removesuffix("."))
+        yield from self._parts(text)
+
+    def _either_case(self, text: str) -> Iterator[Said]:
+        yield from self._one(text)
         small = text[:1] == text[:1].lower()
         other = (text[:1].upper() if small else text[:1].lower()) + text[1:]
         if other != text:
             for said in self._one(other):
                 yield said if small else replace(said, text=said.text[:1].upper() + said.text[1:])
-        yield from self._parts(text)
 
     def _one(self, text: str) -> Iterator[Said]:
         if text in self._strings:
@@ -129,8 +132,9 @@ def _together(text: str, parts: Sequence[Said]) -> Said:
 
 
 def _letters(text: str) -> int:
-    """How much of a text is words; what is a number with its unit is none."""
-    return sum(len(word) for word in _WORDS.findall(text) if word not in UNITS)
+    """How much of a text is words; units and what is all capitals are none."""
+    words = _WORDS.findall(text)
+    return sum(len(word) for word in words if word not in UNITS and word != word.upper())
 
 
 def _said_by_itself(text: str) -> int:

@@ -79,22 +79,25 @@ export class Sentences {
     return best;
   }
 
-  /** As it is, with or without its full stop, with its first letter either way, and in parts. */
+  /** With or without its full stop, with its first letter either way, and in parts. */
   private *ways(text: string): Generator<Said> {
-    yield* this.one(text);
+    yield* this.eitherCase(text);
     const stop = text.endsWith(".");
-    for (const { text: said, left } of this.one(stop ? text.slice(0, -1) : `${text}.`)) {
+    for (const { text: said, left } of this.eitherCase(stop ? text.slice(0, -1) : `${text}.`)) {
       yield { text: stop ? `${said}.` : said.replace(/\.$/, ""), left };
     }
-    const first = text.charAt(0);
-    const lower = first.toLowerCase();
-    const other = (first === lower ? first.toUpperCase() : lower) + text.slice(1);
-    if (other !== text) {
-      for (const { text: said, left } of this.one(other)) {
-        yield { text: first === lower ? said : said.charAt(0).toUpperCase() + said.slice(1), left };
-      }
-    }
     yield* this.parts(text);
+  }
+
+  private *eitherCase(text: string): Generator<Said> {
+    yield* this.one(text);
+    const first = text.charAt(0);
+    const small = first === first.toLowerCase();
+    const other = (small ? first.toUpperCase() : first.toLowerCase()) + text.slice(1);
+    if (other === text) return;
+    for (const { text: said, left } of this.one(other)) {
+      yield { text: small ? said : said.charAt(0).toUpperCase() + said.slice(1), left };
+    }
   }
 
   private *one(text: string): Generator<Said> {
@@ -124,9 +127,9 @@ export class Sentences {
   }
 }
 
-/** How much of a text is words; what is a number with its unit is none. */
+/** How much of a text is words; units and what is all capitals are none. */
 function letters(text: string): number {
-  return Array.from(text.matchAll(/\p{L}{2,}/gu), ([word]) => (UNITS.has(word) ? 0 : word.length)).reduce((sum, n) => sum + n, 0);
+  return Array.from(text.matchAll(/\p{L}{2,}/gu), ([word]) => (UNITS.has(word) || word === word.toUpperCase() ? 0 : word.length)).reduce((sum, n) => sum + n, 0);
 }
 
 /** What a text must begin or end with to fit: a whole word of the template, where it has one there. */
