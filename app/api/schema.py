@@ -1,4 +1,4 @@
-"""What the server sends and takes; field for field the shapes of frontend/src/api/types.ts."""
+"""What the server sends and takes; field for field the shapes of frontend/src/api."""
 
 from dataclasses import dataclass
 from typing import Annotated, Literal

@@ -25,7 +25,8 @@ from app.station import (
 from app.store import audit
 
 API = Path(__file__).resolve().parents[2] / "frontend/src/api"
-TYPES = (API / "types.ts", API / "accessTypes.ts", API / "recordTypes.ts")
+SUBJECTS = ("access", "device", "flow", "home", "live", "record", "result", "scan", "settings")
+TYPES = (API / "types.ts", *(API / f"{subject}Types.ts" for subject in SUBJECTS))
 SHAPES: dict[str, type] = {
     "LiveNumber": view.LiveNumber,
     "Finding": findings.Finding,

@@ -1,9 +1,11 @@
 import { t } from "../state/language";
 import { clearNotice, notify } from "../state/notices";
 import { getState, putFlow, setState } from "../state/store";
-import { NoAnswer, post, Refused } from "./http";
+import { NoAnswer, post, postOnce, Refused } from "./http";
 import type { Session } from "./accessTypes";
-import type { FlowCommand, FlowView, Problem, ScanState } from "./types";
+import type { FlowCommand, FlowView } from "./flowTypes";
+import type { ScanState } from "./scanTypes";
+import type { Problem } from "./types";
 
 /** 128 random bits; works on plain http too, where randomUUID does not exist. */
 export function newKey(): string {
@@ -40,20 +42,22 @@ export function tell(error: unknown, whatWas: string): void {
   throw error;
 }
 
-/** Sends once more with the same key when no answer came: the station acts only once. */
-async function postFlow(command: FlowCommand): Promise<FlowView | null> {
+/** Does it, and tells what went wrong; whether it was done. */
+export async function done(act: () => Promise<unknown>, whatWas: string): Promise<boolean> {
   try {
-    return await post<FlowView>("/api/flow/command", command);
+    await act();
+    clearNotice();
+    return true;
   } catch (error) {
-    if (!(error instanceof NoAnswer)) throw error;
-    return await post<FlowView>("/api/flow/command", command);
+    tell(error, whatWas);
+    return false;
   }
 }
 
 export async function sendFlow(name: string, args: Record<string, unknown>): Promise<void> {
-  const rev = getState().flow?.rev ?? 0;
+  const command: FlowCommand = { name, args, rev: getState().flow?.rev ?? 0, key: newKey() };
   try {
-    const view = await postFlow({ name, args, rev, key: newKey() });
+    const view = await postOnce<FlowView>("/api/flow/command", command);
     clearNotice();
     if (view) putFlow(view);
   } catch (error) {
@@ -77,13 +81,10 @@ export async function startFlow(): Promise<void> {
 }
 
 async function scanCommand(path: string, body: unknown, whatWas: string): Promise<void> {
-  try {
+  await done(async () => {
     const scan = await post<ScanState>(path, body);
-    clearNotice();
     if (scan && "state" in scan) setState({ scan });
-  } catch (error) {
-    tell(error, whatWas);
-  }
+  }, whatWas);
 }
 
 export const startScan = () => scanCommand("/api/scan/start", {}, t("the scan was not started"));

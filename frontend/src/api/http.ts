@@ -60,6 +60,18 @@ export async function post<T>(path: string, body: unknown = {}): Promise<T | nul
   return bodyOf<T>(answer);
 }
 
+/**
+ * A command, sent once more with the same key when no answer came: the station acts only once.
+ */
+export async function postOnce<T>(path: string, command: { key: string }): Promise<T | null> {
+  try {
+    return await post<T>(path, command);
+  } catch (error) {
+    if (!(error instanceof NoAnswer)) throw error;
+    return post<T>(path, command);
+  }
+}
+
 /** Asks for something to be taken away. */
 export async function drop<T>(path: string): Promise<T | null> {
   return bodyOf<T>(await request(path, { method: "DELETE" }));

@@ -3,7 +3,7 @@ import { playFor } from "../state/sounds";
 import { getState, type LiveState, putFlow, setState, subscribe } from "../state/store";
 import { readSession } from "./session";
 import { isWanted, showPreview, tellWanted } from "./preview";
-import type { LiveMessage, LiveRequest } from "./types";
+import type { LiveMessage, LiveRequest } from "./liveTypes";
 
 const SILENCE_MS = 2500;
 /** Whoever has control keeps it so. */

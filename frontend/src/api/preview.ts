@@ -1,5 +1,5 @@
 import { spoken } from "../state/spoken";
-import type { PreviewHeader } from "./types";
+import type { PreviewHeader } from "./deviceTypes";
 
 export interface Preview {
   header: PreviewHeader;

@@ -1,5 +1,6 @@
 import type { ResultView } from "../result/view";
-import type { CalibrationSummary, Finding, Quality } from "./types";
+import type { CalibrationSummary } from "./homeTypes";
+import type { Finding, Quality } from "./types";
 
 /** An accepted calibration, the result as it was looked at; empty texts where not written down. */
 export interface RecordedCalibration {

@@ -2,7 +2,7 @@ import { t } from "../state/language";
 import { clearNotice } from "../state/notices";
 import { setState } from "../state/store";
 import type { Account, Control, Role, Session, Wall } from "./accessTypes";
-import { tell } from "./commands";
+import { done, tell } from "./commands";
 import { drop, get, NoAnswer, post } from "./http";
 
 const AGAIN_MS = 1000;
@@ -43,18 +43,6 @@ export async function readSession(): Promise<void> {
 
 function put(session: Session | null): void {
   if (session) setState({ session });
-}
-
-/** Does it, and tells what went wrong; whether it was done. */
-async function done(act: () => Promise<void>, whatWas: string): Promise<boolean> {
-  try {
-    await act();
-    clearNotice();
-    return true;
-  } catch (error) {
-    tell(error, whatWas);
-    return false;
-  }
 }
 
 export const signIn = (name: string, password: string) =>

@@ -1,22 +1,16 @@
 import { t } from "../state/language";
-import { clearNotice } from "../state/notices";
 import { getState, setState } from "../state/store";
-import { tell } from "./commands";
+import { done } from "./commands";
 import { get, post } from "./http";
-import type { StationSettings } from "./types";
+import type { StationSettings } from "./settingsTypes";
 
 type Changeable = Omit<StationSettings, "delay" | "finding_delay" | "findings">;
 
-async function send(path: string, body: unknown, whatWas: string): Promise<boolean> {
-  try {
+function send(path: string, body: unknown, whatWas: string): Promise<boolean> {
+  return done(async () => {
     const settings = await post<StationSettings>(`/api/settings${path}`, body);
-    clearNotice();
     if (settings) setState({ settings });
-    return true;
-  } catch (error) {
-    tell(error, whatWas);
-    return false;
-  }
+  }, whatWas);
 }
 
 /** Sets some of the settings; the others stay as they are. */

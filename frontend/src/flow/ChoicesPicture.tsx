@@ -1,7 +1,8 @@
 import { type KeyboardEvent, useRef } from "react";
 
 import { sendFlow } from "../api/commands";
-import type { BlockGeometry, Choice, ChoiceOption } from "../api/types";
+import type { BlockGeometry, Choice } from "../api/flowTypes";
+import type { ChoiceOption } from "../api/types";
 import { BlockDrawing } from "../object/BlockDrawing";
 import { bound } from "../parts/format";
 import { lengthFigures, unitOf } from "../parts/lengths";

@@ -1,4 +1,4 @@
-import type { DeviceLine } from "../api/types";
+import type { DeviceLine } from "../api/flowTypes";
 import { QualityMark } from "../parts/QualityMark";
 import { t } from "../state/language";
 import styles from "./DevicesPicture.module.css";

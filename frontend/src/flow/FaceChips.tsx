@@ -1,4 +1,4 @@
-import type { FaceProgress } from "../api/types";
+import type { FaceProgress } from "../api/flowTypes";
 import { CheckIcon } from "../parts/icons";
 import { measured } from "../parts/lengths";
 import { counted, t } from "../state/language";

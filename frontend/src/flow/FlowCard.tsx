@@ -1,7 +1,9 @@
 import { useEffect, useRef } from "react";
 
 import { sendFlow } from "../api/commands";
-import type { Devices, Finding, FlowView } from "../api/types";
+import type { Devices } from "../api/deviceTypes";
+import type { FlowView } from "../api/flowTypes";
+import type { Finding } from "../api/types";
 import { Actions } from "../parts/Actions";
 import { BigNumber } from "../parts/BigNumber";
 import { CardHead } from "../parts/CardHead";

@@ -1,7 +1,8 @@
 import { useState } from "react";
 
 import { sendFlow } from "../api/commands";
-import type { FaceProgress, Picture, TouchedPoint, Vec3 } from "../api/types";
+import type { FaceProgress, Picture, TouchedPoint } from "../api/flowTypes";
+import type { Vec3 } from "../api/types";
 import { BlockDrawing } from "../object/BlockDrawing";
 import { scaleEnd } from "../object/residuals";
 import { Suggestions, Touches } from "../object/Touches";

@@ -1,7 +1,7 @@
 import { useEffect } from "react";
 
 import { sendFlow } from "../api/commands";
-import type { TouchedPoint } from "../api/types";
+import type { TouchedPoint } from "../api/flowTypes";
 import { CloseIcon } from "../parts/icons";
 import { signedLength, unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";

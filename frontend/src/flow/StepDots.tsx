@@ -1,4 +1,4 @@
-import type { FlowView } from "../api/types";
+import type { FlowView } from "../api/flowTypes";
 import { t } from "../state/language";
 import styles from "./StepDots.module.css";
 

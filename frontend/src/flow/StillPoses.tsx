@@ -1,6 +1,6 @@
 import { useState } from "react";
 
-import type { Picture } from "../api/types";
+import type { Picture } from "../api/flowTypes";
 import { PoseView } from "../image/PoseView";
 import { useLook } from "../state/useLook";
 

@@ -1,5 +1,5 @@
 import { answerForControl } from "../api/session";
-import type { DeviceState } from "../api/types";
+import type { DeviceState } from "../api/deviceTypes";
 import { CloseIcon } from "../parts/icons";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";

@@ -1,6 +1,6 @@
 import type { ReactNode } from "react";
 
-import type { DeviceState } from "../api/types";
+import type { DeviceState } from "../api/deviceTypes";
 import { age, days, figures } from "../parts/format";
 import { useSilence } from "../state/freshness";
 import { t, words } from "../state/language";

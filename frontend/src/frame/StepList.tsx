@@ -1,4 +1,5 @@
-import type { FlowView, Step } from "../api/types";
+import type { FlowView } from "../api/flowTypes";
+import type { Step } from "../api/types";
 import { CheckIcon, StaleIcon } from "../parts/icons";
 import { t, words } from "../state/language";
 import styles from "./StepList.module.css";

@@ -1,4 +1,4 @@
-import type { Validity } from "../api/types";
+import type { Validity } from "../api/homeTypes";
 import { bound } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";

@@ -2,7 +2,7 @@ import { useElementSize } from "@mantine/hooks";
 import { type ReactNode, useEffect, useRef, useState } from "react";
 
 import { type Preview, watchPreview } from "../api/preview";
-import type { Aid, PreviewHeader } from "../api/types";
+import type { Aid, PreviewHeader } from "../api/deviceTypes";
 import { age, bound, figures } from "../parts/format";
 import { inUnits, lengthFigures, unitOf } from "../parts/lengths";
 import { QualityMark } from "../parts/QualityMark";

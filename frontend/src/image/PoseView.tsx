@@ -1,5 +1,5 @@
 import { sendFlow } from "../api/commands";
-import type { PosePicture, WorstPoint } from "../api/types";
+import type { PosePicture, WorstPoint } from "../api/resultTypes";
 import { bound, figures } from "../parts/format";
 import { measured } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";

@@ -1,7 +1,8 @@
 import { useElementSize } from "@mantine/hooks";
 import { type CSSProperties, useState } from "react";
 
-import type { ImageCorner, ImageMark, Vec3, WorstPoint } from "../api/types";
+import type { ImageCorner, ImageMark, WorstPoint } from "../api/resultTypes";
+import type { Vec3 } from "../api/types";
 import { figures } from "../parts/format";
 import { measured } from "../parts/lengths";
 import { cornerWords } from "../result/names";

@@ -1,4 +1,5 @@
-import type { Band, ImageCorner } from "../api/types";
+import type { Band } from "../api/deviceTypes";
+import type { ImageCorner } from "../api/resultTypes";
 import { measured } from "../parts/lengths";
 import { t } from "../state/language";
 

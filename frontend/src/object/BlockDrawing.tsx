@@ -1,7 +1,7 @@
 import { useElementSize } from "@mantine/hooks";
 import { type ReactNode, useMemo } from "react";
 
-import type { BlockGeometry } from "../api/types";
+import type { BlockGeometry } from "../api/flowTypes";
 import styles from "./BlockDrawing.module.css";
 import { footprint, type Patch, visiblePatches } from "./block";
 import { useHeading } from "./useHeading";

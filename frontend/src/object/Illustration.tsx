@@ -1,4 +1,5 @@
-import type { BlockGeometry, Vec3 } from "../api/types";
+import type { BlockGeometry } from "../api/flowTypes";
+import type { Vec3 } from "../api/types";
 import { t } from "../state/language";
 import { BlockDrawing } from "./BlockDrawing";
 import { isSeen } from "./block";

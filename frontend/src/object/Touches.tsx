@@ -1,6 +1,7 @@
 import type { KeyboardEvent } from "react";
 
-import type { BlockGeometry, TouchedPoint, Vec3 } from "../api/types";
+import type { BlockGeometry, TouchedPoint } from "../api/flowTypes";
+import type { Vec3 } from "../api/types";
 import { signedLength } from "../parts/lengths";
 import { said, t } from "../state/language";
 import { isSeen, NORMALS } from "./block";

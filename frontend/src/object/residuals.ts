@@ -1,4 +1,4 @@
-import type { TouchedPoint } from "../api/types";
+import type { TouchedPoint } from "../api/flowTypes";
 import { roundEnd } from "../parts/lengths";
 
 /** Blue for nothing through violet to orange for the scale's end: told apart by every eye. */

@@ -1,4 +1,5 @@
-import type { BlockGeometry, Vec3 } from "../api/types";
+import type { BlockGeometry } from "../api/flowTypes";
+import type { Vec3 } from "../api/types";
 import { halfSize, middle } from "./block";
 import { dot } from "./vector";
 

@@ -1,4 +1,4 @@
-import type { CalibrationSummary, Home } from "../api/types";
+import type { CalibrationSummary, Home } from "../api/homeTypes";
 import { TemperatureField } from "../home/TemperatureField";
 import { ValidityList } from "../home/ValidityList";
 import { Layout } from "../frame/Layout";

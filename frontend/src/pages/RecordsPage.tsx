@@ -1,6 +1,7 @@
 import type { ReactNode } from "react";
 
-import type { CalibrationSummary, ScanSummary } from "../api/types";
+import type { CalibrationSummary } from "../api/homeTypes";
+import type { ScanSummary } from "../api/scanTypes";
 import { Banners } from "../frame/Banners";
 import type { VerificationSummary } from "../api/verifyTypes";
 import { CalibrationHistory } from "../records/CalibrationHistory";

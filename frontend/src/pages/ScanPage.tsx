@@ -1,5 +1,6 @@
 import { setScanHand, startScan, stopScan } from "../api/commands";
-import type { Action, ScanState } from "../api/types";
+import type { ScanState } from "../api/scanTypes";
+import type { Action } from "../api/types";
 import { Layout } from "../frame/Layout";
 import { Actions } from "../parts/Actions";
 import { BigNumber } from "../parts/BigNumber";

@@ -1,4 +1,5 @@
-import type { CalibrationSummary, ScanSummary } from "../api/types";
+import type { CalibrationSummary } from "../api/homeTypes";
+import type { ScanSummary } from "../api/scanTypes";
 import { Download } from "../parts/Download";
 import { daysAgo, duration, moment } from "../parts/format";
 import { measured } from "../parts/lengths";

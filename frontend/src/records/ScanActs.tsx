@@ -1,6 +1,7 @@
 import { useState } from "react";
 
-import type { Action, ScanSummary } from "../api/types";
+import type { ScanSummary } from "../api/scanTypes";
+import type { Action } from "../api/types";
 import { deleteScan, renameScan } from "../api/viewCommands";
 import { figures } from "../parts/format";
 import { PressButton } from "../parts/PressButton";

@@ -1,4 +1,4 @@
-import type { BudgetRow, CalibrationResult } from "../api/types";
+import type { BudgetRow, CalibrationResult } from "../api/resultTypes";
 import { bound } from "../parts/format";
 import { inUnit, lengthFigures, measured, unitOf } from "../parts/lengths";
 import { t } from "../state/language";

@@ -1,4 +1,4 @@
-import type { CalibrationResult } from "../api/types";
+import type { CalibrationResult } from "../api/resultTypes";
 import { figures } from "../parts/format";
 import { lengthFigures, unitOf } from "../parts/lengths";
 import { Readouts } from "../parts/Readouts";

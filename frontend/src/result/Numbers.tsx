@@ -1,4 +1,4 @@
-import type { CalibrationResult, PosePicture } from "../api/types";
+import type { CalibrationResult, PosePicture } from "../api/resultTypes";
 import { CopyCsv } from "../parts/CopyCsv";
 import { DataTable } from "../parts/DataTable";
 import { asSent } from "../state/spoken";

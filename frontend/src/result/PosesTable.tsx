@@ -1,4 +1,4 @@
-import type { PosePicture } from "../api/types";
+import type { PosePicture } from "../api/resultTypes";
 import { SetAside } from "../image/PoseView";
 import { figures } from "../parts/format";
 import { lengthFigures, unitOf } from "../parts/lengths";

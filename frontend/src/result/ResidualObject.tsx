@@ -1,6 +1,7 @@
 import { useState } from "react";
 
-import type { BlockGeometry, TouchedPoint, WorstPoint } from "../api/types";
+import type { BlockGeometry, TouchedPoint } from "../api/flowTypes";
+import type { WorstPoint } from "../api/resultTypes";
 import { PointPanel } from "../flow/PointPanel";
 import { ResidualLegend } from "../flow/ResidualLegend";
 import { BlockDrawing } from "../object/BlockDrawing";

@@ -1,7 +1,7 @@
 import { SegmentedControl } from "@mantine/core";
 import { useState } from "react";
 
-import type { CalibrationResult } from "../api/types";
+import type { CalibrationResult } from "../api/resultTypes";
 import { figures } from "../parts/format";
 import { lengthFigures, measured } from "../parts/lengths";
 import { t } from "../state/language";

@@ -1,4 +1,4 @@
-import type { CalibrationResult, WorstPoint } from "../api/types";
+import type { CalibrationResult, WorstPoint } from "../api/resultTypes";
 import { amount, type TableData } from "../parts/table";
 import { t, words } from "../state/language";
 import { filled } from "../state/sentences";

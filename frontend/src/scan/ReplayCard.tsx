@@ -1,4 +1,4 @@
-import type { ReplayState } from "../api/types";
+import type { ReplayState } from "../api/scanTypes";
 import { BigNumber } from "../parts/BigNumber";
 import { CardHead } from "../parts/CardHead";
 import { Findings } from "../parts/Findings";

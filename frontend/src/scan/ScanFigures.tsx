@@ -1,4 +1,4 @@
-import type { ScanState } from "../api/types";
+import type { ScanState } from "../api/scanTypes";
 import { QualityMark } from "../parts/QualityMark";
 import { duration, figures } from "../parts/format";
 import { measured } from "../parts/lengths";

@@ -1,4 +1,4 @@
-import type { ScanSummary } from "../api/types";
+import type { ScanSummary } from "../api/scanTypes";
 import type { ShownScan } from "../api/viewTypes";
 import { showScan } from "../api/viewCommands";
 import { figures, moment } from "../parts/format";

@@ -1,5 +1,5 @@
 import { applyDelay, findDelay, passForDelay } from "../api/settingsCommands";
-import type { Delay, StationSettings } from "../api/types";
+import type { Delay, StationSettings } from "../api/settingsTypes";
 import { figures, signed } from "../parts/format";
 import { measured } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";

@@ -1,5 +1,5 @@
 import { changeSettings, exposeByTheLine } from "../api/settingsCommands";
-import type { StationSettings } from "../api/types";
+import type { StationSettings } from "../api/settingsTypes";
 import { PressButton } from "../parts/PressButton";
 import { t, words } from "../state/language";
 import { NumberSetting } from "./NumberSetting";

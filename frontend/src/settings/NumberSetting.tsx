@@ -1,7 +1,7 @@
 import { type FormEvent, type ReactNode, useId } from "react";
 
 import { changeSettings } from "../api/settingsCommands";
-import type { StationSettings } from "../api/types";
+import type { StationSettings } from "../api/settingsTypes";
 import { UnitInput } from "../arm/UnitInput";
 import { unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";

@@ -1,4 +1,4 @@
-import type { StationSettings } from "../api/types";
+import type { StationSettings } from "../api/settingsTypes";
 import { PressButton } from "../parts/PressButton";
 import { counted, t } from "../state/language";
 import type { Zones } from "./useZones";

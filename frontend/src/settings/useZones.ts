@@ -1,7 +1,7 @@
 import { useState } from "react";
 
 import { changeSettings } from "../api/settingsCommands";
-import type { StationSettings } from "../api/types";
+import type { StationSettings } from "../api/settingsTypes";
 
 export type Zone = [number, number][];
 

@@ -2,7 +2,12 @@ import { useSyncExternalStore } from "react";
 
 import type { Control, Session } from "../api/accessTypes";
 import type { ArmView } from "../api/armTypes";
-import type { Devices, FlowView, Home, Quality, ReplayState, ScanState, Station, StationSettings } from "../api/types";
+import type { Devices } from "../api/deviceTypes";
+import type { FlowView } from "../api/flowTypes";
+import type { Home, Station } from "../api/homeTypes";
+import type { ReplayState, ScanState } from "../api/scanTypes";
+import type { StationSettings } from "../api/settingsTypes";
+import type { Quality } from "../api/types";
 import type { VerifyView } from "../api/verifyTypes";
 import type { ViewState } from "../api/viewTypes";
 import type { StationReport, StationShown, Told } from "../api/watchTypes";

@@ -1,0 +1,54 @@
+/** Scans, and recordings that are shown again. The Python side of each shape is in app/api/schema.py and app/replay.py. */
+
+import type { Finding } from "./types";
+
+export interface ScanState {
+  state: "idle" | "running" | "stopping" | "blocked";
+  /** Why a scan cannot start; empty when it can. */
+  why_not: string;
+  scan_id: string | null;
+  points: number;
+  points_shown: number;
+  rate_points_s: number;
+  frames: number;
+  lost_frames: number;
+  frames_without_joints: number;
+  seconds: number;
+  /** The way of the surface under the stripe during the newest exposure; null where none is seen. */
+  blur_mm: number | null;
+  /** From one stripe to the next: the points' spacing along the pass. */
+  step_mm: number | null;
+  blur_limit_mm: number | null;
+  frames_too_fast: number;
+  /** Recorded beside their stripes. */
+  pictures: number;
+  findings: Finding[];
+  /** True while the twin's hand moves the sensor over the part. */
+  hand_running: boolean;
+}
+
+/** How far a recording is that is shown again. */
+export interface ReplayState {
+  recording: string;
+  /** 1 as it was taken; 0 as fast as it can be read. */
+  speed: number;
+  /** Of the recording's own time. */
+  played_s: number;
+  /** Null for a recording that was cut off. */
+  length_s: number | null;
+  points: number;
+  points_shown: number;
+  state: "playing" | "ended" | "failed";
+  /** What became of it, once it has ended. */
+  text: string;
+}
+
+export interface ScanSummary {
+  id: string;
+  name: string;
+  started_at: string;
+  points: number;
+  frames: number;
+  seconds: number;
+  calibration_id: string;
+}
