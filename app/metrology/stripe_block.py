@@ -83,7 +83,7 @@ def gather(
     """
     height = len(pixels) // width
     for group in range(0, LANES, int(WIDTH)):
-        at, behind = np.uintp(group), group + int(WIDTH)
+        behind = group + int(WIDTH)
         if behind <= len(columns) and columns[behind - 1] - columns[group] == behind - group - 1:
             lowest = highest = int(rows[group])
             for i in range(group, behind):
@@ -93,9 +93,9 @@ def gather(
                 for i in range(group, behind):
                     profile[i] = rows[i] - lowest  # its first row comes last
                 first = np.uintp((lowest - reach) * width + columns[group])
-                gather_neighbours(pixels, width, first, highest - lowest, reach, profile, at)
+                gather_neighbours(pixels, width, first, highest - lowest, reach, profile, group)
                 continue
-        gather_apart(pixels, width, columns, rows, reach, raw, profile, at)
+        gather_apart(pixels, width, columns, rows, reach, raw, profile, group)
 
 
 @vector_kernel
@@ -106,17 +106,17 @@ def gather_neighbours(
     apart: int,
     reach: int,
     profile: Singles,
-    at: np.uintp,
+    group: int,
 ) -> None:
-    """Takes the pixels for the lanes from ``at`` on, of columns side by side.
+    """Takes the pixels for the lanes from ``group`` on, of columns side by side.
 
     Args:
         first: the pixel of the first column in the first row of the lowest.
         apart: rows from the lowest to the highest.
         profile: its first row says by how many rows each lane is over the lowest.
     """
+    at, line = np.uintp(group), np.uintp(width)
     over = load(profile, at)
-    line = np.uintp(width)
     for k in range(np.uintp(2 * reach + 1)):
         pixel = first + k * line
         taken = load_whole(pixels, pixel)
@@ -135,13 +135,13 @@ def gather_apart(
     reach: int,
     raw: Grey,
     profile: Singles,
-    at: np.uintp,
+    group: int,
 ) -> None:
-    """Takes the pixels for the lanes from ``at`` on, wherever they are; see ``gather``."""
+    """Takes the pixels for the lanes from ``group`` on, wherever they are; see ``gather``."""
     n = len(columns)
     height = len(pixels) // width
-    for i in range(at, at + WIDTH):
-        lane = min(int(i), n - 1)
+    for i in range(group, group + int(WIDTH)):
+        lane = min(i, n - 1)
         row = rows[lane] - reach
         to = np.uintp(i)
         if row >= 0 and row + 2 * reach < height:
@@ -155,6 +155,7 @@ def gather_apart(
                 inside = min(max(row + k, 0), height - 1)
                 raw[to] = pixels[np.uintp(inside * width + columns[lane])]
                 to += ALL
+    at = np.uintp(group)
     for k in range(np.uintp(2 * reach + 1)):
         store(profile, k * ALL + at, load_whole(raw, k * ALL + at))
 
