@@ -2,6 +2,7 @@ import { useState } from "react";
 
 import { type Account, type Role, ROLES } from "../api/accessTypes";
 import { addAccount, changeAccount, removeAccount } from "../api/session";
+import rows from "../parts/List.module.css";
 import { moment } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
 import { Question } from "../parts/Question";
@@ -17,7 +18,7 @@ export function Accounts() {
   return (
     <section className={styles.section} aria-label={t("Accounts")}>
       <h1 className={styles.title}>{t("Accounts")}</h1>
-      <ul className={styles.list}>
+      <ul className={rows.list}>
         {list?.map((account) => (
           <AccountRow key={account.name} account={account} onChange={reread} />
         ))}

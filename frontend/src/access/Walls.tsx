@@ -2,6 +2,7 @@ import { useState } from "react";
 
 import type { Wall } from "../api/accessTypes";
 import { addWall, removeWall } from "../api/session";
+import rows from "../parts/List.module.css";
 import { moment } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
 import { TextField } from "../parts/TextField";
@@ -33,7 +34,7 @@ export function Walls() {
         <p className={styles.text}>{t("A link for a screen in the hall: it shows everything, and nobody can act there.")}</p>
       )}
       {list && list.length > 0 && (
-        <ul className={styles.list}>
+        <ul className={rows.list}>
           {list.map((wall) => (
             <li key={wall.id} className={styles.row}>
               <div className={styles.words}>

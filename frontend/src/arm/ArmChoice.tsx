@@ -1,7 +1,7 @@
 import { sendArm } from "../api/armCommands";
 import type { ChoiceOption } from "../api/types";
+import styles from "../parts/Field.module.css";
 import { t } from "../state/language";
-import styles from "./Fields.module.css";
 
 /** Which of the station's arms is checked. */
 export function ArmChoice({ arms, arm }: { arms: ChoiceOption[]; arm: string }) {

@@ -1,14 +1,14 @@
-import { SegmentedControl } from "@mantine/core";
 import type { FormEvent } from "react";
 
 import { sendArm } from "../api/armCommands";
 import type { Artefact } from "../api/armTypes";
+import styles from "../parts/Field.module.css";
+import { Segments } from "../parts/Segments";
 import { unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
+import { UnitInput } from "../parts/UnitInput";
 import { useHeldLength } from "../parts/useHeldLength";
 import { t, words } from "../state/language";
-import styles from "./Fields.module.css";
-import { UnitInput } from "./UnitInput";
 
 const KINDS = [
   { value: "seat", label: words("Seat") },
@@ -24,16 +24,13 @@ export function ArtefactField({ artefact, disabled, only = false }: { artefact: 
   return (
     <div className={styles.field}>
       <span className={styles.label}>{t("What the tip is put to")}</span>
-      <SegmentedControl
+      <Segments
         value={kind}
         onChange={(chosen) => void sendArm("choose_artefact", { kind: chosen })}
-        data={KINDS.map(({ value, label }) => ({ value, label: t(label) }))}
+        options={KINDS.map(({ value, label }) => ({ value, label: t(label) }))}
         disabled={disabled}
-        fullWidth
-        size="md"
-        radius="md"
-        aria-label={t("What the tip is put to")}
-        classNames={{ root: styles.control ?? "", label: styles.tab ?? "", indicator: styles.indicator ?? "" }}
+        wide
+        label={t("What the tip is put to")}
       />
       {kind !== "seat" && <Size key={kind} kind={kind} artefact={artefact} disabled={disabled} />}
     </div>

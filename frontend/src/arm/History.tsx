@@ -1,5 +1,6 @@
 import type { ArmCheckSummary, TipCheckSummary } from "../api/armTypes";
 import { EmptyState } from "../parts/EmptyState";
+import rows from "../parts/List.module.css";
 import { Reports } from "../parts/Reports";
 import { bound, moment } from "../parts/format";
 import { lengthFigures, measured, unitOf } from "../parts/lengths";
@@ -33,7 +34,7 @@ function TipHistory() {
   return (
     <div className={styles.history}>
       <h2 className={styles.title}>{t("Checks of the tip")}</h2>
-      <ul className={styles.list}>
+      <ul className={rows.list}>
         {list.map((check) => (
           <TipRow key={check.id} check={check} />
         ))}
@@ -76,7 +77,7 @@ function ArmHistory() {
     <div className={styles.history}>
       <h2 className={styles.title}>{t("Checks of the arm: (max − min)/2 on the worst axis")}</h2>
       <HistoryChart checks={list} />
-      <ul className={styles.list}>
+      <ul className={rows.list}>
         {list.map((check) => (
           <Row key={check.id} check={check} />
         ))}

@@ -1,12 +1,12 @@
 import type { FormEvent } from "react";
 
 import { sendArm } from "../api/armCommands";
+import styles from "../parts/Field.module.css";
 import { typed, unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
+import { UnitInput } from "../parts/UnitInput";
 import { useHeldLength } from "../parts/useHeldLength";
 import { t } from "../state/language";
-import styles from "./Fields.module.css";
-import { UnitInput } from "./UnitInput";
 
 /** The largest (max − min)/2 that the operator accepts; kept for the next checks. */
 export function LimitField({ limit_um, tip }: { limit_um: number | null; tip: boolean }) {

@@ -1,9 +1,9 @@
-import { SegmentedControl } from "@mantine/core";
 import { useState } from "react";
 
 import type { ArmResult, ParameterLine } from "../api/armTypes";
 import { CopyCsv } from "../parts/CopyCsv";
 import { DataTable } from "../parts/DataTable";
+import { Segments } from "../parts/Segments";
 import { bound } from "../parts/format";
 import { measured } from "../parts/lengths";
 import { amount, type TableData } from "../parts/table";
@@ -21,7 +21,7 @@ export function ResultView({ result }: { result: ArmResult }) {
   return (
     <div className={styles.result}>
       <div className={styles.tabs}>
-        <SegmentedControl value={tab} onChange={setTab} data={TABS.map(({ value, label }) => ({ value, label: t(label) }))} size="md" radius="md" aria-label={t("What to look at")} />
+        <Segments value={tab} onChange={setTab} options={TABS.map(({ value, label }) => ({ value, label: t(label) }))} label={t("What to look at")} />
       </div>
       {tab === "picture" ? <BeforeAndAfter result={result} /> : <Parameters parameters={result.parameters} />}
     </div>

@@ -4,6 +4,7 @@ import styles from "../access/Access.module.css";
 import { useReread } from "../access/useReread";
 import { addScraper, removeScraper } from "../api/watchCommands";
 import type { Scraper } from "../api/watchTypes";
+import rows from "../parts/List.module.css";
 import { moment } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
 import { TextField } from "../parts/TextField";
@@ -31,7 +32,7 @@ export function Scrapers() {
       <h2 className={styles.title}>{t("Metrics")}</h2>
       <p className={styles.text}>{t("Prometheus reads {address} with a token of its own, sent as Bearer.", { address: `${window.location.origin}/metrics` })}</p>
       {list && list.length > 0 && (
-        <ul className={styles.list}>
+        <ul className={rows.list}>
           {list.map((one) => (
             <li key={one.id} className={styles.row}>
               <div className={styles.words}>

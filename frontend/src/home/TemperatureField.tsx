@@ -1,11 +1,11 @@
 import { type FormEvent, useState } from "react";
 
-import fields from "../arm/Fields.module.css";
-import { UnitInput } from "../arm/UnitInput";
 import { tell } from "../api/commands";
 import { post } from "../api/http";
+import fields from "../parts/Field.module.css";
 import { figures } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
+import { UnitInput } from "../parts/UnitInput";
 import { t } from "../state/language";
 import styles from "./TemperatureField.module.css";
 

@@ -1,4 +1,5 @@
 import type { Validity } from "../api/homeTypes";
+import rows from "../parts/List.module.css";
 import { bound } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
@@ -18,7 +19,7 @@ const WORD: Record<Validity["state"], string> = {
  *  `next` has its button beside the list. */
 export function ValidityList({ checks, next }: { checks: Validity[]; next: string }) {
   return (
-    <ul className={styles.list} aria-label={t("What is valid and what is due")}>
+    <ul className={rows.list} aria-label={t("What is valid and what is due")}>
       {checks.map((check) => (
         <li key={check.id} className={styles.row} data-state={check.state}>
           <QualityMark quality={check.quality} size="1.5rem" />

@@ -7,6 +7,7 @@ import type { VerificationSummary } from "../api/verifyTypes";
 import { CalibrationHistory } from "../records/CalibrationHistory";
 import { CalibrationRecord } from "../records/CalibrationRecord";
 import { CalibrationRow, ScanRow, VerificationRow } from "../records/Rows";
+import rows from "../parts/List.module.css";
 import { t } from "../state/language";
 import { useDetail } from "../state/router";
 import { useLive } from "../state/store";
@@ -69,7 +70,7 @@ function Section<T>({ title, above, empty, list, failed, row }: SectionProps<T>)
       <h1 className={styles.title}>{title}</h1>
       {above}
       {list && list.length > 0 ? (
-        <ul className={styles.list}>{list.map(row)}</ul>
+        <ul className={rows.list}>{list.map(row)}</ul>
       ) : (
         <p className={styles.empty}>{list ? empty : failed ? t("The list could not be read. It is read again when the station is back.") : t("Reading the list.")}</p>
       )}

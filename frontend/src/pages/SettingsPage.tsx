@@ -4,6 +4,7 @@ import { changeSettings, readSettings } from "../api/settingsCommands";
 import { Layout } from "../frame/Layout";
 import { LiveCamera } from "../image/LiveCamera";
 import { CardHead } from "../parts/CardHead";
+import fields from "../parts/Field.module.css";
 import { Findings } from "../parts/Findings";
 import { DelaySettings } from "../settings/DelaySettings";
 import { LanguageSettings } from "../settings/LanguageSettings";
@@ -67,7 +68,7 @@ export function SettingsPage() {
               />
               {t("Record pictures, too")}
             </label>
-            <p className={styles.help}>
+            <p className={fields.help}>
               {t("They take some 30 MB a second, and can be extracted anew. Every line is recorded in any case, and comes first.")}
             </p>
           </section>

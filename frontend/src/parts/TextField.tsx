@@ -1,6 +1,6 @@
 import { type InputHTMLAttributes, useId } from "react";
 
-import styles from "./TextField.module.css";
+import styles from "./Field.module.css";
 
 interface TextFieldProps extends Omit<InputHTMLAttributes<HTMLInputElement>, "onChange"> {
   label: string;

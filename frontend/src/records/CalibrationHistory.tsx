@@ -1,7 +1,7 @@
-import { SegmentedControl } from "@mantine/core";
 import { useState } from "react";
 
 import type { CalibrationPoint } from "../api/recordTypes";
+import { Segments } from "../parts/Segments";
 import { TimeChart } from "../parts/TimeChart";
 import { bound } from "../parts/format";
 import { measured } from "../parts/lengths";
@@ -89,14 +89,11 @@ export function CalibrationHistory() {
   return (
     <div className={styles.history}>
       <div className={styles.choice}>
-        <SegmentedControl
+        <Segments
           value={shown}
           onChange={setShown}
-          data={names.map((name) => ({ value: name, label: t(MEASURES[name]?.label ?? name) }))}
-          size="md"
-          radius="md"
-          aria-label={t("What is drawn over time")}
-          classNames={{ root: styles.control ?? "", indicator: styles.indicator ?? "" }}
+          options={names.map((name) => ({ value: name, label: t(MEASURES[name]?.label ?? name) }))}
+          label={t("What is drawn over time")}
         />
       </div>
       <TimeChart

@@ -1,7 +1,7 @@
-import { SegmentedControl } from "@mantine/core";
 import { useRef, useState } from "react";
 
 import { PoseView } from "../image/PoseView";
+import { Segments } from "../parts/Segments";
 import { t, words } from "../state/language";
 import { useLook } from "../state/useLook";
 import { Budget } from "./Budget";
@@ -34,14 +34,11 @@ export function ResultPicture({ picture }: { picture: ResultView }) {
   return (
     <div ref={place} className={styles.picture} data-stale={picture.stale || undefined}>
       <div className={styles.tabs}>
-        <SegmentedControl
+        <Segments
           value={tab}
           onChange={setTab}
-          data={TABS.map(({ value, label }) => ({ value, label: t(label) }))}
-          size="md"
-          radius="md"
-          aria-label={t("What to look at")}
-          classNames={{ root: styles.control ?? "", label: styles.tab ?? "", indicator: styles.indicator ?? "" }}
+          options={TABS.map(({ value, label }) => ({ value, label: t(label) }))}
+          label={t("What to look at")}
         />
       </div>
       <div className={styles.shown}>

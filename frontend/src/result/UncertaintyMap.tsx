@@ -1,7 +1,7 @@
-import { SegmentedControl } from "@mantine/core";
 import { useState } from "react";
 
 import type { CalibrationResult } from "../api/resultTypes";
+import { Segments } from "../parts/Segments";
 import { figures } from "../parts/format";
 import { lengthFigures, measured } from "../parts/lengths";
 import { t } from "../state/language";
@@ -38,17 +38,14 @@ export function UncertaintyMap({ result, width_px, height_px }: MapProps) {
     <div className={styles.view}>
       {moved.length > 0 && (
         <div className={styles.choice}>
-          <SegmentedControl
+          <Segments
             value={shown}
             onChange={setShown}
-            data={[
+            options={[
               { value: "known", label: t("Uncertainty") },
               { value: "moved", label: t("Change") },
             ]}
-            size="md"
-            radius="md"
-            aria-label={t("What the map shows")}
-            classNames={{ root: styles.control ?? "", indicator: styles.indicator ?? "" }}
+            label={t("What the map shows")}
           />
         </div>
       )}

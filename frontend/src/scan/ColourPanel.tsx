@@ -2,9 +2,9 @@ import { useEffect, useState } from "react";
 
 import { colourBy } from "../api/viewCommands";
 import type { Legend, Measure } from "../api/viewTypes";
-import { UnitInput } from "../arm/UnitInput";
 import { fromTyped, unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
+import { UnitInput } from "../parts/UnitInput";
 import { useBarred } from "../state/control";
 import { t } from "../state/language";
 import { useLive } from "../state/store";

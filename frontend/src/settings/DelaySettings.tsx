@@ -1,5 +1,6 @@
 import { applyDelay, findDelay, passForDelay } from "../api/settingsCommands";
 import type { Delay, StationSettings } from "../api/settingsTypes";
+import fields from "../parts/Field.module.css";
 import { figures, signed } from "../parts/format";
 import { measured } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
@@ -20,7 +21,7 @@ export function DelaySettings({ settings }: { settings: StationSettings }) {
       {delay ? (
         <Found delay={delay} />
       ) : (
-        <p className={styles.help}>
+        <p className={fields.help}>
           {t("None is used. To find it, scan a flat plate: go over it, nearer and away again, at least three times, briskly. Stop, then find it here.")}
         </p>
       )}
@@ -50,7 +51,7 @@ function Found({ delay }: { delay: Delay }) {
       <p className={styles.number}>
         {signed(delay.delay_ms, 2)} <span>ms ± {figures(delay.standard_uncertainty_ms, 2)} ms (k = 1)</span>
       </p>
-      <p className={styles.help}>
+      <p className={fields.help}>
         {delay.applied ? t("In use from the next scan on.") : t("Found, not yet used.")}{" "}
         {t("Points about the plane: {without} rms without it, {with} with it", {
           without: measured(delay.rms_without_um, "µm"),

@@ -1,4 +1,5 @@
 import { ChooseLanguage, ChooseUnits } from "../parts/ChooseLanguage";
+import fields from "../parts/Field.module.css";
 import { t } from "../state/language";
 import styles from "./Settings.module.css";
 
@@ -11,7 +12,7 @@ export function LanguageSettings() {
       </h2>
       <ChooseLanguage id="settings-language" />
       <ChooseUnits id="settings-units" />
-      <p className={styles.help}>{t("For this browser. Files, reports and CSV keep mm and µm.")}</p>
+      <p className={fields.help}>{t("For this browser. Files, reports and CSV keep mm and µm.")}</p>
     </section>
   );
 }

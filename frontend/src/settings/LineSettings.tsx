@@ -1,5 +1,6 @@
 import { changeSettings, exposeByTheLine } from "../api/settingsCommands";
 import type { StationSettings } from "../api/settingsTypes";
+import fields from "../parts/Field.module.css";
 import { PressButton } from "../parts/PressButton";
 import { t, words } from "../state/language";
 import { NumberSetting } from "./NumberSetting";
@@ -43,10 +44,10 @@ export function LineSettings({ settings }: { settings: StationSettings }) {
         help={t("What is narrower is a glint. Automatic: about half of the line's usual width.")}
         settings={settings}
       />
-      <label className={styles.field}>
-        <span className={styles.label}>{t("Where several lines cross a column")}</span>
+      <label className={fields.field}>
+        <span className={fields.label}>{t("Where several lines cross a column")}</span>
         <select
-          className={styles.select}
+          className={fields.input}
           value={settings.choice}
           onChange={(event) => void changeSettings({ choice: event.target.value as StationSettings["choice"] })}
         >
@@ -56,7 +57,7 @@ export function LineSettings({ settings }: { settings: StationSettings }) {
             </option>
           ))}
         </select>
-        <span className={styles.help}>{t("Take the first or the last on glass and film, where two surfaces reflect.")}</span>
+        <span className={fields.help}>{t("Take the first or the last on glass and film, where two surfaces reflect.")}</span>
       </label>
     </section>
   );

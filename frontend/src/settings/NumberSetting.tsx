@@ -2,12 +2,12 @@ import { type FormEvent, type ReactNode, useId } from "react";
 
 import { changeSettings } from "../api/settingsCommands";
 import type { StationSettings } from "../api/settingsTypes";
-import { UnitInput } from "../arm/UnitInput";
+import fields from "../parts/Field.module.css";
 import { unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
+import { UnitInput } from "../parts/UnitInput";
 import { useHeldLength } from "../parts/useHeldLength";
 import { t } from "../state/language";
-import styles from "./Settings.module.css";
 
 type Name = "threshold" | "min_width_px" | "exposure_us" | "blur_limit_mm";
 
@@ -35,11 +35,11 @@ export function NumberSetting(props: NumberSettingProps) {
     void set();
   };
   return (
-    <form className={styles.field} onSubmit={submit}>
-      <label className={styles.label} htmlFor={id}>
+    <form className={fields.field} onSubmit={submit}>
+      <label className={fields.label} htmlFor={id}>
         {label}
       </label>
-      <div className={styles.row}>
+      <div className={fields.row}>
         <UnitInput
           id={id}
           unit={unitOf(unit)}
@@ -51,7 +51,7 @@ export function NumberSetting(props: NumberSettingProps) {
         />
         {held.changed ? <PressButton onPress={set}>{t("Set")}</PressButton> : children}
       </div>
-      <p id={`${id}-help`} className={styles.help}>
+      <p id={`${id}-help`} className={fields.help}>
         {help}
       </p>
     </form>

@@ -1,4 +1,5 @@
 import type { StationSettings } from "../api/settingsTypes";
+import fields from "../parts/Field.module.css";
 import { PressButton } from "../parts/PressButton";
 import { counted, t } from "../state/language";
 import type { Zones } from "./useZones";
@@ -12,7 +13,7 @@ export function ZoneButtons({ zones, settings }: { zones: Zones; settings: Stati
       <h2 id="zones" className={styles.heading}>
         {t("Zones without measurement")}
       </h2>
-      <p className={styles.help}>
+      <p className={fields.help}>
         {zones.drawing
           ? t("Draw it: press on the picture, and pull.")
           : count === 0

@@ -1,8 +1,8 @@
-import { SegmentedControl } from "@mantine/core";
 import { useState } from "react";
 
 import { CopyCsv } from "../parts/CopyCsv";
 import { DataTable } from "../parts/DataTable";
+import { Segments } from "../parts/Segments";
 import frame from "../result/ResultPicture.module.css";
 import { t } from "../state/language";
 import { DeviationMap } from "./DeviationMap";
@@ -32,14 +32,11 @@ export function ResultTabs({ shown, sent, id }: ResultTabsProps) {
   return (
     <div className={frame.picture}>
       <div className={frame.tabs}>
-        <SegmentedControl
+        <Segments
           value={tab}
           onChange={setTab}
-          data={tabs}
-          size="md"
-          radius="md"
-          aria-label={t("What to look at")}
-          classNames={{ root: frame.control ?? "", label: frame.tab ?? "", indicator: frame.indicator ?? "" }}
+          options={tabs}
+          label={t("What to look at")}
         />
       </div>
       <div className={frame.shown}>

@@ -1,6 +1,7 @@
 import type { InputHTMLAttributes } from "react";
 
-import styles from "./Fields.module.css";
+import fields from "./Field.module.css";
+import styles from "./UnitInput.module.css";
 
 interface UnitInputProps extends Omit<InputHTMLAttributes<HTMLInputElement>, "onChange"> {
   unit: string;
@@ -14,7 +15,7 @@ export function UnitInput({ unit, long = false, onText, ...input }: UnitInputPro
   return (
     <div className={styles.unit} data-unit={unit}>
       <input
-        className={styles.input}
+        className={fields.input}
         data-long={long || undefined}
         type="number"
         inputMode="decimal"
