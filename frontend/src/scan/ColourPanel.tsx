@@ -47,6 +47,11 @@ export function ColourPanel() {
   );
 }
 
+/** As a field takes it; nothing is not minus nothing. */
+function plain(value: number, decimals: number): string {
+  return value.toFixed(decimals).replace(/^-(?=[0.]*$)/, "");
+}
+
 /** Automatic limits follow what is shown; those typed in stay. */
 function Limits({ legend }: { legend: Legend }) {
   const unit = unitOf(legend.unit);
@@ -57,8 +62,8 @@ function Limits({ legend }: { legend: Legend }) {
     if (typed) return;
     const ends = inShown(legend);
     const decimals = decimalsOf(ends);
-    setLow(ends.low.toFixed(decimals));
-    setHigh(ends.high.toFixed(decimals));
+    setLow(plain(ends.low, decimals));
+    setHigh(plain(ends.high, decimals));
   }, [legend, typed, unit]);
   const type = (set: (text: string) => void) => (text: string) => {
     setTyped(true);
