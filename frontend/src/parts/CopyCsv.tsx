@@ -17,7 +17,7 @@ export function CopyCsv({ tables }: { tables: TableData[] }) {
   return (
     <PressButton free onPress={copy}>
       {told === "copied" ? <CheckIcon size="1.25rem" /> : <CopyIcon size="1.25rem" />}
-      {{ "": t("Copy as CSV"), copied: t("Copied"), failed: t("This browser does not let us copy") }[told]}
+      {{ "": t("Copy as CSV"), copied: t("Copied, in mm and µm"), failed: t("This browser does not let us copy") }[told]}
     </PressButton>
   );
 }
