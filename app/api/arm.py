@@ -25,13 +25,13 @@ def arm(context: TheContext) -> Response:
 @router.get("/checks")
 def checks(context: TheContext) -> list[ArmCheckSummary]:
     """Every finished check, newest first."""
-    return context.arm_guide.history()
+    return context.arm_guide.past.checks()
 
 
 @router.get("/tips")
 def tips(context: TheContext) -> list[TipCheckSummary]:
     """Every finished check of the tip, newest first."""
-    return context.arm_guide.tip_history()
+    return context.arm_guide.past.tip_checks()
 
 
 @router.post("/start", response_model=ArmView)

@@ -127,7 +127,7 @@ def known_of(context: Context, record: CalibrationRecord | None) -> Known:
     """What the station remembers of all that must be in order."""
     store, arm_guide = context.store, context.arm_guide
     verified = store.verifications.newest_of(record.id) if record else None
-    tip, arm = arm_guide.last_tip_check(), arm_guide.last_check()
+    tip, arm = arm_guide.past.last_tip_check(), arm_guide.past.last_check()
     return Known(
         calibration=None
         if record is None
@@ -144,7 +144,7 @@ def known_of(context: Context, record: CalibrationRecord | None) -> Known:
 
 def tip_of(arm_guide: ArmGuide, limits: DueLimits) -> Finding:
     """What the last check of the tip says to who is about to touch with it."""
-    tip = arm_guide.last_tip_check()
+    tip = arm_guide.past.last_tip_check()
     found = None if tip is None else Checked(tip.at, _state(tip.verdict), tip.text)
     known = Known(None, None, False, found, None, None)
     lines = validity_of(known, datetime.now(UTC), limits)

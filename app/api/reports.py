@@ -37,7 +37,7 @@ def of_check(
     record_id: RecordId, form: Form, context: TheContext, lang: Language = "en"
 ) -> Response:
     """The report on a finished check of the arm."""
-    if all(check.id != record_id for check in context.arm_guide.history()):
+    if all(check.id != record_id for check in context.arm_guide.past.checks()):
         raise NotFound(f"There is no check of the arm {record_id}.")
     return _report(context.store.folder / "sessions" / record_id, form, lang)
 
@@ -45,7 +45,7 @@ def of_check(
 @router.get("/arm/tips/{record_id}/report.{form}")
 def of_tip(record_id: RecordId, form: Form, context: TheContext, lang: Language = "en") -> Response:
     """The report on a finished check of the tip."""
-    if all(check.id != record_id for check in context.arm_guide.tip_history()):
+    if all(check.id != record_id for check in context.arm_guide.past.tip_checks()):
         raise NotFound(f"There is no check of the tip {record_id}.")
     return _report(context.store.folder / "sessions" / record_id, form, lang)
 

@@ -10,11 +10,11 @@ import pytest
 
 from app.files.arm_identification import read_bars, write_observations
 from app.guide.arm.flow import view_of
-from app.guide.arm.guide import observations_of
 from app.guide.arm.live import ArmLive
 from app.guide.arm.rules import LEAST, why_not
 from app.guide.arm.sampling import HOLD_NS, TURN_RAD, pick
 from app.guide.arm.state import ArmState, after
+from app.guide.arm.taken import observations_of
 from app.guide.arm.view import ArmView
 from app.guide.journal import fold
 from app.guide.library import Library

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 
 from app.guide.arm import works
+from app.guide.arm.checking import finish_seat
 from app.guide.arm.guide import ArmGuide
 from app.guide.arm.hand_work import hand_work
 from app.guide.arm.view import ArmView
@@ -78,7 +79,7 @@ ACTS: dict[str, Callable[[ArmGuide, Args, str | None], None]] = {
     "choose_artefact": lambda guide, args, key: guide.choose_artefact(args, key),
     "begin": lambda guide, args, key: guide.begin_seat(key),
     "touch": lambda guide, args, key: guide.touch(None, key),
-    "finish": lambda guide, args, key: guide.finish_seat(key),
+    "finish": lambda guide, args, key: finish_seat(guide, key),
     "drop_swing": _drop,
     "drop_seat": _drop,
     "fit": _fit,

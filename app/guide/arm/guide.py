@@ -1,58 +1,37 @@
 """The one arm session of a station: its journal, its points, and what is shown of it."""
 
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass
-from datetime import UTC, datetime
 from pathlib import Path
-from typing import Protocol
-
-import numpy as np
 
 from app.files.arm import read_arm
-from app.files.arm_check import ARM_CHECK, ArmCheckFile
-from app.files.arm_identification import ARM, ARTICULATION, SPHERES, write_observations
+from app.files.arm_identification import ARM, write_observations
 from app.files.atomic import write_atomically
-from app.files.calibration import Input
-from app.files.documents import sha256_of
 from app.files.failures import files_refused
-from app.files.software import SOFTWARE
-from app.files.tip_check import TIP_CHECK, TipCheckFile
-from app.guide.arm.flow import quality_of, view_of
+from app.guide.arm.flow import view_of
 from app.guide.arm.live import ArmLive
+from app.guide.arm.past import KIND, ArmJournal, ArmPast
 from app.guide.arm.rules import why_not
 from app.guide.arm.sampling import HOLD_NS, pick
 from app.guide.arm.state import POINTS, ArmState, Artefact, Purpose, after
-from app.guide.arm.tip import LIMIT_UM, finding_of, to_payload
-from app.guide.arm.view import ArmCheckSummary, ArmView, TipCheckSummary
+from app.guide.arm.taken import observations_of
+from app.guide.arm.view import ArmView
 from app.guide.hand import Hand
-from app.guide.journal import Journal, Row
 from app.guide.library import Library, read_library
 from app.guide.session import GuidedSession, new_session_id
 from app.guide.signing import UNSIGNED, Signing
 from app.guide.verify.gauges import read_gauges
 from app.guide.view import Busy
 from app.metrology.arm import Arm
-from app.metrology.arm_model.articulation import Articulation, check_articulation
-from app.metrology.arm_model.observations import Bar, Observations, Seat, Sphere
 from app.metrology.refusal import Refusal
-from app.metrology.tip_check import check_tip
 from app.station.bus import Bus
-from app.station.findings import Quality
 from app.station.jobs import Jobs
 from app.station.rig import Rig
 
-KIND = "arm"
 FRESH_S = 2.0
 """Arms that were added to the data folder are seen after this time."""
 IDENTIFIED = "identified.json"
-
-
-class ArmJournal(Journal, Protocol):
-    """A journal whose rows can be read over all sessions of a kind."""
-
-    def history(self, session_kind: str, kind: str) -> Sequence[Row]: ...
-    def latest(self, session_kind: str, kind: str) -> Row | None: ...
 
 
 @dataclass(frozen=True)
@@ -80,7 +59,7 @@ class ArmGuide(GuidedSession[ArmState, ArmView]):
         super().__init__(station, journal, KIND, "arm", ArmState(), after)
         self.signing = signing
         self.data_folder = data_folder
-        self._past = journal
+        self.past = ArmPast(journal)
         self._left_mm: float | None = None
         self._seen_ns = 0
         self._library: tuple[float, Library] | None = None
@@ -141,26 +120,6 @@ class ArmGuide(GuidedSession[ArmState, ArmView]):
                 self._own = (self.state.session_id, None)
         return self._own[1]
 
-    def history(self) -> list[ArmCheckSummary]:
-        """Every check that was finished, newest first."""
-        rows = self._past.history(KIND, "checked")
-        return [_summary(row) for row in reversed(rows)]
-
-    def last_check(self) -> ArmCheckSummary | None:
-        """The newest check that was finished."""
-        row = self._past.latest(KIND, "checked")
-        return None if row is None else _summary(row)
-
-    def last_tip_check(self) -> TipCheckSummary | None:
-        """The newest check of the tip that was finished."""
-        row = self._past.latest(KIND, "tip_checked")
-        return None if row is None else _tip_summary(row)
-
-    def tip_history(self) -> list[TipCheckSummary]:
-        """Every check of the tip that was finished, newest first."""
-        rows = self._past.history(KIND, "tip_checked")
-        return [_tip_summary(row) for row in reversed(rows)]
-
     # -- sessions ------------------------------------------------------------
 
     def start(self, purpose: Purpose) -> ArmView:
@@ -189,21 +148,15 @@ class ArmGuide(GuidedSession[ArmState, ArmView]):
         """The one set last for the same; an open session's may be not in its history yet."""
         if self.state.purpose == purpose and self.state.session_id:
             return self.state.limit_um
-        kind = "tip_checked" if purpose == "tip" else "checked"
-        row = self._past.latest(KIND, kind)
-        if row is not None:
-            last = row.payload["limit_um"]
-            return last if isinstance(last, float | int) else None
-        return LIMIT_UM if purpose == "tip" else None
+        return self.past.last_limit_um(purpose)
 
     def _last_sphere(self) -> Artefact | None:
         """The sphere that the tip was checked on last, or the only one that is known."""
         hand = self.station.hand
         if hand is not None:
             return Artefact("sphere", hand.ball_mm)
-        row = self._past.latest(KIND, "tip_checked")
-        if row is not None and isinstance(row.payload.get("sphere"), dict):
-            return Artefact(**row.payload["sphere"])  # type: ignore[arg-type]  # as written
+        if (last := self.past.last_sphere()) is not None:
+            return last
         spheres = [
             gauge
             for gauge in read_gauges(self.data_folder / "gauges").known.values()
@@ -294,15 +247,11 @@ class ArmGuide(GuidedSession[ArmState, ArmView]):
         name = self.state.seats[-1].name
         self.station.bus.event("point_taken", f"Point {len(self.state.seats[-1].q_rad)}, {name}.")
 
-    def finish_seat(self, key: str | None) -> None:
-        """Ends the swing; a check is judged and recorded at once."""
+    def end_seat(self, key: str | None) -> None:
+        """Ends the swing, with the points up to now."""
         self._take_points(hold_ns=0)
         self.append("seat_ended", {}, key)
         self.keep_seats()
-        if self.state.purpose == "check":
-            self._check()
-        elif self.state.purpose == "tip":
-            self._check_tip()
 
     def _take_points(self, hold_ns: int = HOLD_NS) -> None:
         """Brings the points up to date with the joints that have streamed in.
@@ -329,106 +278,7 @@ class ArmGuide(GuidedSession[ArmState, ArmView]):
         if picked.q_rad:
             self.append(POINTS, {"q_rad": picked.q_rad})
 
-    def _check(self) -> None:
-        arm, seat = self.arm(), self.state.seats[-1]
-        assert arm is not None
-        found = check_articulation(arm, np.array(seat.q_rad), label=seat.name)
-        quality = quality_of(found.half_range_um, self.state.limit_um)
-        self._keep_check(arm, found, quality)
-        self.append(
-            "checked",
-            {
-                "arm_name": arm.name,
-                "arm_serial": arm.serial_number,
-                "points": found.points,
-                "centre_mm": found.centre_mm.tolist(),
-                "half_range_um": found.half_range_um.tolist(),
-                "two_sigma_um": found.two_sigma_um.tolist(),
-                "encoders_two_sigma_um": found.encoders_two_sigma_um.tolist(),
-                "limit_um": self.state.limit_um,
-                "verdict": quality,
-            },
-        )
-        worst = f"{float(found.half_range_um.max()):.0f} µm"
-        self.station.bus.event("step_done", f"The arm is checked: {worst}.")
-
-    def _check_tip(self) -> None:
-        arm, seat = self.arm(), self.state.seats[-1]
-        assert arm is not None
-        sphere, limit_um = seat.artefact, self.state.limit_um
-        assert sphere.size_mm is not None
-        try:
-            found = check_tip(
-                arm,
-                np.array(seat.q_rad),
-                sphere.size_mm,
-                sphere.standard_uncertainty_mm,
-                limit_um,
-            )
-        except Refusal as refusal:
-            self.append("seat_dropped", {"name": seat.name})
-            self.decline(refusal)
-            return
-        payload = to_payload(found, arm.tip.diameter_mm, limit_um)
-        told = finding_of(payload)
-        self._keep_tip_check(arm, sphere, {**payload, "words": told.text})
-        self.append(
-            "tip_checked",
-            {
-                "arm_name": arm.name,
-                "arm_serial": arm.serial_number,
-                "sphere": asdict(sphere),
-                "text": told.text,
-                "verdict": told.quality,
-                **payload,
-            },
-        )
-        self.station.bus.event("step_done", told.text, told.quality)
-
     # -- the session's folder -------------------------------------------------
-
-    def _signed(self, tables: Sequence[str]) -> dict[str, object]:
-        """Of a record made now: when, where and by whom, and the files it was made from."""
-        signing = self.signing
-        return {
-            "checked_at": datetime.now(UTC).isoformat(timespec="seconds"),
-            "operator": signing.operator(),
-            "station": signing.station,
-            "simulated": signing.simulated,
-            "temperature_c": signing.temperature_c(),
-            "inputs": tuple(
-                Input(file=name, sha256=sha256_of(self.folder / name)) for name in (ARM, *tables)
-            ),
-            "software": SOFTWARE,
-        }
-
-    def _keep_tip_check(self, arm: Arm, sphere: Artefact, found: Mapping[str, object]) -> None:
-        TipCheckFile.model_validate(
-            {
-                **self._signed([SPHERES]),
-                **found,
-                "arm_name": arm.name,
-                "arm_serial": arm.serial_number,
-                "sphere_mm": sphere.size_mm,
-                "sphere_standard_uncertainty_mm": sphere.standard_uncertainty_mm,
-            }
-        ).write(self.folder / TIP_CHECK)
-
-    def _keep_check(self, arm: Arm, found: Articulation, verdict: Quality) -> None:
-        """What the check found, and what from, so that its report can be made of the folder."""
-        ArmCheckFile.model_validate(
-            {
-                **self._signed([ARTICULATION]),
-                "arm_name": arm.name,
-                "arm_serial": arm.serial_number,
-                "points": found.points,
-                "half_range_um": found.half_range_um.tolist(),
-                "two_sigma_um": found.two_sigma_um.tolist(),
-                "encoders_two_sigma_um": found.encoders_two_sigma_um.tolist(),
-                "limit_um": self.state.limit_um,
-                "verdict": verdict,
-            }
-        ).write(self.folder / ARM_CHECK)
 
     def _keep_arm(self) -> None:
         entry = self.library().arms[self.state.arm]
@@ -439,53 +289,3 @@ class ArmGuide(GuidedSession[ArmState, ArmView]):
     def keep_seats(self) -> None:
         """Brings the session's tables up to date."""
         write_observations(self.folder, observations_of(self.state))
-
-
-def observations_of(state: ArmState) -> Observations:
-    """What was taken so far, as the identification has it; half a bar is left out."""
-    taken = [seat for seat in state.seats if seat.q_rad]
-    of = {
-        kind: [seat for seat in taken if seat.artefact.kind == kind]
-        for kind in ("seat", "bar", "sphere")
-    }
-    ends = of["bar"]
-    return Observations(
-        tuple(Seat(seat.name, np.array(seat.q_rad)) for seat in of["seat"]),
-        tuple(
-            Sphere(seat.name, seat.artefact.size_mm or 0.0, np.array(seat.q_rad))
-            for seat in of["sphere"]
-        ),
-        tuple(
-            Bar(
-                f"{a.artefact.size_mm:g} mm",
-                a.name.split(",")[0],
-                a.artefact.size_mm or 0.0,
-                a.artefact.standard_uncertainty_mm,
-                ("A", "B"),
-                (np.array(a.q_rad), np.array(b.q_rad)),
-            )
-            for a, b in zip(ends[::2], ends[1::2], strict=False)
-        ),
-    )
-
-
-def _tip_summary(row: Row) -> TipCheckSummary:
-    payload = {k: v for k, v in row.payload.items() if k not in ("sphere", "cause")}
-    return TipCheckSummary(
-        id=row.session_id,
-        at=row.at,
-        **payload,  # type: ignore[arg-type]  # as _check_tip wrote them
-    )
-
-
-def _summary(row: Row) -> ArmCheckSummary:
-    payload = dict(row.payload)
-    return ArmCheckSummary(
-        id=row.session_id,
-        at=row.at,
-        **{  # type: ignore[arg-type]  # as _check wrote them
-            name: tuple(value) if isinstance(value, list) else value
-            for name, value in payload.items()
-            if name not in ("centre_mm", "encoders_two_sigma_um")
-        },
-    )

@@ -3,6 +3,7 @@
 import time
 from collections.abc import Callable
 
+from app.guide.arm.checking import finish_seat
 from app.guide.arm.guide import ArmGuide
 from app.guide.arm.rules import SEATS_WANTED, touches_wanted
 from app.guide.arm.state import Kind, Purpose
@@ -103,4 +104,4 @@ def _finish(guide: ArmGuide) -> None:
     with guide.lock:
         guide.refresh()
         guide.refuse_unless_possible("finish", {}, None, by_hand=True)
-        guide.finish_seat(None)
+        finish_seat(guide, None)
