@@ -57,7 +57,7 @@ def _device(name: str, state: DeviceState) -> DeviceReport:
             "name": name,
             "state": state.state,
             "text": state.text[:LONGEST],
-            "age_s": None if state.age_s is None else round(state.age_s, 3),
+            "age_s": None if state.age_s is None else round(max(state.age_s, 0.0), 3),
             "rate_hz": None if state.rate_hz is None else round(state.rate_hz, 1),
             "received": state.received,
             "lost": state.lost,

@@ -13,8 +13,9 @@ from app.strings.files import ENGLISH, strings_of
 
 PLACE = re.compile(r"\{(\w+)\}")
 SENTENCE_END = re.compile(r"(?<=[.?]) (?=[A-Z])")
-JOINTS = (SENTENCE_END, *(re.compile(f"({joint})") for joint in (" · ", ": ", "; ", ", ")))
+JOINTS = (SENTENCE_END, *map(re.compile, (" · ", ": ", "; ", ", ")))
 """Where a text is put together of others, the loosest joint first."""
+MOST_JOINTS = 8
 LOOSE = " ,;·"
 UNITS = frozenset(
     ["mm", "µm", "µs", "ms", "ns", "px", "rms", "Hz", "fps", "GB", "MB", "UTC", "rad", "min"]
@@ -63,7 +64,7 @@ class Sentences:
             said = self.best(core)
             return replace(said, text=before + said.text + after)
         best = Said(text, _letters(text), frozenset({text}))
-        if best.left == 0:
+        if best.left == 0 or "\n" in text:  # what has lines is of the program's log
             return Said(text, 0)
         for said in self._ways(text):
             if said.left < best.left:
@@ -103,12 +104,16 @@ class Sentences:
                 yield _together(filled(other, values), caught)
 
     def _parts(self, text: str) -> Iterator[Said]:
+        """Parted at each joint in turn, where there are few; else at all of a kind at once."""
         for joint in JOINTS:
-            pieces = joint.split(text)
-            if len(pieces) > 1:
-                said = [self.best(piece) for piece in pieces]
-                space = " " if joint is SENTENCE_END else ""
-                yield _together(space.join(part.text for part in said), said)
+            found = list(joint.finditer(text))
+            if len(found) > MOST_JOINTS:
+                said = [self.best(piece) for piece in joint.split(text)]
+                yield _together(found[0][0].join(part.text for part in said), said)
+                continue
+            for at in found:
+                said = [self.best(text[: at.start()]), self.best(text[at.end() :])]
+                yield _together(at[0].join(part.text for part in said), said)
 
 
 def filled(text: str, values: Mapping[str, object]) -> str:

@@ -5,7 +5,20 @@ WORDS = (
     *("crest", "floor", "front", "back", "left", "right", "crests", "floors", "merlon", "groove"),
     # shapes and things
     *("plane", "sphere", "cylinder", "plate", "block", "board", "gauge", "bar", "seat", "part"),
-    *("arm", "sensor", "object", "camera", "laser", "tip", "calibration", "verification", "scan"),
+    *(
+        "shell",
+        "ball",
+        "step",
+        "arm",
+        "sensor",
+        "object",
+        "camera",
+        "laser",
+        "tip",
+        "calibration",
+        "verification",
+        "scan",
+    ),
     *("Plane", "Sphere", "Cylinder", "Plate"),
     # papers of the simulated devices
     *("Simulated six-axis arm", "Simulated crenellated block", "Simulated stripe sensor"),

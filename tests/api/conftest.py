@@ -11,6 +11,7 @@ from pathlib import Path
 import httpx
 import pytest
 from fastapi import FastAPI
+from pydantic_core import to_jsonable_python
 
 from app.api.context import Context
 from app.demonstration import parts_of
@@ -19,6 +20,7 @@ from app.station.warm_up import warm_up
 from hardware.twin.station import Twin, TwinConfig
 from tests.entering import cookie, enter
 from tests.loops import loops
+from tests.said import Heard
 
 
 @dataclass
@@ -91,12 +93,23 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
         thread = threading.Thread(target=running.run, kwargs={"sockets": [listening]})
         thread.start()
         port = listening.getsockname()[1]
-        with httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=20.0) as http:
+        heard = Heard()
+        hooks = {"response": [heard.answer]}
+        address = f"http://127.0.0.1:{port}"
+        with httpx.Client(base_url=address, timeout=20.0, event_hooks=hooks) as http:
             enter(http, app.state.context.entrance.code)
-            yield Server(port, data, app.state.context, twin, http, app, compiled)
+            context = app.state.context
+            yield Server(port, data, context, twin, http, app, compiled)
+            # the live connection's newest topics, and the events that it still has
+            told = context.bus._take({}, {"preview"}, 0)
+            heard.value(to_jsonable_python(told.topics, inf_nan_mode="null"))
+            for event in told.events:
+                heard.text(event.text)
         running.should_exit = True
         thread.join(20.0)
         assert not thread.is_alive()
+    # whatever the tests made it say, every language knows it
+    assert not heard.unknown()
 
 
 @pytest.fixture

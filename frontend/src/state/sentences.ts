@@ -18,7 +18,8 @@ interface Said {
 const PLACE = /\{(\w+)\}/g;
 const SENTENCE_END = /(?<=[.?]) (?=[A-Z])/;
 /** Where a text is put together of others, the loosest joint first. */
-const JOINTS = [SENTENCE_END, /( · )/, /(: )/, /(; )/, /(, )/];
+const JOINTS = [/(?<=[.?]) (?=[A-Z])/g, / · /g, /: /g, /; /g, /, /g];
+const MOST_JOINTS = 8;
 const LOOSE = /^([ ,;·]*)(.*?)([ ,;·]*)$/s;
 const UNITS = new Set(["mm", "µm", "µs", "ms", "ns", "px", "rms", "Hz", "fps", "GB", "MB", "UTC", "rad", "min"]);
 const HELD = 2000;
@@ -71,7 +72,8 @@ export class Sentences {
       return { text: before + said.text + after, left: said.left };
     }
     let best = { text, left: letters(text) };
-    if (best.left === 0) return best;
+    // what has lines is of the program's log
+    if (best.left === 0 || text.includes("\n")) return best;
     for (const said of this.ways(text)) {
       if (said.left < best.left) best = said;
       if (best.left === 0) break;
@@ -116,14 +118,19 @@ export class Sentences {
     }
   }
 
+  /** Parted at each joint in turn, where there are few; else at all of a kind at once. */
   private *parts(text: string): Generator<Said> {
     for (const joint of JOINTS) {
-      const pieces = text.split(joint);
-      if (pieces.length === 1) continue;
-      const said = pieces.map((piece) => this.best(piece));
-      const left = said.reduce((sum, part) => sum + part.left, 0);
-      yield { text: said.map((part) => part.text).join(joint === SENTENCE_END ? " " : ""), left };
+      const found = Array.from(text.matchAll(joint));
+      const [first] = found;
+      if (first && found.length > MOST_JOINTS) yield this.together(text.split(joint), first[0]);
+      else for (const at of found) yield this.together([text.slice(0, at.index), text.slice(at.index + at[0].length)], at[0]);
     }
+  }
+
+  private together(pieces: string[], joint: string): Said {
+    const said = pieces.map((piece) => this.best(piece));
+    return { text: said.map((part) => part.text).join(joint), left: said.reduce((sum, part) => sum + part.left, 0) };
   }
 }
 
