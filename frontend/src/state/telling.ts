@@ -5,7 +5,7 @@ import { said, t, words } from "./language";
 import { getState, subscribe } from "./store";
 
 const KEY = "crenel-telling";
-const TITLES: Record<Told["kind"], string> = { done: words("Done"), fault: words("Fault"), due: words("Due"), test: words("Test") };
+const TITLES: Record<Told["kind"], string> = { done: words("done"), fault: words("fault"), due: words("due"), test: words("test") };
 
 type Telling = "on" | "off" | "denied" | "impossible";
 
