@@ -38,7 +38,11 @@ def in_language(report: Report, language: str) -> Report:
         )
     if language == ENGLISH:
         return report
-    say = sentences_of(language).said
+    return replace(said_by(report, sentences_of(language).said), language=language)
+
+
+def said_by(report: Report, say: Say) -> Report:
+    """The report with each of its texts as ``say`` says it; who signs keeps the name."""
     return replace(
         report,
         title=say(report.title),
@@ -49,7 +53,6 @@ def in_language(report: Report, language: str) -> Report:
             for one in report.sections
         ],
         notes=[say(note) for note in report.notes],
-        language=language,
     )
 
 

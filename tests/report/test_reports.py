@@ -26,12 +26,15 @@ from app.metrology.arm_model.observations import Observations, Seat, Sphere
 from app.metrology.refusal import Refusal
 from app.report.calibration import calibration_report
 from app.report.figure import magnification
+from app.report.language import said_by
 from app.report.page import page
-from app.report.reports import report_as
+from app.report.reports import report_as, report_of
 from app.report.words import moment, tied
+from app.strings.sentences import sentences_of
 from hardware.twin.session import SessionPlan, render_session
 from tests.files.builders import ARM
 from tests.files.test_verification import SHEET
+from tests.said import TWO_WORDS
 
 HOSTILE = '<script>alert(1)</script>"><img src=x onerror=alert(1)> & 井上'
 
@@ -68,6 +71,31 @@ def text_of(pdf: bytes) -> str:
     finally:
         document.close()
     return " ".join(text.replace("\u00a0", " ").split())
+
+
+def known_in_german(folder: Path, *own: str) -> None:
+    """Nothing of a report stays English but a test's own words; the same bytes again."""
+    texts: list[str] = []
+    said_by(report_of(folder), lambda text: texts.append(text) or text)  # type: ignore[func-returns-value]
+    german = sentences_of("de")
+    missed = {part for text in texts for part in german.best(text).missed}
+    assert not [part for part in missed if TWO_WORDS.search(part) and part not in own]
+    for form in (".html", ".pdf"):
+        assert report_as(folder, form, "de") == report_as(folder, form, "de")
+
+
+def test_a_report_in_german(folder: Path, tmp_path: Path) -> None:
+    known_in_german(folder, "Drawn at random")
+    written = tmp_path / "bericht.html"
+    asked = ["report", str(folder), "-o", str(written), "--language", "de"]
+    result = CliRunner().invoke(cli, asked)
+    assert result.exit_code == 0, result.output
+    shown = html.unescape(written.read_text(encoding="utf-8"))
+    for told in ('<html lang="de">', "Kalibrierbericht", "Bediener: Anna", "bekannt auf"):
+        assert told in shown, told
+    assert "Kalibrierbericht" in text_of(report_as(folder, ".pdf", "de"))
+    with pytest.raises(Refusal, match="no language 'xx'"):
+        report_as(folder, ".pdf", "xx")
 
 
 def test_a_calibrations_report_says_what_a_certificate_does(folder: Path) -> None:
@@ -182,6 +210,7 @@ def test_an_arm_checks_report(tmp_path: Path) -> None:
     for told in ("Beyond the limit", "71.0 µm", "0.0710 mm", "≤ 60 µm", "Ben", "Not to standard"):
         assert told in printed, told
     assert report_as(tmp_path, ".pdf") == report_as(tmp_path, ".pdf")
+    known_in_german(tmp_path, ARM.name)
 
 
 def test_a_tip_checks_report(tmp_path: Path) -> None:
@@ -211,6 +240,7 @@ def test_a_tip_checks_report(tmp_path: Path) -> None:
     printed = text_of(report_as(tmp_path, ".pdf"))
     for told in ("Fail", "The tip is worn.", "−100.0 µm", "± 20.0 µm", "5.9000 mm", "not stated"):
         assert told in printed, told
+    known_in_german(tmp_path, ARM.name, "The tip is worn.")
 
 
 def test_a_verifications_report(tmp_path: Path) -> None:
@@ -227,6 +257,7 @@ def test_a_verifications_report(tmp_path: Path) -> None:
     assert "Verification on a gauge sphere" in shown
     assert "cloud by cloud" in shown
     assert "Residuals of Cloud 1 on the gauge" in shown
+    known_in_german(tmp_path, "100 µm by more than 6 µm.", "It keeps its limits.")
 
 
 def test_a_folder_without_a_record_has_no_report(tmp_path: Path) -> None:
