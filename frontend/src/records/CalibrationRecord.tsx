@@ -8,7 +8,7 @@ import { figures, moment } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
 import { Reports } from "../parts/Reports";
 import { ResultPicture } from "../result/ResultPicture";
-import { t } from "../state/language";
+import { said, t } from "../state/language";
 import { go } from "../state/router";
 import { useLive } from "../state/store";
 import { useRead } from "../state/useRead";
@@ -30,7 +30,7 @@ export function CalibrationRecord({ id }: { id: string }) {
       picture={<ResultPicture picture={picture} />}
       card={
         <>
-          <Head title={summary.name.replaceAll("-", "\u2011")} text={summary.active ? t("It is in use.") : t("It is not in use any more.")} />
+          <Head title={said(summary.name).replaceAll("-", "\u2011")} text={summary.active ? t("It is in use.") : t("It is not in use any more.")} />
           <BigNumber
             kept
             verdict

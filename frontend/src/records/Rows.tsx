@@ -7,7 +7,7 @@ import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
 import { Reports } from "../parts/Reports";
 import type { VerificationSummary } from "../api/verifyTypes";
-import { counted, t } from "../state/language";
+import { counted, said, t } from "../state/language";
 import { go } from "../state/router";
 import { setState } from "../state/store";
 import { QUALITY, WORD } from "../verify/shown";
@@ -20,7 +20,7 @@ export function CalibrationRow({ summary }: { summary: CalibrationSummary }) {
       <QualityMark quality={summary.verdict} />
       <div className={styles.what}>
         <p className={styles.name}>
-          {summary.name}
+          {said(summary.name)}
           {summary.active && <span className={styles.active}>{t("active")}</span>}
         </p>
         <p className={styles.detail}>
@@ -49,10 +49,10 @@ export function VerificationRow({ summary }: { summary: VerificationSummary }) {
       <QualityMark quality={QUALITY[summary.result]} />
       <div className={styles.what}>
         <p className={styles.name}>
-          {t(WORD[summary.result])}: {summary.gauge}
+          {t(WORD[summary.result])}: {said(summary.gauge)}
         </p>
         <p className={styles.detail}>
-          {moment(summary.accepted_at)} · {counted(summary.clouds, "{n} cloud", "{n} clouds")} · {t("of {calibration}", { calibration: summary.calibration })}
+          {moment(summary.accepted_at)} · {counted(summary.clouds, "{n} cloud", "{n} clouds")} · {t("of {calibration}", { calibration: said(summary.calibration) })}
           {summary.operator && ` · ${summary.operator}`}
         </p>
       </div>

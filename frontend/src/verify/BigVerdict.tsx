@@ -3,7 +3,7 @@ import type { ReactNode } from "react";
 import type { VerdictLine, VerificationSummary } from "../api/verifyTypes";
 import { moment } from "../parts/format";
 import { QualityMark } from "../parts/QualityMark";
-import { counted, t, words } from "../state/language";
+import { counted, said, t, words } from "../state/language";
 import styles from "./BigVerdict.module.css";
 import { QUALITY } from "./shown";
 
@@ -28,11 +28,11 @@ export function BigVerdict({ summary }: { summary: VerificationSummary }) {
   return (
     <Verdict {...summary}>
       <p className={styles.detail}>
-        {summary.gauge}, {counted(summary.clouds, "{n} cloud", "{n} clouds")}
+        {said(summary.gauge)}, {counted(summary.clouds, "{n} cloud", "{n} clouds")}
         {summary.touched ? `, ${t("compared with the probe")}` : ""} · {moment(summary.accepted_at)}
         {summary.operator && ` · ${summary.operator}`}
       </p>
-      <p className={styles.detail}>{t("of {calibration}", { calibration: summary.calibration })}</p>
+      <p className={styles.detail}>{t("of {calibration}", { calibration: said(summary.calibration) })}</p>
     </Verdict>
   );
 }

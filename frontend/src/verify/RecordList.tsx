@@ -1,7 +1,7 @@
 import type { VerificationSummary } from "../api/verifyTypes";
 import { moment } from "../parts/format";
 import { QualityMark } from "../parts/QualityMark";
-import { t } from "../state/language";
+import { said, t } from "../state/language";
 import { setState } from "../state/store";
 import styles from "./RecordList.module.css";
 import { QUALITY } from "./shown";
@@ -18,7 +18,7 @@ export function RecordList({ list, shown }: { list: VerificationSummary[]; shown
               <QualityMark quality={QUALITY[one.result]} size="1.25rem" />
               <span>
                 {moment(one.accepted_at)}
-                <span className={styles.detail}>{one.gauge}</span>
+                <span className={styles.detail}>{said(one.gauge)}</span>
               </span>
             </button>
           </li>
