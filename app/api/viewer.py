@@ -22,6 +22,7 @@ from websockets.typing import Subprotocol
 
 from app.api.access import until_signed_out
 from app.api.context import TheContext, context_of
+from app.api.fewer_points import FewerPoints
 from app.api.problems import NotFound, problem
 from app.station.picking import ViewCamera
 from app.station.viewing import Viewing
@@ -30,8 +31,9 @@ router = APIRouter()
 PASSED_HEADERS = ("content-type", "content-encoding")
 TRY_AGAIN_LATER = 1013
 Vector = tuple[float, float, float]
-KEY = re.compile("[0-9a-f]{16,64}")
-"""A page's own name for its view, as the last part of the viewer's address."""
+KEY = re.compile("([0-9a-f]{16,64})(?:-([1-9][0-9]{0,3}))?")
+"""A page's own name for its view, as the last part of the viewer's address; behind it how
+many thousand points of the clouds it can draw, where those are few."""
 
 
 class CameraMessage(
@@ -102,7 +104,7 @@ async def page(path: str, context: TheContext) -> Response:
 async def socket(browser: WebSocket, key: str = "") -> None:
     """Carries the scene to the browser, and the browser's camera back.
 
-    With a key, the station knows by it where that page looks from.
+    With a key, the station knows by it where that page looks from, and how much it can draw.
     """
     viewing, port = context_of(browser).viewing, context_of(browser).scene.port
     asked = [Subprotocol(name) for name in browser.scope["subprotocols"]]
@@ -120,11 +122,13 @@ async def socket(browser: WebSocket, key: str = "") -> None:
         await browser.close(TRY_AGAIN_LATER, "the 3D view does not answer")
         return
 
-    page = _Page(viewing, key if KEY.fullmatch(key) else "")
+    known = KEY.fullmatch(key)
+    page = _Page(viewing, known[1] if known else "")
+    fewer = FewerPoints(1000 * int(known[2])) if known and known[2] else None
     async with viser:
         await browser.accept(viser.subprotocol)
         tasks = [
-            asyncio.create_task(_to_browser(viser, browser)),
+            asyncio.create_task(_to_browser(viser, browser, fewer)),
             asyncio.create_task(_to_viser(browser, viser, page)),
             asyncio.create_task(until_signed_out(browser)),
         ]
@@ -156,11 +160,13 @@ class _Page:
             self._viewing.leave(self._key, self._camera)
 
 
-async def _to_browser(viser: ClientConnection, browser: WebSocket) -> None:
+async def _to_browser(
+    viser: ClientConnection, browser: WebSocket, fewer: FewerPoints | None
+) -> None:
     with contextlib.suppress(ConnectionClosed, WebSocketDisconnect):
         async for message in viser:
             if isinstance(message, bytes):
-                await browser.send_bytes(message)
+                await browser.send_bytes(fewer.passed(message) if fewer else message)
         await browser.close()
 
 

@@ -194,11 +194,13 @@ class CloudView:
     def _colours(self, node: _Node) -> Bytes:
         return self._painter.colours(self._in_arm(node.points_mm), node.traits, self.newest_s)
 
-    def _show(self, node: _Node) -> None:
+    def _show(self, node: _Node, tier: int | None = None) -> None:
+        """Its name tells the tier of its points, where they are of one."""
         self._made += 1
+        of_tier = "" if tier is None else f"-{tier}"
         node.painted = self._colouring
         node.handle = self._server.scene.add_point_cloud(
-            f"{self._root}/{self._made}",
+            f"{self._root}/{self._made}{of_tier}",
             node.points_mm * np.float32(M_PER_MM),
             self._colours(node),
             point_size=self._point_size,
@@ -241,7 +243,7 @@ class CloudView:
             node = _joined([last, node])
         for start in range(0, len(node.points_mm), NODE_POINTS):
             nodes.append(node.part(slice(start, start + NODE_POINTS)))
-            self._show(nodes[-1])
+            self._show(nodes[-1], tier)
         if last is not None:
             _remove(last)
 

@@ -1,6 +1,7 @@
 """A browser's side of the 3D view: keeps the scene's nodes as the server tells them."""
 
 import contextlib
+from collections.abc import Callable
 from typing import Any
 
 import msgspec
@@ -12,7 +13,8 @@ DTYPES = {"<f4": np.float32, "<u4": np.uint32, "|u1": np.uint8}
 
 
 class Viewer:
-    def __init__(self, port: int) -> None:
+    def __init__(self, port: int, through: Callable[[bytes], bytes] = bytes) -> None:
+        self._through = through
         self.nodes: dict[str, dict[str, Any]] = {}
         self.said: dict[str, dict[str, Any]] = {}
         """The last message of each kind that is about no node."""
@@ -49,7 +51,7 @@ class Viewer:
             while True:
                 packet = self._socket.recv(timeout=quiet_s)
                 assert isinstance(packet, bytes)
-                for message in unpack(packet):
+                for message in unpack(self._through(packet)):
                     self._take(message)
         return self
 

@@ -2,6 +2,7 @@ import { type ReactNode, type RefObject, type SyntheticEvent, useState } from "r
 
 import { t } from "../state/language";
 import styles from "./CloudView.module.css";
+import { useDrawing } from "./drawing";
 
 /** Of the 3D view's page only the picture is shown, on this page's own ground. */
 const PICTURE_ONLY = `
@@ -21,6 +22,7 @@ interface CloudViewProps {
 /** The clouds in the arm frame, drawn by the station's own 3D view. */
 export function CloudView({ viewKey, frame, children }: CloudViewProps) {
   const [ready, setReady] = useState(false);
+  const { thousands, watch } = useDrawing();
   const prepare = ({ currentTarget }: SyntheticEvent<HTMLIFrameElement>) => {
     const page = currentTarget.contentDocument;
     const style = page?.createElement("style");
@@ -28,6 +30,7 @@ export function CloudView({ viewKey, frame, children }: CloudViewProps) {
     style.textContent = PICTURE_ONLY;
     page.head.append(style);
     setReady(true);
+    if (currentTarget.contentWindow) watch({ window: currentTarget.contentWindow });
   };
   return (
     <div className={styles.view}>
@@ -36,10 +39,11 @@ export function CloudView({ viewKey, frame, children }: CloudViewProps) {
         ref={frame}
         className={styles.frame}
         data-ready={ready || undefined}
-        src={`/viewer/${viewKey}/`}
+        src={`/viewer/${viewKey}${thousands ? `-${thousands}` : ""}/`}
         title={t("Live cloud of points")}
         onLoad={prepare}
       />
+      {thousands && <p className={styles.fewer}>{t("Fewer points: this browser draws slowly")}</p>}
       {children}
     </div>
   );

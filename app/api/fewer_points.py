@@ -1,0 +1,141 @@
+"""The 3D view for a browser that draws slowly: fewer of the clouds' points, evenly taken.
+
+viser sends every browser the same. The clouds' large nodes carry the tier of their points in
+their names (see ``cloud_view``), so that without the lowest tiers an even picture is left.
+"""
+
+import re
+from dataclasses import dataclass
+from typing import Any
+
+import msgspec
+import zstandard
+
+Message = dict[str, Any]
+TIER = re.compile(r"-(\d+)$")
+POINT_BYTES = 12
+ALIGNED_BYTES = 8
+
+
+@dataclass
+class _Node:
+    tier: int
+    points: int
+    size: float
+    """Of a point, as viser has it."""
+    owner: str
+    passed: bool = False
+
+
+class FewerPoints:
+    """Passes one browser's frames on, with at most so many points in large nodes."""
+
+    def __init__(self, most: int) -> None:
+        self._most = most
+        self._nodes: dict[str, _Node] = {}
+        self._finest = 0
+        """The lowest tier that is passed; it falls again once all nodes are gone."""
+
+    def passed(self, frame: bytes) -> bytes:
+        """What of a frame of viser's socket the browser gets."""
+        content, arrays = _unpacked(frame)
+        told: list[Message] = []
+        for message in content["messages"]:
+            instead = self._of(message, arrays)
+            told += instead
+            if not any(one is message for one in instead):
+                for index in _indices(message):
+                    arrays[index] = b""
+        return _packed({**content, "messages": told}, arrays)
+
+    def _of(self, message: Message, arrays: list[bytes]) -> list[Message]:
+        """What the browser gets in its place."""
+        kind, name = message["type"], str(message.get("name", ""))
+        if kind == "PointCloudMessage" and (tier := TIER.search(name)):
+            props = message["props"]
+            points = len(arrays[props["points"]["__binary_index"]]) // POINT_BYTES
+            owner = message.get("owner", "")
+            self._nodes[name] = _Node(int(tier[1]), points, props["point_size"], owner)
+            return [*self._coarsened(), *self._entered(message, name)]
+        node = self._nodes.get(name)
+        if node is None:
+            return [message]
+        if kind == "RemoveSceneNodeMessage":
+            del self._nodes[name]
+            if not self._nodes:
+                self._finest = 0
+        elif "point_size" in message.get("updates", {}):
+            node.size = message["updates"]["point_size"]
+            message["updates"]["point_size"] = self._size(node)
+        return [message] if node.passed else []
+
+    def _entered(self, message: Message, name: str) -> list[Message]:
+        node = self._nodes[name]
+        node.passed = node.tier >= self._finest
+        message["props"]["point_size"] = self._size(node)
+        return [message] if node.passed else []
+
+    def _coarsened(self) -> list[Message]:
+        """Takes tiers away until what is left is no more than it may be."""
+        before = self._finest
+        highest = max(node.tier for node in self._nodes.values())
+        while self._finest < highest and self._left() > self._most:
+            self._finest += 1
+        if self._finest == before:
+            return []
+        changes: list[Message] = []
+        for name, node in self._nodes.items():
+            if node.passed and node.tier < self._finest:
+                node.passed = False
+                changes.append(_message("RemoveSceneNodeMessage", name, node))
+            elif node.passed:
+                updates = {"point_size": self._size(node)}
+                changes.append(_message("SceneNodeUpdateMessage", name, node, updates=updates))
+        return changes
+
+    def _left(self) -> int:
+        return sum(node.points for node in self._nodes.values() if node.tier >= self._finest)
+
+    def _size(self, node: _Node) -> float:
+        """So much larger as the points lie further apart: two tiers are twice the distance."""
+        lowest = min(each.tier for each in self._nodes.values())
+        return node.size * float(2.0 ** (max(self._finest - lowest, 0) / 2))
+
+
+def _message(kind: str, name: str, node: _Node, **more: object) -> Message:
+    return {"type": kind, "name": name, "owner": node.owner, **more}
+
+
+def _indices(message: Message) -> list[int]:
+    """Of the arrays that a message refers to."""
+    parts = [*message.get("props", {}).values(), *message.get("updates", {}).values()]
+    return [part["__binary_index"] for part in parts if isinstance(part, dict)]
+
+
+def _unpacked(frame: bytes) -> tuple[Message, list[bytes]]:
+    """What is in one frame of viser's socket: its content, and the arrays it refers to."""
+    packed_bytes = int.from_bytes(frame[8:16], "little")
+    inner = zstandard.ZstdDecompressor().decompress(
+        frame[16 : 16 + packed_bytes], int.from_bytes(frame[:8], "little")
+    )
+    content: Message = msgspec.msgpack.decode(inner)
+    at, arrays = 16 + packed_bytes, []
+    for length in content["binaryBufferLengths"]:
+        at += -at % ALIGNED_BYTES
+        arrays.append(frame[at : at + length])
+        at += length
+    return content, arrays
+
+
+def _packed(content: Message, arrays: list[bytes]) -> bytes:
+    """The inverse."""
+    content["binaryBufferLengths"] = [len(array) for array in arrays]
+    inner = msgspec.msgpack.encode(content)
+    packed = zstandard.ZstdCompressor(level=1).compress(inner)
+    parts = [len(inner).to_bytes(8, "little"), len(packed).to_bytes(8, "little"), packed]
+    at = 16 + len(packed)
+    for array in arrays:
+        padding = -at % ALIGNED_BYTES
+        parts += [bytes(padding), array]
+        at += padding + len(array)
+    return b"".join(parts)
