@@ -39,8 +39,8 @@ MOST_FORMS = 16
 
 _LETTERS = re.compile(r"[^\W\d_]{2}")
 _PROGRAM = re.compile(
-    r"[<>\\_@#$]|::|=\"|filename|\w ?= ?\?|\.\w{2,4}$|://|^/|[;:]$"
-    r"|[A-Z]+ (TABLE|INTO|FROM|OR|INDEX|BY)\b|^WHERE "
+    r"[<>\\@#$]|^\S*_\S*$|::|=\"|filename|\w ?= ?\?|\.\w{2,4}$|://|^/|[;:]$"
+    r"|[A-Z]+ (TABLE|INTO|FROM|OR|INDEX|BY)\b|^(WHERE|id,) "
     r"|^\W*(SELECT|INSERT|UPDATE|DELETE|PRAGMA|CREATE|BEGIN|ALTER)\b|^\w+/|charset|must-reval"
     r"|repeat\(|^(VERSION|FIELDS|SIZE|TYPE|COUNT|WIDTH|HEIGHT|VIEWPOINT|POINTS|DATA)\b"
     r"|^(element|property) |-src |frame-anc|max-age|no-store"
@@ -51,21 +51,12 @@ _SENTENCE = re.compile(
 _UNITS = re.compile(r"\b(mm|µm|nm|px|rms|ms|ns|rad|deg|GB|MB|UTC)\b")
 _PLACE = re.compile(r"\{\w+\}")
 _QUIET_CALLS = re.compile(r"^(log|logger|logging|re|warnings|struct|np|numpy|cv2|os|mimetypes)$")
-_QUIET_FUNCTIONS = frozenset(
-    ("execute", "executemany", "executescript", "getattr", "encode", "replace", "split", "strip")
-    + ("removeprefix", "removesuffix", "startswith", "endswith", "TypeVar", "Path", "compile")
-    + (
-        "Field",
-        "kernel",
-        "strftime",
-        "astype",
-        "getLogger",
-        "import_module",
-        "AssertionError",
-        "cast",
-    )
-    + ("joinpath", "setdefault", "Literal", "Query", "NewType", "partition", "rpartition")
+_FUNCTIONS = (
+    "execute executemany executescript getattr setdefault encode replace split strip partition "
+    "rpartition removeprefix removesuffix startswith endswith joinpath strftime astype cast "
+    "TypeVar NewType Literal Path Query Field compile kernel getLogger import_module AssertionError"
 )
+_QUIET_FUNCTIONS = frozenset(_FUNCTIONS.split())
 _QUIET_KEYWORDS = frozenset(("description", "name", "pattern", "dtype", "tags", "alias", "mode"))
 
 
