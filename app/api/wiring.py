@@ -1,7 +1,6 @@
 """Puts the station's parts together, and takes them apart in order."""
 
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -18,7 +17,8 @@ from app.files.session import ARM
 from app.files.software import SOFTWARE
 from app.guide.arm.commands import press as press_arm
 from app.guide.arm.guide import ArmGuide, ArmStation
-from app.guide.commands import BUTTONS, press
+from app.guide.buttons import Buttons, Press
+from app.guide.commands import action_of, press
 from app.guide.due import DUE, DueLimits
 from app.guide.guide import Guide
 from app.guide.guide import Station as GuidedStation
@@ -44,7 +44,7 @@ from app.station.viewing import Viewing
 from app.store.calibrations import CalibrationRecord
 from app.store.scans import ScanRecord
 from app.store.store import Store
-from hardware.interfaces import ArmDriver, ButtonEvent, SensorDriver
+from hardware.interfaces import ArmDriver, SensorDriver
 
 JOB_END_S = 3.0
 
@@ -129,7 +129,10 @@ def open_context(parts: Parts) -> Context:
         parts.verification,
         signing,
     )
-    rig.arm.on_button = _buttons(guide, arm_guide, verify_guide)
+    rig.arm.on_button = Buttons(
+        _pressed(guide, arm_guide, verify_guide),
+        there=lambda: rig.arm.link().state == "connected",
+    ).edge
     station = Station(parts.name, SOFTWARE.version, has_hand=simulated, simulated=simulated)
     return Context(
         station,
@@ -164,29 +167,23 @@ def close_context(context: Context) -> None:
     context.scene.close()
 
 
-def _buttons(
+def _pressed(
     guide: Guide, arm_guide: ArmGuide, verify_guide: VerifyGuide
-) -> Callable[[ButtonEvent], None]:
-    """Presses are worked off one after another, away from the event loop.
+) -> Callable[[Press], None]:
+    """A press belongs to whichever of the open sessions waits for it and was last gone on with."""
 
-    They belong to whichever of the open sessions waits for them and was last gone on with.
-    """
-    worker = ThreadPoolExecutor(1, thread_name_prefix="buttons")
-
-    def pressed(event: ButtonEvent) -> None:
-        waiting: list[tuple[int, Callable[[ButtonEvent], None]]] = []
-        if guide.running and any(guide.state.step == step for step, _ in BUTTONS):
-            waiting.append((guide.state.rev, lambda event: press(guide, event)))
-        if verify_button(verify_guide, str(event.button)):
-            waiting.append(
-                (verify_guide.state.rev, lambda event: press_verify(verify_guide, event))
-            )
+    def pressed(event: Press) -> None:
+        waiting: list[tuple[int, Callable[[], None]]] = []
+        if action_of(guide, event.button)[0]:
+            waiting.append((guide.state.rev, lambda: press(guide, event)))
+        if verify_button(verify_guide, event.button):
+            waiting.append((verify_guide.state.rev, lambda: press_verify(verify_guide, event)))
         if arm_guide.running:
-            waiting.append((arm_guide.state.rev, lambda event: press_arm(arm_guide, event)))
+            waiting.append((arm_guide.state.rev, lambda: press_arm(arm_guide, event)))
         if waiting:
-            max(waiting, key=lambda one: one[0])[1](event)
+            max(waiting, key=lambda one: one[0])[1]()
 
-    return lambda event: (worker.submit(pressed, event), None)[1]
+    return pressed
 
 
 def _finished(result: ScanResult, store: Store, watch: Watch) -> None:

@@ -1,7 +1,7 @@
-"""What the commands of every guided session share: buttons, jobs, and the hand."""
+"""What the commands of every guided session share: jobs, and the hand."""
 
 from collections.abc import Callable, Mapping
-from typing import Any, Protocol
+from typing import Any
 
 from app.guide.session import GuidedSession
 from app.metrology.refusal import Refusal
@@ -10,17 +10,6 @@ from app.station.jobs import Job, Progress
 Args = Mapping[str, object]
 AT_ANY_REV = ("stop_hand",)
 """Stopping must not wait for a fresh view."""
-
-
-class Press(Protocol):
-    """A button of the arm going down or up."""
-
-    @property
-    def stamp_ns(self) -> int: ...
-    @property
-    def button(self) -> str: ...
-    @property
-    def pressed(self) -> bool: ...
 
 
 def start_job(guide: GuidedSession[Any, Any], title: str, work: Callable[[Progress], None]) -> None:

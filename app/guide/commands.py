@@ -3,7 +3,8 @@
 from collections.abc import Callable
 
 from app.guide import taking, works
-from app.guide.commanding import AT_ANY_REV, Args, Press, start_hand, start_job, stop_hand
+from app.guide.buttons import ButtonName, Press
+from app.guide.commanding import AT_ANY_REV, Args, start_hand, start_job, stop_hand
 from app.guide.confirming import CONFIRMATIONS, confirm
 from app.guide.guide import Guide
 from app.guide.hand_work import hand_work
@@ -27,18 +28,33 @@ def command(guide: Guide, name: str, args: Args, rev: int, key: str) -> FlowView
         return guide.refresh()
 
 
-BUTTONS = {
-    ("touch", "primary"): "take_point",
-    ("touch", "undo"): "undo",
-    ("capture", "primary"): "capture",
-}
+BY_MAIN_BUTTON = ("place", "capture", "solve")
+"""Steps whose main action the arm's main button does too. Devices, set-up and the result are
+looked at, and confirmed on the screen."""
+
+
+def action_of(guide: Guide, button: ButtonName) -> tuple[str, Args]:
+    """The command that a button of the arm gives now; its name is empty for none."""
+    step = guide.state.step
+    if not guide.running:
+        return "", {}
+    if button == "back":
+        return ("back" if step != STEPS[0] else ""), {}
+    if step == "touch":
+        return ("take_point" if button == "primary" else "undo"), {}
+    if button == "primary" and step in BY_MAIN_BUTTON and not guide.hand_running:
+        for action in guide.view().actions:
+            if action.primary:
+                return action.name, action.args
+    return "", {}
 
 
 def press(guide: Guide, event: Press) -> None:
-    """The arm's buttons: primary takes a point or the picture, undo takes a point back."""
+    """The arm's buttons: primary takes a point or does the step's main action, undo takes a
+    point back, and back goes a step back."""
     with guide.lock:
-        name = BUTTONS.get((guide.state.step, str(event.button)))
-        if name is None or not event.pressed or not guide.running:
+        name, args = action_of(guide, event.button)
+        if not name:
             return
         by_hand = guide.hand_running and guide.state.step == "touch"
         try:
@@ -47,10 +63,11 @@ def press(guide: Guide, event: Press) -> None:
                 source = "hand" if by_hand else "button"
                 taking.take_point(guide, source, event.stamp_ns, None)
             else:
-                guide.refuse_unless_possible(name, {}, None, by_hand)
-                _act(guide, name, {}, None)
+                guide.refuse_unless_possible(name, args, None, by_hand and name == "undo")
+                _act(guide, name, args, None)
         except Refusal as refusal:
             guide.decline(refusal)
+        guide.refresh()
 
 
 def _act(guide: Guide, name: str, args: Args, key: str | None) -> None:

@@ -67,6 +67,12 @@ def test_the_arms_buttons_take_points_and_take_them_back(touching: Server) -> No
     press(Button.UNDO, True, now_ns())
     press(Button.UNDO, False, now_ns() + 50_000_000)
     touching.wait(lambda view: points(view) == [0], 10.0)
+    press(Button.UNDO, True, now_ns())
+    # held, it counts before it is let go
+    touching.wait(lambda view: view["step"] == "setup", 10.0)
+    press(Button.UNDO, False)
+    assert touching.do("confirm_setup")["step"] == "touch"
+    assert points(touching.flow()) == [0], "what was taken is kept"
     assert touching.command("undo").status_code == 200
     assert touching.command("undo").status_code == 422
 
@@ -213,7 +219,10 @@ def step_by_step_to_the_review(server: Server) -> dict[str, Any]:
     server.wait(lambda view: view["step"] == "review")
     server.do("back", to="touch")
     server.do("confirm_touch")
-    server.do("confirm_place")
+    server.wait(lambda view: enabled(view, "confirm_place"))
+    server.twin.device.press(Button.PRIMARY, True, now_ns())
+    server.twin.device.press(Button.PRIMARY, False, now_ns() + 50_000_000)
+    server.wait(lambda view: view["step"] == "capture")
     view = server.do("keep_picture")
     assert view["step"] == "solve"
     server.do("solve")

@@ -7,7 +7,8 @@ from app.guide.arm.checking import finish_seat
 from app.guide.arm.guide import ArmGuide
 from app.guide.arm.hand_work import hand_work
 from app.guide.arm.view import ArmView
-from app.guide.commanding import AT_ANY_REV, Args, Press, start_hand, start_job, stop_hand
+from app.guide.buttons import Press
+from app.guide.commanding import AT_ANY_REV, Args, start_hand, start_job, stop_hand
 from app.metrology.refusal import Refusal
 
 
@@ -30,8 +31,8 @@ BUTTONS = {("seat", "primary"): "begin", ("swing", "primary"): "finish"}
 def press(guide: ArmGuide, event: Press) -> None:
     """The arm's primary button begins and ends a swing, and takes the points of a sphere."""
     with guide.lock:
-        name = BUTTONS.get((guide.state.step, str(event.button)))
-        if name is None or not event.pressed or not guide.running:
+        name = BUTTONS.get((guide.state.step, event.button))
+        if name is None or not guide.running:
             return
         try:
             if guide.state.touching:

@@ -3,7 +3,8 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from app.guide.commanding import AT_ANY_REV, Args, Press, start_hand, start_job, stop_hand
+from app.guide.buttons import Press
+from app.guide.commanding import AT_ANY_REV, Args, start_hand, start_job, stop_hand
 from app.guide.verify import works
 from app.guide.verify.guide import VerifyGuide
 from app.guide.verify.hand_work import hand_work
@@ -62,8 +63,8 @@ def press(guide: VerifyGuide, event: Press) -> None:
     """The arm's buttons: primary takes a touch, begins and ends a cloud; undo takes back, and
     back goes a step back."""
     with guide.lock:
-        name = button_of(guide, str(event.button))
-        if not name or not event.pressed:
+        name = button_of(guide, event.button)
+        if not name:
             return
         try:
             if name == "touch":
