@@ -93,6 +93,10 @@ def _undo(guide: Guide, args: Args, key: str | None) -> None:
     taking.undo(guide, key)
 
 
+def _redo(guide: Guide, args: Args, key: str | None) -> None:
+    taking.redo(guide, key)
+
+
 def _void_point(guide: Guide, args: Args, key: str | None) -> None:
     index = args["index"]
     assert isinstance(index, int)
@@ -173,6 +177,7 @@ ACTS: dict[str, Callable[[Guide, Args, str | None], None]] = {
     "select_face": _select_face,
     "take_point": _take_point,
     "undo": _undo,
+    "redo": _redo,
     "void_point": _void_point,
     "back": _back,
     "retake": _retake,

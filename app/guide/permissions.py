@@ -17,6 +17,7 @@ ONLY_IN = {
     "select_face": ("touch",),
     "take_point": ("touch",),
     "undo": ("touch",),
+    "redo": ("touch",),
     "void_point": ("touch",),
     "confirm_touch": ("touch",),
     "confirm_place": ("place",),
@@ -104,6 +105,10 @@ def _undo(state: CalibrationState, live: Live, args: Args) -> str:
     return "" if state.counted else "No point was taken yet."
 
 
+def _redo(state: CalibrationState, live: Live, args: Args) -> str:
+    return "" if state.undone else "No point was taken back since the last one was taken."
+
+
 def _void(state: CalibrationState, live: Live, args: Args) -> str:
     known = any(contact.index == args.get("index") for contact in state.counted)
     return "" if known else "That point is not there any more."
@@ -185,6 +190,7 @@ RULES: dict[str, Rule] = {
     "select_face": _face,
     "take_point": _take,
     "undo": _undo,
+    "redo": _redo,
     "void_point": _void,
     "confirm_touch": _touch,
     "confirm_place": _place,

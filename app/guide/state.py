@@ -86,6 +86,8 @@ class CalibrationState:
     choices: Mapping[str, str] = field(default_factory=dict)
     face: str = "crest"
     contacts: tuple[Contact, ...] = ()
+    undone: tuple[int, ...] = ()
+    """Points that were taken back since the last one was taken; they can be put back."""
     captures: tuple[Capture, ...] = ()
     advised: Advised | None = None
     solved: Solved | None = None
@@ -184,16 +186,29 @@ def _started(state: CalibrationState, payload: Payload) -> CalibrationState:
 
 
 def _chosen(state: CalibrationState, payload: Payload) -> CalibrationState:
-    return replace(state, choices={**state.choices, payload["field"]: payload["id"]})
+    choices = {**state.choices, payload["field"]: payload["id"]}
+    return replace(state, choices=choices, undone=())
 
 
 def _point_taken(state: CalibrationState, payload: Payload) -> CalibrationState:
-    return replace(state, contacts=(*state.contacts, _contact(state, payload)))
+    return replace(state, contacts=(*state.contacts, _contact(state, payload)), undone=())
 
 
 def _point_voided(state: CalibrationState, payload: Payload) -> CalibrationState:
     index = payload["index"]
-    contacts = (replace(c, voided=c.voided or c.index == index) for c in state.contacts)
+    if all(c.index != index for c in state.counted):
+        return state
+    return replace(_with_point(state, index, voided=True), undone=(*state.undone, index))
+
+
+def _point_restored(state: CalibrationState, payload: Payload) -> CalibrationState:
+    index = payload["index"]
+    undone = tuple(i for i in state.undone if i != index)
+    return replace(_with_point(state, index, voided=False), undone=undone)
+
+
+def _with_point(state: CalibrationState, index: int, voided: bool) -> CalibrationState:
+    contacts = (replace(c, voided=voided) if c.index == index else c for c in state.contacts)
     return replace(state, contacts=tuple(contacts))
 
 
@@ -241,6 +256,7 @@ CHANGES: dict[str, Callable[[CalibrationState, Payload], CalibrationState]] = {
     "face_selected": lambda state, payload: replace(state, face=payload["face"]),
     "point_taken": _point_taken,
     "point_voided": _point_voided,
+    "point_restored": _point_restored,
     "image_captured": _image_captured,
     "retaken": _retaken,
     "pose_voided": _pose_voided,

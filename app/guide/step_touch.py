@@ -42,6 +42,7 @@ def _actions(
         offer(state, live, "take_point", "Take the point", primary=not complete),
         offer(state, live, "confirm_touch", "Continue", primary=complete),
         offer(state, live, "undo", "Undo the last point"),
+        *(offer(state, live, "redo", f"Put point {i + 1} back") for i in state.undone[-1:]),
         *(
             offer(state, live, "void_point", f"Remove point {index + 1}", {"index": index})
             for index in suspects

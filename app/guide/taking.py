@@ -57,6 +57,18 @@ def undo(guide: Guide, key: str | None) -> None:
             guide.append("face_selected", {"face": last.face})
 
 
+def redo(guide: Guide, key: str | None) -> None:
+    """Puts the point back that was taken back last, and returns to its face."""
+    with guide.lock:
+        index = guide.state.undone[-1]
+        guide.append("point_restored", {"index": index}, key)
+        guide.folder.keep_contacts(guide.state.counted)
+        guide.station.bus.event("point_restored", f"Point {index + 1} is back.")
+        face = guide.state.contacts[index].face
+        if face != guide.state.face:
+            guide.append("face_selected", {"face": face})
+
+
 def void_point(guide: Guide, index: int, key: str | None) -> None:
     """Takes one point out; it stays in the journal."""
     with guide.lock:

@@ -73,6 +73,10 @@ def test_the_arms_buttons_take_points_and_take_them_back(touching: Server) -> No
     press(Button.UNDO, False)
     assert touching.do("confirm_setup")["step"] == "touch"
     assert points(touching.flow()) == [0], "what was taken is kept"
+    assert touching.command("redo").status_code == 200
+    assert points(touching.flow()) == [0, 1], "what was taken back last is there again"
+    assert touching.command("redo").status_code == 422
+    assert touching.command("undo").status_code == 200
     assert touching.command("undo").status_code == 200
     assert touching.command("undo").status_code == 422
 

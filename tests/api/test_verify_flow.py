@@ -219,6 +219,9 @@ def test_touches_come_from_the_button_and_are_taken_back(desk: Desk) -> None:
     press(Button.UNDO, False, now_ns() + 50_000_000)
     view = desk.wait(lambda view: len(view["picture"]["touches"]) == 3)
     assert "3 of at least 4" in refusal(desk.command("confirm_touch"))
+    assert len(desk.do("redo")["picture"]["touches"]) == 4
+    assert desk.command("redo").status_code == 422
+    assert len(desk.do("undo")["picture"]["touches"]) == 3
     press(Button.BACK, True, now_ns())
     press(Button.BACK, False, now_ns() + 50_000_000)
     view = desk.wait(lambda view: view["step"] == "gauge")

@@ -41,6 +41,17 @@ def test_undoing_keeps_the_point_in_the_journal_and_its_number() -> None:
     assert [(c.index, c.face) for c in state.counted] == [(1, "front")]
 
 
+def test_points_that_were_taken_back_come_back_last_first_until_another_is_taken() -> None:
+    rows = [started("touch"), point("crest"), point("crest"), point("floor")]
+    rows += [("point_voided", {"index": index}) for index in (2, 0, 0)]
+    assert state_after(*rows).undone == (2, 0)
+    rows.append(("point_restored", {"index": 0}))
+    state = state_after(*rows)
+    assert [c.index for c in state.counted] == [0, 1]
+    assert state.undone == (2,)
+    assert state_after(*rows, point("front")).undone == ()
+
+
 def test_points_of_another_object_do_not_count_until_it_is_chosen_again() -> None:
     rows = [started("touch"), point("crest"), ("chosen", {"field": "object", "id": "other"})]
     assert state_after(*rows).counted == ()

@@ -98,6 +98,11 @@ def _undo(guide: VerifyGuide, told: Told) -> None:
         guide.append("cloud_voided", {"number": last.number, "voided": True}, told.key)
 
 
+def _redo(guide: VerifyGuide, told: Told) -> None:
+    guide.append("touch_restored", {"index": guide.state.undone[-1]}, told.key)
+    guide.keep_touches()
+
+
 def _void_touch(guide: VerifyGuide, told: Told) -> None:
     guide.append("touch_voided", {"index": told.args["index"]}, told.key)
     guide.keep_touches()
@@ -169,6 +174,7 @@ ACTS: dict[str, Act] = {
     "confirm_gauge": lambda guide, told: works.confirm_gauge(guide, told.key),
     "touch": lambda guide, told: guide.touch(None, told.key),
     "undo": _undo,
+    "redo": _redo,
     "void_touch": _void_touch,
     "confirm_touch": _just("touch_confirmed"),
     "skip_touch": _just("touch_skipped"),

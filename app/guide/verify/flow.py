@@ -268,6 +268,7 @@ def _actions(state: VerifyState, live: VerifyLive) -> list[Action]:
             offer("touch", "Take the touch", primary=not enough),
             offer("confirm_touch", "Go on to scanning", primary=enough),
             offer("undo", "Undo"),
+            *(offer("redo", f"Put touch {i + 1} back") for i in state.undone[-1:]),
             *hand,
             offer("skip_touch", "Go on without the probe"),
             back,

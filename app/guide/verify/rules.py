@@ -21,6 +21,7 @@ ONLY_IN = {
     "confirm_gauge": ("gauge",),
     "touch": ("touch",),
     "undo": ("touch", "scan"),
+    "redo": ("touch",),
     "void_touch": ("touch",),
     "confirm_touch": ("touch",),
     "skip_touch": ("touch",),
@@ -108,6 +109,10 @@ def _undo(state: VerifyState, live: VerifyLive, args: Args) -> str:
     return "" if left else "No cloud was taken yet."
 
 
+def _redo(state: VerifyState, live: VerifyLive, args: Args) -> str:
+    return "" if state.undone else "No touch was taken back since the last one was taken."
+
+
 def _void_touch(state: VerifyState, live: VerifyLive, args: Args) -> str:
     index = args.get("index")
     known = type(index) is int and any(touch.index == index for touch in state.counted)
@@ -180,6 +185,7 @@ RULES: dict[str, Rule] = {
     "confirm_gauge": _confirm_gauge,
     "touch": _touch,
     "undo": _undo,
+    "redo": _redo,
     "void_touch": _void_touch,
     "confirm_touch": _confirm_touch,
     "begin_cloud": _begin,

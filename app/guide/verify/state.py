@@ -63,6 +63,8 @@ class VerifyState:
     by_probe: bool = False
     """Whether scans are compared with the touches."""
     touches: tuple[Touch, ...] = ()
+    undone: tuple[int, ...] = ()
+    """Touches that were taken back since the last one was taken; they can be put back."""
     clouds: tuple[Cloud, ...] = ()
     ended: str = ""
     """accepted or abandoned; empty while the session is open."""
@@ -113,15 +115,25 @@ def _started(state: VerifyState, payload: Payload) -> VerifyState:
 
 def _touched(state: VerifyState, payload: Payload) -> VerifyState:
     touch = Touch(len(state.touches), state.gauge, tuple(payload["q_rad"]))
-    return replace(state, touches=(*state.touches, touch))
+    return replace(state, touches=(*state.touches, touch), undone=())
 
 
 def _touch_voided(state: VerifyState, payload: Payload) -> VerifyState:
     index = payload["index"]
-    return replace(
-        state,
-        touches=tuple(replace(t, voided=t.voided or t.index == index) for t in state.touches),
-    )
+    if all(t.index != index for t in state.counted):
+        return state
+    return replace(_with_touch(state, index, voided=True), undone=(*state.undone, index))
+
+
+def _touch_restored(state: VerifyState, payload: Payload) -> VerifyState:
+    index = payload["index"]
+    undone = tuple(i for i in state.undone if i != index)
+    return replace(_with_touch(state, index, voided=False), undone=undone)
+
+
+def _with_touch(state: VerifyState, index: int, voided: bool) -> VerifyState:
+    touches = (replace(t, voided=voided) if t.index == index else t for t in state.touches)
+    return replace(state, touches=tuple(touches))
 
 
 def _cloud_begun(state: VerifyState, payload: Payload) -> VerifyState:
@@ -144,10 +156,11 @@ def _with_cloud(**fields: str) -> Callable[[VerifyState, Payload], VerifyState]:
 
 CHANGES: dict[str, Callable[[VerifyState, Payload], VerifyState]] = {
     "started": _started,
-    "gauge_chosen": lambda state, payload: replace(state, gauge=payload["id"]),
+    "gauge_chosen": lambda state, payload: replace(state, gauge=payload["id"], undone=()),
     "gauge_confirmed": lambda state, payload: replace(state, step="touch"),
     "touched": _touched,
     "touch_voided": _touch_voided,
+    "touch_restored": _touch_restored,
     "touch_confirmed": lambda state, payload: replace(state, step="scan", by_probe=True),
     "touch_skipped": lambda state, payload: replace(state, step="scan", by_probe=False),
     "cloud_begun": _cloud_begun,
