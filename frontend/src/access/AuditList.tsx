@@ -16,7 +16,7 @@ export function AuditList() {
           {t("Read again")}
         </PressButton>
       </div>
-      <div className={styles.log}>
+      <div className={styles.log} tabIndex={0}>
         <table className={styles.table}>
           <thead>
             <tr>

@@ -14,7 +14,7 @@ export function LanguageMenu({ children }: { children: ReactNode }) {
   const [opened, setOpened] = useState(false);
   const label = `${t("Language and units")}: ${nameOf(language)}, ${unitOf("mm")}`;
   return (
-    <Popover opened={opened} onChange={setOpened} position="bottom-end" shadow="md" radius="md" trapFocus zIndex={310}>
+    <Popover opened={opened} onChange={setOpened} position="bottom-end" shadow="md" radius="md" trapFocus returnFocus zIndex={310}>
       <Popover.Target>
         <button
           type="button"

@@ -41,7 +41,7 @@ export function ResultPicture({ picture }: { picture: ResultView }) {
           label={t("What to look at")}
         />
       </div>
-      <div className={styles.shown}>
+      <div className={styles.shown} tabIndex={0}>
         {tab === "object" && <ResidualObject block={picture.block} points={picture.points} worst={result.worst} />}
         {tab === "image" && <PoseView poses={poses} shown={pose} onShow={setPose} residuals worst={result.worst} />}
         {tab === "map" && poses[0] && (

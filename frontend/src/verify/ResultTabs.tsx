@@ -39,7 +39,7 @@ export function ResultTabs({ shown, sent, id }: ResultTabsProps) {
           label={t("What to look at")}
         />
       </div>
-      <div className={frame.shown}>
+      <div className={frame.shown} tabIndex={0}>
         {tab === "figures" && <FigureBars found={shown.figures} />}
         {tab === "map" && <DeviationMap clouds={shown.clouds} shape={shown.shape} />}
         {tab === "clouds" && <OverClouds shown={shown} />}
