@@ -21,7 +21,7 @@ const INCH: Record<string, Inch> = {
   "mm³": { unit: "in³", times: 254n ** 3n, power: -3 },
 };
 /** Of what the station keeps to no round inch, so much is shown in a field. */
-const FIELD_DECIMALS: Record<string, number> = { mm: 6, µm: 2 };
+const FIELD_DECIMALS: Record<string, number> = { mm: 5, µm: 1 };
 /** Nobody types more. */
 const TYPED_DECIMALS = 12;
 
@@ -98,7 +98,7 @@ export function typed(value: number, unit: string): string {
     const text = inUnit(value, unit).toFixed(decimals);
     if (fromTyped(text, unit) === value) return text;
   }
-  return inUnit(value, unit).toFixed(FIELD_DECIMALS[unit] ?? 6);
+  return inUnit(value, unit).toFixed(FIELD_DECIMALS[unit] ?? 5);
 }
 
 const NUMBER = "[+\u2212-]?\\d[\\d\u2009]*(?:\\.\\d+)?";
