@@ -32,6 +32,8 @@ T = TypeVar("T")
 
 POINT_BUDGET = 3_000_000
 FLUSH_S = 0.1
+REST_S = 0.02
+"""So long at least between two turns, for the station's other threads."""
 # Nodes that go out in one message: a late joiner on a slow line gets the first of them
 # before its connection is given up (viser merges up to 128 by itself).
 WINDOW_MESSAGES = 4
@@ -297,11 +299,14 @@ class Scene:
             self._eye.look(M_PER_MM * centre_mm, M_PER_MM * max(0.62 * size_mm, SMALLEST_LOOK_MM))
 
     def _run(self) -> None:
-        while not self._stopping.wait(FLUSH_S):
+        wait_s = FLUSH_S
+        while not self._stopping.wait(wait_s):
+            began_s = time.monotonic()
             with self._lock:
                 self._show_waiting()
                 self._clouds.settle()
                 self._show_arm()
+            wait_s = max(FLUSH_S - (time.monotonic() - began_s), REST_S)
 
     def _show_waiting(self) -> None:
         waiting = self._take_waiting()
