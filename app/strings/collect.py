@@ -39,7 +39,7 @@ MOST_FORMS = 16
 
 _LETTERS = re.compile(r"[^\W\d_]{2}")
 _PROGRAM = re.compile(
-    r"[<>\\@#$]|^\S*_\S*$|::|=\"|filename|\w ?= ?\?|\.\w{2,4}$|://|^/|[;:]$"
+    r"[<>\\@#$]|^\S*_\S*$|::|=\"|filename|\w ?= ?\?|\.\w{2,4}$|^\S*://\S*$|^/|[;:]$"
     r"|[A-Z]+ (TABLE|INTO|FROM|OR|INDEX|BY)\b|^(WHERE|id,) "
     r"|^\W*(SELECT|INSERT|UPDATE|DELETE|PRAGMA|CREATE|BEGIN|ALTER)\b|^\w+/|charset|must-reval"
     r"|repeat\(|^(VERSION|FIELDS|SIZE|TYPE|COUNT|WIDTH|HEIGHT|VIEWPOINT|POINTS|DATA)\b"
