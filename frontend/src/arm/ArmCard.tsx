@@ -19,6 +19,11 @@ function withoutEchoes({ findings, actions }: ArmView): Finding[] {
   return findings.filter(({ text }) => !told.has(text));
 }
 
+/** A sphere is touched, a seat is swung in. */
+function helpFor({ step, artefact }: ArmView): string {
+  return step === "swing" && artefact.kind === "sphere" ? "arm/touch" : `arm/${step}`;
+}
+
 /** What to do now: the server's words, number, progress and allowed acts. */
 export function ArmCard({ view }: { view: ArmView }) {
   const heading = useRef<HTMLHeadingElement>(null);
@@ -32,7 +37,7 @@ export function ArmCard({ view }: { view: ArmView }) {
   return (
     <>
       <StepDots view={view} />
-      <CardHead title={view.title} text={view.instruction} ref={heading} />
+      <CardHead title={view.title} text={view.instruction} help={helpFor(view)} ref={heading} />
       {view.number && <BigNumber number={view.number} verdict={view.step === "result"} />}
       {view.progress && <Progress {...view.progress} />}
       {view.busy && <Busy key={view.busy.text} {...view.busy} />}

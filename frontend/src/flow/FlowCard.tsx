@@ -48,7 +48,7 @@ export function FlowCard({ view }: { view: FlowView }) {
   return (
     <>
       <StepDots view={view} />
-      <CardHead title={view.title} text={view.instruction} ref={heading} />
+      <CardHead title={view.title} text={view.instruction} help={`flow/${view.step}`} ref={heading} />
       {view.number && <BigNumber number={view.number} verdict={view.picture.kind === "result"} />}
       {view.progress && <Progress {...view.progress} />}
       {view.busy && <Busy key={view.busy.text} {...view.busy} />}

@@ -33,7 +33,7 @@ export function ScanPage() {
       picture={<ScanPicture />}
       card={
         <>
-          <CardHead title={t(title)} text={t(text)} />
+          <CardHead title={t(title)} text={t(text)} help="scan" />
           <BigNumber
             number={{ label: t("Points"), value: scan.points, unit: "", decimals: 0, quality: "neutral", note: shown(scan) }}
           />

@@ -1,22 +1,45 @@
-import type { Ref } from "react";
+import { type Ref, useId, useState } from "react";
 
+import { t } from "../state/language";
 import { bound } from "./format";
+import { HELP } from "./help";
 import styles from "./CardHead.module.css";
 
 interface CardHeadProps {
   title: string;
   text: string;
+  /** Which lines of `HELP` belong to it, if any. */
+  help?: string;
   ref?: Ref<HTMLHeadingElement>;
 }
 
-/** The card's title and its one sentence. */
-export function CardHead({ title, text, ref }: CardHeadProps) {
+/** The card's title and its one sentence, and more of it for whoever asks. */
+export function CardHead({ title, text, help, ref }: CardHeadProps) {
   return (
     <div className={styles.head}>
       <h1 className={styles.title} tabIndex={-1} ref={ref}>
         {title}
       </h1>
       <p className={styles.text}>{bound(text)}</p>
+      {/* another step begins with its help closed */}
+      {help && HELP[help] && <Help key={help} lines={HELP[help]} />}
     </div>
+  );
+}
+
+function Help({ lines }: { lines: readonly string[] }) {
+  const [open, setOpen] = useState(false);
+  const id = useId();
+  return (
+    <>
+      <button type="button" className={styles.ask} aria-expanded={open} aria-controls={id} onClick={() => setOpen(!open)}>
+        {t("How to")}
+      </button>
+      <ul id={id} className={styles.help} hidden={!open}>
+        {lines.map((line) => (
+          <li key={line}>{t(line)}</li>
+        ))}
+      </ul>
+    </>
   );
 }

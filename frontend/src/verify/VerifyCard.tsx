@@ -29,7 +29,7 @@ export function VerifyCard({ view }: { view: VerifyView }) {
   return (
     <>
       <StepDots view={view} />
-      <CardHead title={view.title} text={view.instruction} ref={heading} />
+      <CardHead title={view.title} text={view.instruction} help={`verify/${view.step}`} ref={heading} />
       {view.picture.verdict ? (
         <Verdict {...view.picture.verdict} />
       ) : (
