@@ -110,6 +110,9 @@ def calibrate(visit: Visit) -> None:
         )
         page.wait_for_timeout(500)
         visit.look(step)
+        if step == "touch":
+            page.get_by_role("button", name="How to").click()
+            expect(page.get_by_text("The arm's main button takes a point.")).to_be_visible()
         page.get_by_role("button", name="Let the hand do it").click()
         page.wait_for_timeout(1500)
         visit.look(f"{step}-by-the-hand")
