@@ -33,14 +33,15 @@ export function useDrawing(): { thousands: number | null; watch: (picture: { win
     let request = window.requestAnimationFrame(function drawn(): void {
       frames += 1;
       const gone = performance.now() - began;
+      const each = gone / frames;
       if (gone > LOOKED_MS) {
-        slow = !document.hidden && gone / frames > SLOW_MS ? slow + 1 : 0;
+        slow = !document.hidden && each > SLOW_MS ? slow + 1 : 0;
         frames = 0;
         began = performance.now();
       }
       if (slow < 2) request = window.requestAnimationFrame(drawn);
       else {
-        step = now + 1;
+        step = each > 4 * SLOW_MS ? STEPS.length - 1 : now + 1;
         sessionStorage.setItem(KEPT, `${step}`);
         setNow(step);
       }
