@@ -2,6 +2,7 @@
 
 import shutil
 import threading
+import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,7 +16,8 @@ from app.station.reader import Link, LinkState
 from app.station.sensor_side import SensorSide
 from hardware.interfaces import ArmDriver, SensorDriver
 
-PUBLISH_S = 0.2
+# Devices are told of so often, and as soon as one is seen to be lost or back.
+PUBLISH_S, LOOK_S = 0.2, 0.05
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,14 +111,19 @@ class Rig:
 
     def _publish(self) -> None:
         said: dict[str, LinkState] = {}
-        while not self._stopping.wait(PUBLISH_S):
+        published_s = 0.0
+        while not self._stopping.wait(LOOK_S):
+            before = dict(said)
             for title, link in (
                 ("arm", self.arm.reader.link()),
                 ("sensor", self.sensor.reader.link()),
             ):
                 self._tell(title, said.get(title), link)
                 said[title] = link.state
-            self._bus.publish("devices", self.devices())
+            now_s = time.monotonic()
+            if said != before or now_s - published_s >= PUBLISH_S:
+                self._bus.publish("devices", self.devices())
+                published_s = now_s
 
     def _tell(self, title: str, before: LinkState | None, link: Link) -> None:
         """Says once when a device was lost, and when it came back."""
