@@ -8,7 +8,7 @@ import { Findings } from "../parts/Findings";
 import { lengthFigures, unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
-import { t } from "../state/language";
+import { said, t } from "../state/language";
 import { go } from "../state/router";
 import { useLive } from "../state/store";
 import styles from "./HomePage.module.css";
@@ -39,7 +39,7 @@ function Active({ calibration }: { calibration: CalibrationSummary }) {
   return (
     <div className={styles.active}>
       <p className={styles.label}>
-        <QualityMark quality={calibration.verdict} /> {t("In use: {name}", { name: calibration.name })}
+        <QualityMark quality={calibration.verdict} /> {t("In use: {name}", { name: said(calibration.name) })}
       </p>
       <p className={styles.value}>
         {lengthFigures(calibration.total_um, "µm")} <span>{unitOf("µm")}</span>

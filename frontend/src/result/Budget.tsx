@@ -1,7 +1,7 @@
 import type { BudgetRow, CalibrationResult } from "../api/resultTypes";
 import { bound } from "../parts/format";
 import { inUnit, lengthFigures, measured, unitOf } from "../parts/lengths";
-import { t } from "../state/language";
+import { said, t } from "../state/language";
 import styles from "./Budget.module.css";
 
 /** Where the uncertainty comes from, the largest first, and what changed since the last time. */
@@ -54,7 +54,7 @@ function Compared({ result }: { result: CalibrationResult }) {
           {t("Points of the measuring volume moved by {rms} rms, {most} at most, since {name}.", {
             rms: measured(comparison.rms_um, "µm"),
             most: measured(comparison.max_um, "µm"),
-            name: comparison.with_name,
+            name: said(comparison.with_name),
           })}
         </p>
       ) : (

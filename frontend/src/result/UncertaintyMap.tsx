@@ -4,7 +4,7 @@ import type { CalibrationResult } from "../api/resultTypes";
 import { Segments } from "../parts/Segments";
 import { figures } from "../parts/format";
 import { lengthFigures, measured } from "../parts/lengths";
-import { t } from "../state/language";
+import { said, t } from "../state/language";
 import styles from "./UncertaintyMap.module.css";
 
 interface MapProps {
@@ -58,7 +58,7 @@ export function UncertaintyMap({ result, width_px, height_px }: MapProps) {
         words={
           change
             ? t("How far a scanned point moved since {name}: {rms} rms, at most {most}.", {
-                name: comparison.with_name,
+                name: said(comparison.with_name),
                 rms: measured(comparison.rms_um, "µm"),
                 most: measured(comparison.max_um, "µm"),
               })

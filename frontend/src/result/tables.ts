@@ -1,6 +1,6 @@
 import type { CalibrationResult, WorstPoint } from "../api/resultTypes";
 import { amount, type TableData } from "../parts/table";
-import { t, words } from "../state/language";
+import { said, t, words } from "../state/language";
 import { filled } from "../state/sentences";
 import { cornerWords } from "./names";
 
@@ -28,7 +28,7 @@ export function tablesOf(result: CalibrationResult): TableData[] {
       title: words("Largest residuals"),
       head: [words("Where"), words("Kind"), words("Residual"), words("Unit")],
       rows: result.worst.map((w) => [
-        w.kind === "corner" ? { plain: cornerWords(w.name, filled), shown: cornerWords(w.name) } : w.name,
+        w.kind === "corner" ? { plain: cornerWords(w.name, filled), shown: cornerWords(w.name) } : { plain: w.name, shown: said(w.name) },
         { plain: w.kind, shown: t(KINDS[w.kind]) },
         amount(w.value, w.unit === "px" ? 3 : 1, w.unit),
         { unit: w.unit },
