@@ -13,6 +13,7 @@ from app.strings.sentences import sentences_of
 SENTENCES = frozenset(
     ("text", "title", "label", "note", "detail", "remedy", "why_not", "confirm", "instruction")
     + ("words", "wanted", "reason", "verdict_text", "what", "why", "trouble", "progress", "source")
+    + ("act", "action")
 )
 """Where they stand in what is sent, as frontend/src/state/spoken.ts has it."""
 TWO_WORDS = re.compile(r"\b[a-z]{2,}\b \b[a-z]{2,}\b")
