@@ -23,7 +23,8 @@ from app.station.voxels import Tiers, Voxels
 FIRST_VOXEL_MM = 0.1
 NODE_POINTS = 100_000
 FEW_POINTS = 4_000
-MOST_SMALL_NODES = 60
+MOST_SMALL_NODES, SMALL_POINTS = 60, 100_000
+"""Of more they are merged."""
 SMALLEST_POINT_MM = 0.3
 
 
@@ -122,13 +123,16 @@ class CloudView:
         self._high_mm = np.maximum(self._high_mm, [axis.max() for axis in points.T])
         self.newest_s = max(self.newest_s, float(traits["taken_s"][-1]))
         node = _Node((points - self._origin_mm).astype(np.float32), traits)
-        self._show(node)
         self._small.append((node, tiers[new]))
-        if not self.keep_budget() and (
+        if self.keep_budget():
+            return
+        if (
             len(self._small) >= MOST_SMALL_NODES
-            or sum(len(n.points_mm) for n, _ in self._small) >= NODE_POINTS
+            or sum(len(n.points_mm) for n, _ in self._small) >= SMALL_POINTS
         ):
             self._merge()
+        else:
+            self._show(node)
 
     def keep_budget(self) -> bool:
         """Thins what is shown where it is more than the budget; whether it was."""
@@ -238,7 +242,7 @@ class CloudView:
     def _append(self, tier: int, node: _Node) -> None:
         """Shows a node's points in large nodes of their tier; fills up the last of those."""
         nodes = self._large.setdefault(tier, [])
-        last = nodes.pop() if nodes and len(nodes[-1].points_mm) < NODE_POINTS // 2 else None
+        last = nodes.pop() if nodes and len(nodes[-1].points_mm) < NODE_POINTS // 3 else None
         if last is not None:
             node = _joined([last, node])
         for start in range(0, len(node.points_mm), NODE_POINTS):
