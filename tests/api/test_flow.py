@@ -140,7 +140,8 @@ def test_a_whole_calibration_by_the_hand(server: Server, tmp_path: Path) -> None
     assert view["step"] == "review", view["findings"]
 
     result = view["picture"]["result"]
-    assert result["verdict"] == "good", view["findings"]
+    told = "\n".join(f"{each['quality']}: {each['text']}" for each in view["findings"])
+    assert result["verdict"] == "good", told
     assert 0 < result["total_um"] < 50
     assert len(view["picture"]["points"]) == 27
     poses = view["picture"]["poses"]
