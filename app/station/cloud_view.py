@@ -95,9 +95,8 @@ class CloudView:
         return np.concatenate(parts) if parts else np.zeros(0)
 
     def clear(self) -> None:
-        with self._server.atomic():
-            for node in self._nodes:
-                _remove(node)
+        for node in self._nodes:
+            _remove(node)
         self._forget()
 
     def remove(self) -> None:
@@ -141,14 +140,13 @@ class CloudView:
             continue
         if self._voxels.finest == finest:
             return False
-        with self._server.atomic():
-            for tier in range(finest, self._voxels.finest):
-                for node in self._large.pop(tier, []):
-                    _remove(node)
-            self._merge()
-            for node in self._nodes:
-                if node.handle is not None:
-                    node.handle.point_size = self._point_size
+        for tier in range(finest, self._voxels.finest):
+            for node in self._large.pop(tier, []):
+                _remove(node)
+        self._merge()
+        for node in self._nodes:
+            if node.handle is not None:
+                node.handle.point_size = self._point_size
         return True
 
     def repaint(self, most_points: int) -> int:
@@ -217,6 +215,7 @@ class CloudView:
         """Many small nodes become few large ones: a browser slows down with many.
 
         Tiers of which there are only few points yet stay together in one small node.
+        What is larger is there before what was small goes: nobody waits for all of it.
         """
         small, self._small = self._small, []
         if not small:
@@ -225,19 +224,18 @@ class CloudView:
         order = np.argsort(tiers, kind="stable")
         whole, tiers = _joined([node for node, _ in small]).part(order), tiers[order]
         few = [np.zeros(0, dtype=np.int64)]
-        with self._server.atomic():
-            for tier in range(self._voxels.finest, int(tiers[-1]) + 1):
-                start, end = np.searchsorted(tiers, (tier, tier + 1))
-                if end - start >= FEW_POINTS:
-                    self._append(tier, whole.part(slice(start, end)))
-                else:
-                    few.append(np.arange(start, end))
-            rest = np.concatenate(few)
-            if len(rest):
-                self._small.append((whole.part(rest), tiers[rest]))
-                self._show(self._small[0][0])
-            for node, _ in small:
-                _remove(node)
+        for tier in range(self._voxels.finest, int(tiers[-1]) + 1):
+            start, end = np.searchsorted(tiers, (tier, tier + 1))
+            if end - start >= FEW_POINTS:
+                self._append(tier, whole.part(slice(start, end)))
+            else:
+                few.append(np.arange(start, end))
+        rest = np.concatenate(few)
+        if len(rest):
+            self._small.append((whole.part(rest), tiers[rest]))
+            self._show(self._small[0][0])
+        for node, _ in small:
+            _remove(node)
 
     def _append(self, tier: int, node: _Node) -> None:
         """Shows a node's points in large nodes of their tier; fills up the last of those."""
