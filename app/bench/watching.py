@@ -100,7 +100,8 @@ def _watch(
             with contextlib.suppress(TimeoutError):
                 data = socket.recv(POLL_S)
                 seen.take(time.monotonic_ns(), bytes(data) if isinstance(data, bytes) else b"")
-    whole_s = time.monotonic() - began_s
+        # closing waits for the station, up to ten seconds where much is on its way
+        whole_s = time.monotonic() - began_s
     pipe.send(
         Watched(np.array(seen.ages_s), whole_s, seen.bytes, seen.coloured_at_s or float("nan"))
     )
