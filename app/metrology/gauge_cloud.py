@@ -20,6 +20,7 @@ ROUGHEST_MM = 0.5
 OTHER_RADIUS_MM, OTHER_RADIUS_SHARE = 0.4, 0.03
 """A radius so far off is another sphere's."""
 NEAR_MM = 1.0
+SAME_PLACE_MM = 0.05
 SHARE_IN_ZONE = 0.95
 
 
@@ -115,6 +116,9 @@ def zone_mm(off_mm: Floats) -> float:
 
 def _usable(points_mm: Floats, frame: NDArray[np.int64]) -> tuple[Floats, NDArray[np.int64]]:
     points, finite = finite_points(points_mm, 4, "gauge")
+    frames = frame[finite]
+    once = _seen_once(points, frames)
+    points, frames = points[once], frames[once]
     if len(points) < LEAST_POINTS:
         raise Refusal(
             "cloud-too-small",
@@ -122,7 +126,28 @@ def _usable(points_mm: Floats, frame: NDArray[np.int64]) -> tuple[Floats, NDArra
             f"at least {LEAST_POINTS} are needed",
             "Pass the stripe slowly over the gauge",
         )
-    return points, frame[finite]
+    return points, frames
+
+
+def _seen_once(points: Floats, frame: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """(N,) the points of frames that lie where no frame before them lay.
+
+    A hand that rests at the end of a pass would make the one line that it rests on weigh more
+    than all that it passed over. A frame's place is the means of its points' two halves.
+    """
+    order = np.argsort(frame, kind="stable")
+    _, first, of, count = np.unique(
+        frame[order], return_index=True, return_inverse=True, return_counts=True
+    )
+    half = 2 * (np.arange(len(order)) - first[of]) // count[of]
+    group = 2 * of + half
+    held = np.maximum(np.bincount(group, minlength=2 * len(count)), 1)
+    sums = [np.bincount(group, points[order, axis], 2 * len(count)) for axis in range(3)]
+    place = (np.stack(sums, axis=1) / held[:, None]).reshape(len(count), 6)
+    _, kept = np.unique(np.floor(place / SAME_PLACE_MM), axis=0, return_index=True)
+    once = np.zeros(len(frame), dtype=np.bool_)
+    once[order] = np.isin(of, kept)
+    return once
 
 
 def _refuse_rough(rms_mm: float, shape: str) -> None:

@@ -145,6 +145,21 @@ def test_a_strip_is_too_little_of_a_plane_and_a_bowl_is_none() -> None:
         gauge_plane(np.column_stack([x, y, 0.02 * (x**2 + y**2)]), frame)
 
 
+def test_a_hand_that_rests_at_the_end_of_a_pass_makes_no_strip_of_it() -> None:
+    along, frames = np.linspace(-20, 20, 400), 700
+    x = np.tile(along, frames)
+    # forty frames in a pass, and all others at its end, with a trembling hand
+    at = np.minimum(np.arange(frames), 40.0) - 20 + RNG.normal(0, 0.01, frames)
+    y = np.repeat(at, len(along))
+    z = 0.1 * x + 0.2 * y + RNG.normal(0, 0.01, len(x))
+    found = gauge_plane(np.column_stack([x, y, z]), np.repeat(np.arange(frames), len(along)))
+    assert found.used < 100 * len(along)
+    assert isinstance(found.shape.fit, PlaneFit)
+    normal = np.array([-0.1, -0.2, 1.0]) / np.sqrt(1.05)
+    off_rad = np.arccos(min(abs(float(found.shape.fit.normal @ normal)), 1.0))
+    assert off_rad < np.deg2rad(60 / 3600)
+
+
 def test_the_map_shows_where_a_plane_is_high() -> None:
     x, y = RNG.uniform(-20, 20, 20000), RNG.uniform(-10, 10, 20000)
     bump = np.where((x > 10) & (y > 0), 0.02, 0.0)
