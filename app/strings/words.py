@@ -34,6 +34,7 @@ WORDS = (
     ),
     "Input should be a valid {kind}, unable to parse string as {kind_of_it}",
     "Input should be a valid dictionary or object to extract fields from",
+    "String should have at least 1 character",
     "String should have at least {least} characters",
     "String should have at most {most} characters",
     "String should match pattern '{pattern}'",

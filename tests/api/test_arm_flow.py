@@ -172,15 +172,12 @@ def test_several_seats_identify_the_arm_and_the_old_one_is_kept(
     monkeypatch.setattr(server.twin.hand, "_pace", 12.0)
     session("identify")
     assert command(server, "fit").status_code == 422
-    do(server, "let_hand")
-    view = wait(
-        server, lambda view: view["step"] == "swing" and len(view["picture"]["seats"]) == 5, 150.0
-    )
-    do(server, "stop_hand")
-    wait(server, lambda view: view["busy"] is None)
-    do(server, "drop_swing")
-    do(server, "fit")
-    view = wait(server, lambda view: view["step"] == "result", 60.0)
+    # where a busy machine swings the arm too little, the fit is refused, and asks for more
+    view = view_of(server)
+    for places in (5, 9, 13):
+        if view["step"] != "result":
+            view = fitted_after(server, places)
+    assert view["step"] == "result", view["findings"]
     result = view["picture"]["result"]
     (seats,) = result["lines"]
     assert seats["after_um"] < seats["before_um"]
@@ -195,6 +192,20 @@ def test_several_seats_identify_the_arm_and_the_old_one_is_kept(
     assert [path.read_bytes() for path in (arms / "replaced").iterdir()] == [before]
     (arms / "simulated.json").write_bytes(before)
     do(server, "end")
+
+
+def fitted_after(server: Server, places: int) -> View:
+    """The hand takes seats up to the so-manieth, which is dropped; then the arm is fitted."""
+    do(server, "let_hand")
+    wait(
+        server,
+        lambda view: view["step"] == "swing" and len(view["picture"]["seats"]) == places,
+    )
+    do(server, "stop_hand")
+    wait(server, lambda view: view["busy"] is None)
+    do(server, "drop_swing")
+    do(server, "fit")
+    return wait(server, lambda view: view["busy"] is None)
 
 
 def test_a_tip_is_checked_on_a_sphere_and_home_knows_of_it(
