@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial import KDTree
 
 from app.metrology.frames import Floats
 from app.metrology.measured_shape import MeasuredShape, measure_shape
@@ -78,6 +79,14 @@ def gauge_sphere(points_mm: Floats, frame: NDArray[np.int64], radius_mm: float) 
         raise _no_such_sphere(radius_mm) from refusal
     fit = found.fit
     assert isinstance(fit, SphereFit)
+    off_mm = abs(fit.radius_mm - radius_mm)
+    if off_mm > max(OTHER_RADIUS_MM, OTHER_RADIUS_SHARE * radius_mm):
+        raise Refusal(
+            "another-gauge",
+            f"The scanned sphere has a diameter of {2 * fit.radius_mm:.2f} mm",
+            f"the chosen gauge has {2 * radius_mm:.2f} mm",
+            "Choose the gauge that is scanned",
+        )
     outward = points[fit.used] - fit.centre_mm
     outward /= np.linalg.norm(outward, axis=1)[:, None]
     middle = outward.mean(axis=0)
@@ -89,14 +98,6 @@ def gauge_sphere(points_mm: Floats, frame: NDArray[np.int64], radius_mm: float) 
             f"The cloud shows a cap of {np.rad2deg(cap):.0f}° of the sphere",
             f"at least {np.rad2deg(LEAST_CAP_RAD):.0f}° from its middle are needed",
             "Pass over it from several sides",
-        )
-    off_mm = abs(fit.radius_mm - radius_mm)
-    if off_mm > max(OTHER_RADIUS_MM, OTHER_RADIUS_SHARE * radius_mm):
-        raise Refusal(
-            "another-gauge",
-            f"The scanned sphere has a diameter of {2 * fit.radius_mm:.2f} mm",
-            f"the chosen gauge has {2 * radius_mm:.2f} mm",
-            "Choose the gauge that is scanned",
         )
     _refuse_rough(fit.rms_mm, "sphere")
     return _measured(found, points, len(points_mm))
@@ -163,10 +164,14 @@ def _refuse_rough(rms_mm: float, shape: str) -> None:
 def _near_sphere(points: Floats, radius_mm: float) -> NDArray[np.bool_]:
     """(N,) the points about the sphere of this radius that most points lie on.
 
-    Every three points have two spheres of a given radius through them.
+    Every three points have two spheres of a given radius through them. Three that lie within a
+    radius of one another are of the sphere together far more often than any three are.
     """
-    sample, chosen = draws(points, 3)
-    a, b, c = chosen[:, 0], chosen[:, 1], chosen[:, 2]
+    sample, seeds = draws(points, 1)
+    rng = np.random.default_rng(0)
+    about = KDTree(sample).query_ball_point(seeds[:, 0], radius_mm)
+    threes = sample[[[*rng.choice(near, 3)] for near in about]]
+    a, b, c = threes[:, 0], threes[:, 1], threes[:, 2]
     u, v = b - a, c - a
     normal = np.cross(u, v)
     area = np.sum(normal**2, axis=1)

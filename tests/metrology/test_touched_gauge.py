@@ -112,10 +112,17 @@ def test_a_sphere_is_found_though_most_points_are_of_the_table() -> None:
     assert found.form_mm == pytest.approx(4 * 0.0098, rel=0.05)
 
 
+@pytest.mark.parametrize("beside", [30000, 60000])
+def test_a_sphere_is_found_though_it_is_a_twentieth_of_the_cloud(beside: int) -> None:
+    found = gauge_sphere(*sphere_scan(12.7, 3000, beside), 12.7)
+    assert found.used > 2800
+    assert found.shape.fit.radius_mm == pytest.approx(12.7, abs=0.003)  # type: ignore[union-attr]
+
+
 @pytest.mark.parametrize(
     ("radius_mm", "points", "said"),
     [
-        (10.0, sphere_scan(12.7, 3000, 0), "25.4|no sphere of 20.00"),
+        (10.0, sphere_scan(12.7, 3000, 0), "diameter of 25.[34]|no sphere of 20.00"),
         (12.7, sphere_scan(12.7, 200, 100), "300 points"),
         (12.7, sphere_scan(500.0, 3000, 0), "no sphere of 25.40"),
     ],
