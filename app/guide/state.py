@@ -5,6 +5,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from app.guide.journal import Row
+from app.guide.undoing import put_back, taken_back
 
 STEPS = ("devices", "setup", "touch", "place", "capture", "solve", "review")
 FIELDS = ("arm", "object", "sensor")
@@ -198,18 +199,13 @@ def _point_voided(state: CalibrationState, payload: Payload) -> CalibrationState
     index = payload["index"]
     if all(c.index != index for c in state.counted):
         return state
-    return replace(_with_point(state, index, voided=True), undone=(*state.undone, index))
+    contacts, undone = taken_back(state.contacts, state.undone, index)
+    return replace(state, contacts=contacts, undone=undone)
 
 
 def _point_restored(state: CalibrationState, payload: Payload) -> CalibrationState:
-    index = payload["index"]
-    undone = tuple(i for i in state.undone if i != index)
-    return replace(_with_point(state, index, voided=False), undone=undone)
-
-
-def _with_point(state: CalibrationState, index: int, voided: bool) -> CalibrationState:
-    contacts = (replace(c, voided=voided) if c.index == index else c for c in state.contacts)
-    return replace(state, contacts=tuple(contacts))
+    contacts, undone = put_back(state.contacts, state.undone, payload["index"])
+    return replace(state, contacts=contacts, undone=undone)
 
 
 def _image_captured(state: CalibrationState, payload: Payload) -> CalibrationState:

@@ -48,11 +48,7 @@ def press(guide: ArmGuide, event: Press) -> None:
 
 
 def _fit(guide: ArmGuide, args: Args, key: str | None) -> None:
-    start_job(
-        guide,
-        "Identifying the arm",
-        lambda progress: works.fit(guide, progress),
-    )
+    start_job(guide, "Identifying the arm", lambda progress: works.fit(guide, progress))
 
 
 def _let_hand(guide: ArmGuide, args: Args, key: str | None) -> None:

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from app.guide.journal import Row
+from app.guide.undoing import put_back, taken_back
 
 STEPS = ("gauge", "touch", "scan", "review")
 Payload = Mapping[str, Any]
@@ -122,18 +123,13 @@ def _touch_voided(state: VerifyState, payload: Payload) -> VerifyState:
     index = payload["index"]
     if all(t.index != index for t in state.counted):
         return state
-    return replace(_with_touch(state, index, voided=True), undone=(*state.undone, index))
+    touches, undone = taken_back(state.touches, state.undone, index)
+    return replace(state, touches=touches, undone=undone)
 
 
 def _touch_restored(state: VerifyState, payload: Payload) -> VerifyState:
-    index = payload["index"]
-    undone = tuple(i for i in state.undone if i != index)
-    return replace(_with_touch(state, index, voided=False), undone=undone)
-
-
-def _with_touch(state: VerifyState, index: int, voided: bool) -> VerifyState:
-    touches = (replace(t, voided=voided) if t.index == index else t for t in state.touches)
-    return replace(state, touches=tuple(touches))
+    touches, undone = put_back(state.touches, state.undone, payload["index"])
+    return replace(state, touches=touches, undone=undone)
 
 
 def _cloud_begun(state: VerifyState, payload: Payload) -> VerifyState:
