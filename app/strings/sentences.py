@@ -20,6 +20,8 @@ LOOSE = " ,;·"
 UNITS = frozenset(
     ["mm", "µm", "µs", "ms", "ns", "px", "rms", "Hz", "fps", "GB", "MB", "UTC", "rad", "min"]
 )
+HELD = 2000
+"""Texts whose wording is remembered: every report has numbers of its own."""
 _WORDS = re.compile(r"[^\W\d_]{2,}")
 
 
@@ -52,9 +54,13 @@ class Sentences:
 
     def best(self, text: str) -> Said:
         """Of all ways to say it, the one that leaves least in English."""
-        if text not in self._held:
-            self._held[text] = self._found(text)
-        return self._held[text]
+        best = self._held.get(text)
+        if best is None:
+            best = self._found(text)
+            if len(self._held) >= HELD:
+                self._held.clear()
+            self._held[text] = best
+        return best
 
     def _found(self, text: str) -> Said:
         core = text.strip(LOOSE)

@@ -18,7 +18,7 @@ interface Said {
 const PLACE = /\{(\w+)\}/g;
 const SENTENCE_END = /(?<=[.?]) (?=[A-Z])/;
 /** Where a text is put together of others, the loosest joint first. */
-const JOINTS = [/(?<=[.?]) (?=[A-Z])/g, / · /g, /: /g, /; /g, /, /g];
+const JOINTS = [new RegExp(SENTENCE_END, "g"), / · /g, /: /g, /; /g, /, /g];
 const MOST_JOINTS = 8;
 const LOOSE = /^([ ,;·]*)(.*?)([ ,;·]*)$/s;
 const UNITS = new Set(["mm", "µm", "µs", "ms", "ns", "px", "rms", "Hz", "fps", "GB", "MB", "UTC", "rad", "min"]);
