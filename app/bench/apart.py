@@ -14,8 +14,9 @@ from websockets.exceptions import ConnectionClosed
 from app.api.access import cookie_for
 from app.api.context import Context
 from app.api.wiring import Parts
-from app.main import build_app, make_server
+from app.main import build_app
 from app.metrology.refusal import Refusal
+from app.serving import make_server
 from app.station.host import resident
 
 PATIENCE_S = 120.0

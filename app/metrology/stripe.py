@@ -163,7 +163,7 @@ def _points(
     """The stripe's points (4, N): along, across, height, standard deviation."""
     saturated = saturation_level(grey)
     told = np.zeros(4, dtype=np.float32) if told is None else told
-    highest = search(grey, where, parts, room.ring, room.wide, room.score, room.at)
+    highest = search(grey, where, parts, room.ring, room.score, room.at)
     # after the search, which has fetched the pixels
     read = float(told[0]) or float(read_noise(grey, room.counts))
     everywhere = np.zeros(0, dtype=np.bool_)
@@ -294,8 +294,6 @@ def _peaks(
         ),
         read,
         saturated,
-        room.marks,
-        room.words,
         room.places,
         room.chosen,
         room.raw,

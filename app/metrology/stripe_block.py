@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.compiled import vector_kernel
+from app.metrology.grey_lanes import Grey
 from app.metrology.lanes import WIDTH, all_lanes, load, load_whole, store, where
-from app.metrology.stripe_search import Grey
 
 Singles = NDArray[np.float32]
 
@@ -216,22 +216,41 @@ def crossings(
 @vector_kernel
 def set_windows(block: Singles, profile: Singles, reach: int, saturated: np.float32) -> None:
     """The pixels that every lane's fit takes: both flanks, even beside clipped pixels."""
-    rows = np.uintp(2 * reach + 1)
     last = np.float32(2 * reach)
     for i in range(ALL):
         away = REACH * block[S + i] + REACH_PX
         block[FIRST + i] = np.ceil(block[C + i] - away)
         block[LAST + i] = np.floor(block[C + i] + away)
-        block[CLIPPED + i] = np.float32(0)
-    for k in range(rows):
-        x = np.float32(k)
-        for i in range(ALL):
-            within = (x >= block[FIRST + i]) & (x <= block[LAST + i])
-            clipped = within & (profile[k * ALL + i] >= saturated)
-            block[CLIPPED + i] += np.float32(1) if clipped else np.float32(0)
+    for at in range(0, ALL, WIDTH):
+        count_clipped(block, profile, saturated, np.uintp(at))
     for i in range(ALL):
         out = BESIDE_CLIPPED_PX if block[CLIPPED + i] > 0 else np.float32(0)
         block[FIRST + i] -= out
         block[LAST + i] += out
         short = (block[FIRST + i] < 0) | (block[LAST + i] > last)
         block[STATE + i] = min(block[STATE + i], WIDER) if short else block[STATE + i]
+
+
+@vector_kernel
+def count_clipped(block: Singles, profile: Singles, saturated: np.float32, at: np.uintp) -> None:
+    """How many pixels of their windows are clipped, of the lanes from ``at`` on."""
+    zero, one, level = all_lanes(np.float32(0)), all_lanes(np.float32(1)), all_lanes(saturated)
+    first, last = load(block, FIRST + at), load(block, LAST + at)
+    clipped = zero
+    k, end = rows_used(block, profile, at)
+    while k <= end:
+        x = all_lanes(np.float32(k))
+        counts = (load(profile, k * ALL + at) >= level) & (x >= first) & (x <= last)
+        clipped = clipped + where(counts, one, zero)
+        k += ONE
+    store(block, CLIPPED + at, clipped)
+
+
+@vector_kernel
+def rows_used(block: Singles, profile: Singles, at: np.uintp) -> tuple[np.uintp, np.uintp]:
+    """First row of a profile that the fit of any of the lanes from ``at`` on takes, and last."""
+    first, last = block[FIRST + at], block[LAST + at]
+    for i in range(at, at + WIDTH):
+        first, last = min(first, block[FIRST + i]), max(last, block[LAST + i])
+    end = min(np.uintp(max(last, np.float32(0))), np.uintp(len(profile)) // ALL - ONE)
+    return np.uintp(max(first, np.float32(0))), end

@@ -45,21 +45,28 @@ def by_columns(columns: Places, width: int, begin: Places, order: Places) -> Non
 
 
 @kernel
-def rivals(heights: Places, begin: Places, order: Places, share: float) -> bool:
-    """True where a column holds several peaks, none far lower than the highest."""
-    for i in range(len(begin) - 1):
-        if begin[i + 1] - begin[i] < 2:
-            continue
-        first, second = 0, 0
-        for place in range(begin[i], begin[i + 1]):
-            height = heights[order[place]]
-            if height > first:
-                first, second = height, first
-            elif height > second:
-                second = height
-        if second >= share * first:
-            return True
-    return False
+def highest_each(columns: Places, heights: Places, best: Places, share: float) -> bool:
+    """The highest peak of each column, the first of equals; True where it has a rival.
+
+    Args:
+        best: (width,) filled with the peaks' numbers, -1 for none.
+        share: of the highest, from which a column's second highest peak is its rival.
+    """
+    best[:] = -1
+    second = np.full(len(best), -1, np.int32)
+    for p in range(len(columns)):
+        column = columns[p]
+        before = best[column]
+        if before < 0:
+            best[column] = p
+        elif heights[p] > heights[before]:
+            best[column], second[column] = p, heights[before]
+        else:
+            second[column] = max(second[column], heights[p])
+    rival = False
+    for i in range(len(best)):
+        rival |= second[i] >= 0 and second[i] >= share * heights[best[i]]
+    return rival
 
 
 @kernel
@@ -115,38 +122,45 @@ def choose(
             the uppermost and the lowest that lies on a track of at least ``shortest``.
         chosen_columns, chosen_rows: (width,) filled, in ascending order of columns.
     """
-    n = len(columns)
-    begin, order = np.empty(width + 1, np.int32), np.empty(n, np.int32)
-    by_columns(columns, width, begin, order)
-    worth = np.empty(n, np.float64)
-    for p in range(n):
-        worth[p] = heights[p]
+    best = np.empty(width, np.int32)
     share = RIVAL if rule == CONTINUITY else 0.0
-    if rule != STRENGTH and rivals(heights, begin, order, share):
-        track = np.empty(n, np.int32)
-        tracks = link(rows, begin, order, track, np.empty(n, np.int64))
-        total, count = np.zeros(tracks), np.zeros(tracks, np.int64)
-        for p in range(n):
-            total[track[p]] += heights[p]
-            count[track[p]] += 1
-        for p in range(n):
-            length = count[track[p]]
-            worth[p] = total[track[p]] / length * min(length / LONG, 1.0) ** 2
-            if rule != CONTINUITY:
-                # a short track is taken where there is no other
-                downwards = rows[p] if rule == LAST else -rows[p]
-                worth[p] = downwards + (1e6 if length >= shortest else -1e6)
+    if highest_each(columns, heights, best, share) and rule != STRENGTH:
+        best_of_tracks(columns, rows, heights, rule, shortest, best)
     found = 0
     for i in range(width):
-        best = -1
-        for place in range(begin[i], begin[i + 1]):
-            p = order[place]
-            if best < 0 or worth[p] > worth[best]:
-                best = p
-        if best >= 0:
-            chosen_columns[found], chosen_rows[found] = i, rows[best]
+        if best[i] >= 0:
+            chosen_columns[found], chosen_rows[found] = i, rows[best[i]]
             found += 1
     return found
+
+
+@kernel
+def best_of_tracks(
+    columns: Places, rows: Places, heights: Places, rule: int, shortest: int, best: Places
+) -> None:
+    """Fills the best peak of each column by what tracks they lie on; see ``choose``."""
+    n, width = len(columns), len(best)
+    begin, order = np.empty(width + 1, np.int32), np.empty(n, np.int32)
+    by_columns(columns, width, begin, order)
+    track = np.empty(n, np.int32)
+    tracks = link(rows, begin, order, track, np.empty(n, np.int64))
+    total, count = np.zeros(tracks), np.zeros(tracks, np.int64)
+    for p in range(n):
+        total[track[p]] += heights[p]
+        count[track[p]] += 1
+    worth = np.empty(n, np.float64)
+    for p in range(n):
+        length = count[track[p]]
+        worth[p] = total[track[p]] / length * min(length / LONG, 1.0) ** 2
+        if rule != CONTINUITY:
+            # a short track is taken where there is no other
+            downwards = rows[p] if rule == LAST else -rows[p]
+            worth[p] = downwards + (1e6 if length >= shortest else -1e6)
+    for i in range(width):
+        for place in range(begin[i], begin[i + 1]):
+            p = order[place]
+            if place == begin[i] or worth[p] > worth[best[i]]:
+                best[i] = p
 
 
 @kernel

@@ -5,7 +5,8 @@ from numpy.typing import NDArray
 
 from app.metrology.compiled import kernel
 from app.metrology.frames import Floats
-from app.metrology.stripe_block import PEAK, WIDER, WIDEST_REACH, Singles, to_brightest
+from app.metrology.grey_lanes import Grey
+from app.metrology.stripe_block import LANES, PEAK, WIDER, WIDEST_REACH, Singles, to_brightest
 from app.metrology.stripe_choice import choose, in_long_runs
 from app.metrology.stripe_fit import (
     AMPLITUDE,
@@ -13,6 +14,7 @@ from app.metrology.stripe_fit import (
     CENTRE,
     CHI2_OF,
     CLIPPED_OF,
+    FIT_ROWS,
     PIXELS,
     SIGMA,
     VARIANCE,
@@ -20,8 +22,9 @@ from app.metrology.stripe_fit import (
     usual_width,
 )
 from app.metrology.stripe_noise import FIRST_GAIN, tell_noise
+from app.metrology.stripe_peaks import list_peaks
 from app.metrology.stripe_scatter import speckle_variance
-from app.metrology.stripe_search import CORE_ROWS, Grey, list_peaks
+from app.metrology.stripe_search import CORE_ROWS
 
 # Widths, in shares of the image's typical one, beyond which a peak is no stripe, and the
 # least standard deviation in px; the misfit from which a point is told to be worse.
@@ -32,7 +35,7 @@ REACH_SIGMAS, REACH_MORE = 3.6, 4.0
 # Steps of a fit, and of one that needs more of everything.
 STEPS, MORE_STEPS = 3, 30
 # Widths that the usual one is the median of.
-WIDTHS = 127
+WIDTHS = 63
 # Columns that a run may skip, and rows by which it may climb from one column to the next.
 LARGEST_GAP, STEEPEST = 3.0, 4.0
 # Columns between which laser speckle has become independent.
@@ -53,14 +56,12 @@ def measure(
     widths_px: tuple[float, float],
     read: float,
     saturated: float,
-    marks: NDArray[np.uint8],
-    words: NDArray[np.uint64],
     places: NDArray[np.int32],
     chosen: NDArray[np.int32],
     raw: Grey,
     blocks: Singles,
     profiles: Singles,
-    fits: Floats,
+    fits: Singles,
     peaks: Floats,
     told: Singles,
 ) -> tuple[int, int]:
@@ -74,11 +75,10 @@ def measure(
         threshold: the least score of a peak, and height of its fit.
         widths_px: least and greatest standard deviation; NaN for what the image tells.
         read: variance of a dark pixel.
-        marks, words: see ``stripe_search.list_peaks``.
         places: (3, n) room for columns, rows and heights of all peaks.
         chosen: (2, W) room for those of the chosen.
         raw, blocks, profiles: see ``stripe_noise.tell_noise``.
-        fits: (9, W) filled, see ``stripe_fit.fit_peaks``.
+        fits: (FIT_ROWS, W, in whole blocks) filled, see ``stripe_fit.fit_peaks``.
         peaks: (5, W) filled, in the order ALONG ... BROAD: UNSURE is the variance, BROAD the
             standard deviation of the width.
         told: (4,) the noise's terms and the usual standard deviation of the width, filled
@@ -90,7 +90,7 @@ def measure(
     width = image.shape[1]
     pixels = image.reshape(-1)
     level = np.float32(saturated)
-    found = list_peaks(score, at, int(threshold), marks, words, places[0], places[1], places[2])
+    found = list_peaks(score, at, int(threshold), places[0], places[1], places[2])
     n = choose(
         places[0][:found],
         places[1][:found],
@@ -115,15 +115,14 @@ def measure(
     reach = min(int(np.ceil(REACH_SIGMAS * told[3] + REACH_MORE)), WIDEST_REACH)
     if not known:
         tell_noise(pixels, width, columns, rows, reach, level, raw, blocks, profiles, noise)
-    fits = fits[:, :n]
     fit_peaks(
         pixels, width, columns, rows, reach, noise, level, STEPS, raw, blocks[0], profiles[0], fits
     )
     fit_wider(pixels, width, columns, rows, noise, level, raw, blocks[0], profiles[0], fits)
     clipped = 0.0
     for i in range(n):
-        clipped = max(clipped, fits[CLIPPED_OF][i])
-    return sift(columns, fits, threshold, widths_px, peaks), int(clipped)
+        clipped = max(clipped, fits[CLIPPED_OF, i])
+    return sift(columns, rows, fits, threshold, widths_px, peaks), int(clipped)
 
 
 @kernel
@@ -148,13 +147,13 @@ def fit_wider(
     raw: Grey,
     block: Singles,
     profile: Singles,
-    fits: Floats,
+    fits: Singles,
 ) -> None:
     """Fits those peaks anew that needed more rows or more steps."""
-    more = np.flatnonzero(fits[BECAME] == WIDER)
+    more = np.flatnonzero(fits[BECAME, : len(columns)] == WIDER)
     if len(more) == 0:
         return
-    again = np.empty((len(fits), len(more)))
+    again = np.empty((FIT_ROWS, -(-len(more) // LANES) * LANES), np.float32)
     fit_peaks(
         pixels,
         width,
@@ -176,7 +175,8 @@ def fit_wider(
 @kernel
 def sift(
     columns: NDArray[np.int32],
-    fits: Floats,
+    rows: NDArray[np.int32],
+    fits: Singles,
     threshold: float,
     widths_px: tuple[float, float],
     peaks: Floats,
@@ -186,8 +186,8 @@ def sift(
     found, some = 0, np.empty(WIDTHS)
     every = (n + WIDTHS - 1) // WIDTHS
     for i in range(0, n, every):
-        if fits[BECAME][i] == PEAK:
-            some[found] = fits[SIGMA][i]
+        if fits[BECAME, i] == PEAK:
+            some[found] = fits[SIGMA, i]
             found += 1
     if found == 0:
         return 0
@@ -199,14 +199,15 @@ def sift(
         widest = max(WIDE * usual, narrowest)
     kept = 0
     for i in range(n):
-        if fits[BECAME][i] != PEAK or not narrowest < fits[SIGMA][i] < widest:
+        if fits[BECAME, i] != PEAK or not narrowest < fits[SIGMA, i] < widest:
             continue
-        if fits[AMPLITUDE][i] < threshold:
+        if fits[AMPLITUDE, i] < threshold:
             continue
-        misfit = fits[CHI2_OF][i] / max(fits[PIXELS][i] - 4, 1.0)
-        peaks[ALONG, kept], peaks[ACROSS, kept] = columns[i], fits[CENTRE][i]
-        peaks[HEIGHT, kept], peaks[BROAD, kept] = fits[AMPLITUDE][i], fits[SIGMA][i]
-        peaks[UNSURE, kept] = fits[VARIANCE][i] * (misfit if misfit > MISFIT else 1.0)
+        free = max(fits[PIXELS, i] - 4, 1.0)
+        worse = fits[CHI2_OF, i] / free if fits[CHI2_OF, i] > MISFIT * free else 1.0
+        peaks[ALONG, kept], peaks[ACROSS, kept] = columns[i], rows[i] + np.float64(fits[CENTRE, i])
+        peaks[HEIGHT, kept], peaks[BROAD, kept] = fits[AMPLITUDE, i], fits[SIGMA, i]
+        peaks[UNSURE, kept] = fits[VARIANCE, i] * worse
         kept += 1
     return kept
 

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from app.metrology.compiled import kernel, vector_kernel
 from app.metrology.frames import Floats
+from app.metrology.grey_lanes import Grey
 from app.metrology.lanes import WIDTH, Lanes, all_lanes, load, store, where
 from app.metrology.stripe_block import (
     ALL,
@@ -34,18 +35,12 @@ from app.metrology.stripe_block import (
     S,
     Singles,
     gather,
+    rows_used,
     set_windows,
     start,
 )
-from app.metrology.stripe_fit import (
-    SETTLED,
-    bell,
-    invert,
-    normal_equations,
-    rows_used,
-    step,
-)
-from app.metrology.stripe_search import Grey
+from app.metrology.stripe_fit import SETTLED, invert, step
+from app.metrology.stripe_normal import bell, normal_equations
 
 # Pieces of rows, evenly over the image, whose neighbours are compared, and their length.
 PIECES, PIECE_PX = 32, 192
@@ -122,8 +117,9 @@ def moments(
     saturated: np.float32,
     outlying: np.float32,
     sums: Singles,
+    at: np.uintp,
 ) -> None:
-    """Adds up what a block's residuals tell of the noise, lane by lane.
+    """Adds up what the residuals of the lanes from ``at`` on tell of the noise, lane by lane.
 
     A squared residual is divided by its redundancy, the share of the pixel's error that
     the fit leaves (Foerstner's estimate): the fit follows some pixels closely.
@@ -134,21 +130,6 @@ def moments(
         sums: (6 LANES,) sums of s^2, s^3, s^4, s d, s^2 d and 1, where s is a pixel's signal
             and d its squared residual over its redundancy, less the read noise.
     """
-    for at in range(0, ALL, WIDTH):
-        add_moments(block, profile, noise, saturated, outlying, sums, np.uintp(at))
-
-
-@vector_kernel
-def add_moments(
-    block: Singles,
-    profile: Singles,
-    noise: Singles,
-    saturated: np.float32,
-    outlying: np.float32,
-    sums: Singles,
-    at: np.uintp,
-) -> None:
-    """The moments of the lanes from ``at`` on; see ``moments``."""
     zero, one = all_lanes(np.float32(0)), all_lanes(np.float32(1))
     two = np.float32(2)
     n0, n1, n2 = noise[0], noise[1], noise[2]
@@ -163,6 +144,7 @@ def add_moments(
     i30, i31, i32 = load(block, N30 + at), load(block, N31 + at), load(block, N32 + at)
     i33 = load(block, N33 + at)
     ss = sc = cc = sd = cd = number = zero
+    height2 = height * height
     k, end = rows_used(block, profile, at)
     while k <= end:
         x = all_lanes(np.float32(k))
@@ -173,18 +155,19 @@ def add_moments(
         variance = s * (s * n2 + n1) + n0
         left = pixel - background - s
         # the share of a pixel's error that the fit leaves
+        per_variance = one / variance
         et = e * t
         ett = et * t
         taken = et * (et * i00 + (e * i10 + ett * i20) * two)
         taken = taken + e * (e * i11 + ett * i21 * two) + ett * ett * i22 + i33
         taken = taken + (et * i30 + e * i31 + ett * i32) * two
-        share = one - taken * height * height / variance
+        share = one - taken * height2 * per_variance
         counts = told & (x >= first) & (x <= last) & (pixel < saturated) & (share > LEAST_SHARE)
         squared, most = left * left / share, variance * outlying
         # a lane without a solution may hold no numbers at all
         d = where(counts, where(squared < most, squared, most) - n0, zero)
         s = where(counts, s, zero)
-        weight = where(counts, one / (variance * variance), zero)
+        weight = where(counts, per_variance * per_variance, zero)
         ws = weight * s
         wss = ws * s
         ss, sc, cc = ss + wss, sc + wss * s, cc + wss * s * s
@@ -261,14 +244,15 @@ def tell_noise(
         gather(pixels, width, some_columns, some_rows, reach, raw, profile)
         start(block, profile, reach, saturated)
         set_windows(block, profile, reach, saturated)
-        normal_equations(block, profile, noise, saturated)
-        step(block)
     sums = np.empty(6 * LANES, np.float32)
     for outlying in (np.inf, OUTLYING, OUTLYING):
         sums[:] = 0
         for b in range(taken):
-            normal_equations(blocks[b], profiles[b][:used], noise, saturated)
-            step(blocks[b])
-            invert(blocks[b])
-            moments(blocks[b], profiles[b][:used], noise, saturated, np.float32(outlying), sums)
+            block, profile = blocks[b], profiles[b][:used]
+            for lane in range(0, LANES, int(WIDTH)):
+                at = np.uintp(lane)
+                normal_equations(block, profile, noise, saturated, at)
+                step(block, at)
+                invert(block, at)
+                moments(block, profile, noise, saturated, np.float32(outlying), sums, at)
         non_negative(sums, noise)

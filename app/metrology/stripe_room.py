@@ -6,9 +6,11 @@ from typing import TypeVar, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from app.metrology.grey_lanes import Grey
 from app.metrology.stripe_block import BLOCK_ROWS, LANES, WIDEST_REACH
+from app.metrology.stripe_fit import FIT_ROWS
 from app.metrology.stripe_noise import BLOCKS, LEVELS
-from app.metrology.stripe_search import PADDING, RING, STRIP_ROWS, Grey, Wide
+from app.metrology.stripe_search import PADDING, RING, STRIP_ROWS
 
 ALIGNED_BYTES = 64
 SIZES_KEPT, ROOMS_KEPT = 4, 16
@@ -26,18 +28,14 @@ class Room:
         self.key = key
         grey = kind.type
         self.ring = cast(Grey, _aligned((RING + 2, padded), grey))
-        wide = np.zeros(1, np.uint16) if kind == np.uint8 else np.zeros(1, np.uint32)
-        self.wide: Wide = wide
         self.score = cast(Grey, _aligned((strips, padded), grey))
         self.at = _aligned((strips, padded), np.uint8)
-        self.marks = _aligned((padded,), np.uint8)
-        self.words = self.marks.view(np.uint64)
         self.places = np.zeros((3, strips * width // 2), np.int32)
         self.chosen = np.zeros((2, width), np.int32)
         self.raw = cast(Grey, _aligned((pixels,), grey))
         self.blocks = _aligned((BLOCKS, BLOCK_ROWS * LANES), np.float32)
         self.profiles = _aligned((BLOCKS, pixels), np.float32)
-        self.fits = np.zeros((9, width))
+        self.fits = _aligned((FIT_ROWS, padded), np.float32)
         self.peaks = np.zeros((5, width))
         self.counts = np.zeros(LEVELS, np.int64)
 

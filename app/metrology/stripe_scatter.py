@@ -15,11 +15,11 @@ HALVINGS = 9
 
 
 @vector_kernel
-def share_below(squares: Floats, known: Floats, speckle: float) -> int:
+def number_below(squares: Floats, known: Floats, excused: float, speckle: float) -> int:
     """How many squares lie below the median that they would have with so much speckle."""
     below = 0
     for i in range(len(squares)):
-        below += int(squares[i] < MEDIAN * (known[i] + TOTAL * speckle))
+        below += int(squares[i] < MEDIAN * (excused * known[i] + TOTAL * speckle))
     return below
 
 
@@ -42,27 +42,25 @@ def speckle_variance(
     found = 0
     for i in range(n):
         j, k, m, o = i + lag, i + 2 * lag, i + 3 * lag, i + 4 * lag
-        if along[o] - along[i] != 4 * lag:
-            continue
+        whole = along[o] - along[i] == 4 * lag
         fourth = across[i] + across[o] - 4 * (across[j] + across[m]) + 6 * across[k]
-        squares[found] = fourth * fourth
-        known[found] = (
-            variance[i] + variance[o] + 16 * (variance[j] + variance[m]) + 36 * variance[k]
-        )
-        found += 1
-    squares, known = squares[:found], known[:found]
+        own = variance[i] + variance[o] + 16 * (variance[j] + variance[m]) + 36 * variance[k]
+        # over a gap there is no difference; it is never below anything
+        squares[i] = fourth * fourth if whole else np.inf
+        known[i] = own if whole else 0.0
+        found += int(whole)
     if found < FEWEST:
         return 0.0
     # a scatter that chance may give is none
     excused = 1 + CHANCE * np.sqrt(alike / found)
-    if 2 * share_below(squares, known * excused, 0.0) >= found:
+    if 2 * number_below(squares, known, excused, 0.0) >= found:
         return 0.0
-    low, high = 0.0, float(np.mean(known)) / TOTAL
-    while 2 * share_below(squares, known, high) < found:
+    low, high = 0.0, float(np.sum(known)) / found / TOTAL
+    while 2 * number_below(squares, known, 1.0, high) < found:
         low, high = high, 4 * high
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
-        if 2 * share_below(squares, known, middle) >= found:
+        if 2 * number_below(squares, known, 1.0, middle) >= found:
             high = middle
         else:
             low = middle

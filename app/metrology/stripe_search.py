@@ -3,10 +3,27 @@
 The image is read once, by rows, and every loop handles a whole row at a time.
 """
 
+from typing import TypeVar
+
 import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.compiled import vector_kernel
+from app.metrology.grey_lanes import (
+    GREYS,
+    Grey,
+    Greys,
+    Level,
+    all_greys,
+    excess,
+    higher,
+    load_greys,
+    lower,
+    mean,
+    over,
+    pick,
+    store_greys,
+)
 from app.metrology.stripe_prefetch import prefetch
 
 # A core is looked at every STEP rows; its surroundings lie AWAY cores above and below.
@@ -16,40 +33,54 @@ CORE_ROWS = 4
 # Of so many cores that follow one another the highest is kept: one peak a strip and column.
 STRIP = 8
 STRIP_ROWS = STRIP * STEP
-# Peaks in neighbouring strips are two peaks where so many cores lie between them.
-APART = 6
 # Fewer rows hold no core with its surroundings.
 LEAST_ROWS = (AWAY + 2) * STEP + CORE_ROWS
 # Cores kept while their surroundings are read; rows fetched ahead of their use; columns
-# of tables are a multiple of PADDING, for whole vectors and words.
+# of tables are a multiple of PADDING, for whole vectors.
 RING = 2 * AWAY + 2
-AHEAD = 24
+AHEAD = 12
 PADDING = 64
 LINE_BYTES = 64
 
-Grey = NDArray[np.uint8] | NDArray[np.uint16]
-Wide = NDArray[np.uint16] | NDArray[np.uint32]
+Place = TypeVar("Place", Greys, np.uint8)
 
 
 @vector_kernel
-def core_row(image: Grey, r: int, left: int, wide: Wide, core: Grey) -> None:
-    """The cores of the four rows from r on, by columns from ``left`` on.
+def core(a: Level, b: Level, c: Level, d: Level) -> Level:
+    """The lesser of the means of a and c, and of b and d: a hot pixel is in one of them only."""
+    return lower(mean(a, c), mean(b, d))
 
-    The lesser of the means of the first and third row and of the second and fourth: a hot
-    pixel is in one of them only.
+
+@vector_kernel
+def core_rows(
+    pixels: Grey, width: int, first: int, ring: Grey, to: int, other: int, columns: int
+) -> None:
+    """The cores of four rows, and of those from STEP rows further on.
+
+    All arrays are one row after the other: a view of a row would cost more than its loop.
 
     Args:
-        wide: any array of a type that holds the sum of two pixels.
+        pixels, width: an image, and how long its rows are.
+        first: the pixel of the first row's first column.
+        ring, to, other: filled with so many ``columns``, from two places on.
     """
-    # views made here, not by the caller, so that the compiler knows how they lie
-    right = left + len(core)
-    a, b = image[r][left:right], image[r + 1][left:right]
-    c, d = image[r + 2][left:right], image[r + 3][left:right]
-    T, W = core.dtype.type, wide.dtype.type
-    for i in range(len(core)):
-        odd = T(W(W(W(a[i]) + W(c[i])) + W(1)) >> W(1))
-        even = T(W(W(W(b[i]) + W(d[i])) + W(1)) >> W(1))
-        core[i] = min(odd, even)
+    line = np.uintp(width)
+    whole = columns - columns % GREYS
+    for i in range(0, whole, GREYS):
+        a = np.uintp(first + i)
+        c = a + line + line
+        e = c + line + line
+        third, fourth = load_greys(pixels, c), load_greys(pixels, c + line)
+        upper = core(load_greys(pixels, a), load_greys(pixels, a + line), third, fourth)
+        lowest = core(third, fourth, load_greys(pixels, e), load_greys(pixels, e + line))
+        store_greys(ring, np.uintp(to + i), upper)
+        store_greys(ring, np.uintp(other + i), lowest)
+    for i in range(whole, columns):
+        a = np.uintp(first + i)
+        c = a + line + line
+        e = c + line + line
+        ring[np.uintp(to + i)] = core(pixels[a], pixels[a + line], pixels[c], pixels[c + line])
+        ring[np.uintp(other + i)] = core(pixels[c], pixels[c + line], pixels[e], pixels[e + line])
 
 
 @vector_kernel
@@ -70,6 +101,28 @@ def darken(core: Grey, allowed: NDArray[np.bool_]) -> None:
 
 
 @vector_kernel
+def higher_core(
+    one: tuple[Level, Level, Level],
+    other: tuple[Level, Level, Level],
+    places: tuple[Place, Place],
+    kept: Level,
+    kept_at: Place,
+) -> tuple[Level, Place]:
+    """The highest of two cores and the one kept, and its place.
+
+    Args:
+        one, other: a core and its surroundings above and below, the brighter of which counts:
+            so the edge of a lit face counts for nothing.
+        places: theirs.
+    """
+    over0 = excess(one[0], higher(one[1], one[2]))
+    over1 = excess(other[0], higher(other[1], other[2]))
+    highest = higher(over0, over1)
+    here = pick(over(over1, over0), places[1], places[0])
+    return higher(highest, kept), pick(over(highest, kept), here, kept_at)
+
+
+@vector_kernel
 def keep_highest(
     ring: Grey,
     centres: tuple[int, int],
@@ -78,41 +131,42 @@ def keep_highest(
     place: int,
     score: Grey,
     at: NDArray[np.uint8],
+    strip: int,
+    columns: int,
 ) -> None:
     """Keeps, by columns, the highest of a strip's cores over the brighter of its surroundings.
 
-    So the edge of a lit face counts for nothing.
-
     Args:
-        ring: (n, W) cores of rows.
-        centres, above, below: of two cores, where they and their surroundings are in ring.
+        ring: cores, one row after the other.
+        centres, above, below: of two cores, where they and their surroundings begin in ring.
         place: of the first core in its strip.
-        score, at: (W,) the strip's highest score so far, and its core's place.
+        score, at: the strips' highest scores so far, and their cores' places.
+        strip, columns: where the strip begins there, and how many columns of it are looked at.
     """
-    width = len(score)
-    c0, a0, b0 = ring[centres[0]][:width], ring[above[0]][:width], ring[below[0]][:width]
-    c1, a1, b1 = ring[centres[1]][:width], ring[above[1]][:width], ring[below[1]][:width]
-    T = ring.dtype.type
-    first, second = np.uint8(place), np.uint8(place + 1)
-    for i in range(width):
-        around = max(a0[i], b0[i])
-        over0 = T(max(c0[i], around) - around)
-        around = max(a1[i], b1[i])
-        over1 = T(max(c1[i], around) - around)
-        over = max(over0, over1)
-        here = second if over1 > over0 else first
-        kept = score[i]
-        at[i] = here if over > kept else at[i]
-        score[i] = max(over, kept)
+    here = np.uint8(place), np.uint8(place + 1)
+    everywhere = all_greys(here[0]), all_greys(here[1])
+    c0, a0, b0 = np.uintp(centres[0]), np.uintp(above[0]), np.uintp(below[0])
+    c1, a1, b1 = np.uintp(centres[1]), np.uintp(above[1]), np.uintp(below[1])
+    to = np.uintp(strip)
+    whole = np.uintp(columns - columns % GREYS)
+    for i in range(np.uintp(0), whole, np.uintp(GREYS)):
+        one = load_greys(ring, c0 + i), load_greys(ring, a0 + i), load_greys(ring, b0 + i)
+        other = load_greys(ring, c1 + i), load_greys(ring, a1 + i), load_greys(ring, b1 + i)
+        kept, kept_at = load_greys(score, to + i), load_greys(at, to + i)
+        kept, kept_at = higher_core(one, other, everywhere, kept, kept_at)
+        store_greys(score, to + i, kept)
+        store_greys(at, to + i, kept_at)
+    for i in range(whole, np.uintp(columns)):
+        alone = ring[c0 + i], ring[a0 + i], ring[b0 + i]
+        beside = ring[c1 + i], ring[a1 + i], ring[b1 + i]
+        score[to + i], at[to + i] = higher_core(alone, beside, here, score[to + i], at[to + i])
 
 
 @vector_kernel
-def fetch(image: Grey, r: int, behind: int, left: int, right: int) -> None:
-    """Asks for a row that will be read soon, if there is one."""
-    if r < behind:
-        row = image[r]
-        for i in range(left, right, LINE_BYTES // image.itemsize):
-            prefetch(row, i)
+def fetch(pixels: Grey, first: int, columns: int) -> None:
+    """Asks for pixels that will be read soon."""
+    for i in range(first, first + columns, LINE_BYTES // pixels.itemsize):
+        prefetch(pixels, i)
 
 
 @vector_kernel
@@ -122,7 +176,6 @@ def search_part(
     rows: tuple[int, int],
     columns: tuple[int, int],
     ring: Grey,
-    wide: Wide,
     score: Grey,
     at: NDArray[np.uint8],
 ) -> int:
@@ -133,15 +186,16 @@ def search_part(
         where: (H, W) pixels that may hold a peak, or (0, 0) for all.
         rows, columns: first and behind the last; at least ``LEAST_ROWS`` rows.
         ring: (RING + 2, W) room to work in.
-        wide: see ``core_row``.
         score, at: (strips + 2, W) of the image's strips, from the second on; cores are
             counted from the image's first row, ``at`` from the strip's first core.
 
     Returns:
         The height of the highest core, of every fourth.
     """
-    left, right = columns
-    width = right - left
+    left, width = columns[0], columns[1] - columns[0]
+    line, row_px = image.shape[1], ring.shape[1]
+    pixels, cores = image.reshape(-1), ring.reshape(-1)
+    scores, places = score.reshape(-1), at.reshape(-1)
     # cores are taken by two
     first = (rows[0] + 2 * STEP - 1) // (2 * STEP) * 2
     behind = first + ((rows[1] - CORE_ROWS) // STEP + 1 - first) // 2 * 2
@@ -149,16 +203,16 @@ def search_part(
     top = 0
     for k in range(first, behind + AWAY, 2):
         # asked for row by row between the loops: many at once hold up what is read next
-        ahead = k * STEP + AHEAD
-        fetch(image, ahead, rows[1], left, right)
+        ahead = min(k * STEP + AHEAD, len(image) - 4) * line + left
         if k < behind:
-            core_row(image, k * STEP, left, wide, ring[k % RING][:width])
-            fetch(image, ahead + 1, rows[1], left, right)
-            core_row(image, k * STEP + STEP, left, wide, ring[(k + 1) % RING][:width])
-            fetch(image, ahead + 2, rows[1], left, right)
+            one, other = k % RING * row_px, (k + 1) % RING * row_px
+            fetch(pixels, ahead, width)
+            core_rows(pixels, line, k * STEP * line + left, cores, one, other, width)
+            fetch(pixels, ahead + line, width)
             if k % 4 == 0:
-                top = max(top, highest(ring[k % RING][:width]))
-        fetch(image, ahead + 3, rows[1], left, right)
+                top = max(top, highest(cores[one : one + width]))
+            fetch(pixels, ahead + 2 * line, width)
+        fetch(pixels, ahead + 3 * line, width)
         j = k - AWAY  # its surroundings are known by now
         if j < first:
             continue
@@ -173,17 +227,18 @@ def search_part(
             for n in range(2):
                 # the core itself is wanted as another's surroundings
                 ring[RING + n][:width] = ring[centres[n]][:width]
-                darken(ring[RING + n][:width], where[(j + n) * STEP + 1][left:right])
+                darken(ring[RING + n][:width], where[(j + n) * STEP + 1][left : left + width])
             centres = (RING, RING + 1)
-        strip = j // STRIP + 1
         keep_highest(
-            ring,
-            centres,
-            (above % RING, (above + 1) % RING),
-            (below % RING, (below + 1) % RING),
+            cores,
+            (centres[0] * row_px, centres[1] * row_px),
+            (above % RING * row_px, (above + 1) % RING * row_px),
+            (below % RING * row_px, (below + 1) % RING * row_px),
             j % STRIP,
-            score[strip][left:right],
-            at[strip][left:right],
+            scores,
+            places,
+            (j // STRIP + 1) * score.shape[1] + left,
+            width,
         )
     return top
 
@@ -194,7 +249,6 @@ def search(
     where: NDArray[np.bool_],
     parts: NDArray[np.int64],
     ring: Grey,
-    wide: Wide,
     score: Grey,
     at: NDArray[np.uint8],
 ) -> int:
@@ -207,62 +261,5 @@ def search(
     top = 0
     for p in range(len(parts)):
         rows, columns = (parts[p][0], parts[p][1]), (parts[p][2], parts[p][3])
-        top = max(top, search_part(image, where, rows, columns, ring, wide, score, at))
+        top = max(top, search_part(image, where, rows, columns, ring, score, at))
     return top
-
-
-@vector_kernel
-def mark_peaks(
-    score: Grey, at: NDArray[np.uint8], s: int, threshold: int, marks: NDArray[np.uint8]
-) -> int:
-    """Marks, by columns, where strip s holds a peak; 0 if nowhere.
-
-    A peak is over the threshold, and no flank of a higher one in a neighbouring strip.
-    """
-    above, here, below = score[s - 1], score[s], score[s + 1]
-    at_above, at_here, at_below = at[s - 1], at[s], at[s + 1]
-    least = score.dtype.type(threshold)
-    span = np.uint8(STRIP - APART)
-    found = np.uint8(0)
-    for i in range(len(marks)):
-        # where a cell is empty its place says nothing, and its score is below any other
-        over_above = (here[i] > above[i]) | (np.uint8(at_here[i] + span) >= at_above[i])
-        over_below = (here[i] >= below[i]) | (np.uint8(at_below[i] + span) >= at_here[i])
-        mark = np.uint8((here[i] > least) & over_above & over_below)
-        marks[i] = mark
-        found = np.uint8(found | mark)
-    return int(found)
-
-
-@vector_kernel
-def list_peaks(
-    score: Grey,
-    at: NDArray[np.uint8],
-    threshold: int,
-    marks: NDArray[np.uint8],
-    words: NDArray[np.uint64],
-    columns: NDArray[np.int32],
-    rows: NDArray[np.int32],
-    heights: NDArray[np.int32],
-) -> int:
-    """All peaks above a score, strip after strip; returns how many.
-
-    Args:
-        score, at: see ``search_part``; the first and the last strip are empty.
-        marks, words: (W,) and the same memory in words.
-        columns, rows, heights: filled; a peak lies within a row or two of ``rows``.
-    """
-    found = 0
-    for s in range(1, len(score) - 1):
-        if not mark_peaks(score, at, s, threshold, marks):
-            continue
-        for w in range(len(words)):
-            if words[w] == 0:
-                continue
-            for i in range(8 * w, 8 * w + 8):
-                if marks[i] and found < len(columns):
-                    columns[found] = i
-                    rows[found] = ((s - 1) * STRIP + at[s][i]) * STEP + 1
-                    heights[found] = score[s][i]
-                    found += 1
-    return found
