@@ -50,6 +50,10 @@ class IdentificationPart(Part):
     """Readers of an arm may ignore it."""
 
     created_at: str
+    operator: str = ""
+    station: str = ""
+    simulated: bool = False
+    temperature_c: Number | None = None
     parameters: tuple[ParameterPart, ...]
     covariance: tuple[tuple[Number, ...], ...]
     """Of ``parameters``, in their units, k = 1."""

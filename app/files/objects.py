@@ -25,6 +25,10 @@ MIRROR_TOLERANCE_MM = 0.1
 InnerCorners = Annotated[int, Field(ge=3, le=200, strict=True)]
 
 
+Certificate = Annotated[str, Field(max_length=200)]
+"""Who issued it and when, as reports name it."""
+
+
 class ObjectFile(Document):
     """The file as FORMATS.md has it, for ``kind`` crenellated."""
 
@@ -32,6 +36,7 @@ class ObjectFile(Document):
 
     name: str
     serial_number: str
+    certificate: Certificate = ""
     edges_x_mm: Annotated[tuple[Number, ...], Field(min_length=4)]
     front_y_mm: Number
     back_y_mm: Number
@@ -75,6 +80,7 @@ class ChessboardFile(Document):
     kind: Literal["chessboard"]
     name: str
     serial_number: str
+    certificate: Certificate = ""
     inner_corners: tuple[InnerCorners, InnerCorners]
     """Columns, rows."""
     square_mm: Positive
@@ -96,15 +102,18 @@ class _AnyObject(Document):
     FORMAT: ClassVar[str] = "crenel/object"
 
     kind: str = "crenellated"
+    certificate: Certificate = ""
 
 
 def read_object(path: Path) -> Crenellated | Chessboard:
     """Reads ``object.json``; raises ``Refusal`` naming the file and the field."""
     kind = _AnyObject.read(path).kind
     if kind == "crenellated":
-        return Crenellated(**ObjectFile.read(path).model_dump())
+        return Crenellated(**ObjectFile.read(path).model_dump(exclude={"certificate"}))
     if kind == "chessboard":
-        fields = ChessboardFile.read(path).model_dump(exclude={"kind"}, exclude_none=True)
+        fields = ChessboardFile.read(path).model_dump(
+            exclude={"kind", "certificate"}, exclude_none=True
+        )
         return Chessboard(**fields)
     raise Refusal(
         "object-kind-unsupported",
@@ -112,6 +121,11 @@ def read_object(path: Path) -> Crenellated | Chessboard:
         "it is 'crenellated' or 'chessboard'",
         "Correct it",
     )
+
+
+def read_certificate(path: Path) -> str:
+    """Which certificate ``object.json`` names, empty where none; raises ``Refusal``."""
+    return _AnyObject.read(path).certificate
 
 
 def read_block(path: Path) -> Crenellated:

@@ -236,8 +236,14 @@ def print_recording(folder: Path, scratch: Path) -> None:
         for one in (*solved, joint):
             _print_row(one.name, figures(one, frames, out))
     _print_row(crenel.name, figures(crenel, made.frames, out))
-    own = laser_plane_rms_mm(crenel, made.frames), common_plane_rms_mm(crenel, made.frames)
-    print(f"{'Crenel, the plane of its calibration':<42}{'':>36}{own[0]:>12.3f}{own[1]:>12.3f}")
+    rest = [frame for frame in made.frames if frame.number not in out]
+    own = [
+        measure(crenel, frames)
+        for frames in (made.frames, rest)
+        for measure in (laser_plane_rms_mm, common_plane_rms_mm)
+    ]
+    text = "".join(f"{value:>12.3f}" for value in own)
+    print(f"{'Crenel, the plane of its calibration':<42}{'':>36}{text}")
     as_flat = replace(crenel, corners_mm=corner_points(made.board), sheet=Solved.sheet)
     _print_row("Crenel's camera and mounting, flat board", figures(as_flat, made.frames, out))
 

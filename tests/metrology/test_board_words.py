@@ -119,11 +119,22 @@ def test_a_pose_slightly_astray_is_left_out(given: BoardInputs) -> None:
     assert [pose.number for pose in poses if not pose.used] == [5]
 
 
-def test_a_laser_that_moved_is_named() -> None:
-    moved = finding(session(4, Errors(drift_mm=(3.0, 2.5))), "laser-moved")
-    assert moved.quality == "bad"
+def test_the_lines_before_a_laser_moved_are_named_and_left_out() -> None:
+    found = calibrate_board(session(4, Errors(drift_mm=(3.0, 2.5))))
+    (moved,) = (one for one in found.findings if one.code == "laser-moved")
+    assert moved.quality == "attention"
     assert "poses 1, 2 lie" in moved.text
+    assert "left out" in moved.text
     assert "warm up" in moved.remedy
+    assert [pose.number for pose in found.poses if "left out" in pose.reason] == [1, 2]
+    assert error_um(found) < 3 * found.known.total_um < 900
+
+
+def test_a_laser_that_moved_at_the_end_is_nowhere_for_sure() -> None:
+    moved = finding(session(4, Errors(drift_mm=(*(0.0,) * 6, 2.5, 3.0))), "laser-moved")
+    assert moved.quality == "bad"
+    assert "poses 7, 8 lie" in moved.text
+    assert "made to count" in moved.text
 
 
 def test_one_line_that_contradicts_is_left_out() -> None:

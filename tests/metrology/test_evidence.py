@@ -6,9 +6,14 @@ import cv2
 import numpy as np
 import pytest
 
+from app.bench.detection import certificate_of, found_in
 from app.metrology.camera import project
 from app.metrology.crenellated import corners as corners_of
 from app.metrology.detection.corners import DetectionRefusal, detect_object
+from app.metrology.detection.objection import Objection
+from app.metrology.detection.picture import PictureFinding
+from app.metrology.detection.refusals import contradicted
+from hardware.twin.nuisances import draw_shot
 from tests.metrology.rendered_block import Rendered, rendered
 
 
@@ -72,3 +77,34 @@ def test_straight_edges_are_shown_where_there_is_no_block(plain):
     refusal = refused(board.astype(np.uint8), plain.block)
     assert refusal.fault in ("framing", "object", "lighting")
     assert refusal.marks
+
+
+def test_a_shadow_s_edge_is_not_called_another_object():
+    """A crest as bright as its side, and a shadow along that: like a wider merlon."""
+    shot = draw_shot(5264)
+    with pytest.raises(DetectionRefusal) as caught:
+        found_in(shot, certificate_of(shot.certificate))
+    refusal = caught.value
+    assert (refusal.code, refusal.fault) == ("object-unclear", "lighting")
+    assert "merlon 3's crest" in refusal.why
+    assert "shadow" in refusal.why
+
+
+SOFT = PictureFinding("image-soft", "soft", "focus the camera", 3.0, 2.0)
+
+
+@pytest.mark.parametrize(
+    ("off_px", "findings", "code"),
+    [
+        (5.0, [SOFT], "object-unclear"),
+        (9.0, [SOFT], "object-does-not-match"),
+        (5.0, [], "object-does-not-match"),
+    ],
+)
+def test_a_soft_picture_tells_no_size_to_less_than_its_edges_are_wide(
+    plain, off_px, findings, code
+):
+    against = Objection("the base's front edge lies 90 µm off", True, (1,), off_px=off_px)
+    refusal = contradicted(plain.block, against, findings, 3.0)
+    assert refusal.code == code
+    assert ("focus the camera" in refusal.remedy) == (code == "object-unclear")

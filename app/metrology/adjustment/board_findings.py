@@ -1,6 +1,6 @@
 """What a calibration on a chessboard shows about itself, in words: the verdict first."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -52,7 +52,8 @@ class BoardEvidence:
     poses: Sequence[PoseResult]
     limits: Limits
     size: SizeByMotion
-    lines_apart: dict[int, float]  # mm by pose number
+    lines_before: dict[int, float]  # mm by pose number: of a laser that moved, left out
+    lines_apart: dict[int, float]  # the same, where they count
     contacts: BoardContacts | None
 
 
@@ -70,7 +71,7 @@ def board_findings(evidence: BoardEvidence) -> tuple[Finding, ...]:
         *_about_rocking(found),
         *_about_pictures(evidence.seen),
         *about_pixels(found.state.camera, found.covariance[:2, :2]),
-        *_about_lines(evidence.lines_apart),
+        *_about_lines(evidence),
         _about_stripe(evidence),
     )
 
@@ -90,7 +91,7 @@ def _verdict(evidence: BoardEvidence) -> Finding:
         ROBOT_ROW: f"{more}. If that is all the robot can do, set the limits to what the scans need"
         " (--good-um, --usable-um).",
     }
-    if evidence.lines_apart:
+    if evidence.lines_before or evidence.lines_apart:
         remedies["stripe"] = "Let the laser come to rest, and take the pictures again."
     return verdict(known.total_um, known.rows, limits, remedies)
 
@@ -177,7 +178,7 @@ def _about_poses(evidence: BoardEvidence) -> list[Finding]:
             else "",
         )
         for pose in evidence.poses
-        if pose.reason and pose.number not in evidence.lines_apart
+        if pose.reason and pose.number not in evidence.lines_before | evidence.lines_apart
     ]
     off = [pose.off_um for pose in used]
     furthest = used[int(np.argmax(off))]
@@ -237,20 +238,29 @@ def _about_pictures(seen: Sequence[SeenBoard]) -> list[Finding]:
     ]
 
 
-def _about_lines(apart: dict[int, float]) -> list[Finding]:
+def _about_lines(evidence: BoardEvidence) -> list[Finding]:
     """Lines that contradict the others, and are too many to be mistakes."""
-    if not apart:
-        return []
-    listed = ", ".join(map(str, apart))
-    return [
-        Finding(
-            "bad",
-            "laser-moved",
-            f"The laser's lines of poses {listed} lie {max(apart.values()):.1f} mm off the plane "
-            "of the others: the laser moved against the camera, and all lines were made to count.",
-            "Let the laser warm up, check its mount, and take the pictures again.",
+    before, apart = evidence.lines_before, evidence.lines_apart
+    remedy = "Let the laser warm up, check its mount, and take the pictures again."
+    if before:
+        text = (
+            f"The laser's lines of poses {_listed(before)} lie {max(before.values()):.1f} mm off"
+            " the plane of the others: the laser moved against the camera, and these lines were"
+            " left out."
         )
-    ]
+        return [Finding("attention", "laser-moved", text, remedy)]
+    if apart:
+        text = (
+            f"The laser's lines of poses {_listed(apart)} lie {max(apart.values()):.1f} mm off the"
+            " plane of the others: the laser moved against the camera, and all lines were made to"
+            " count."
+        )
+        return [Finding("bad", "laser-moved", text, remedy)]
+    return []
+
+
+def _listed(numbers: Iterable[int]) -> str:
+    return ", ".join(map(str, numbers))
 
 
 def _about_stripe(evidence: BoardEvidence) -> Finding:

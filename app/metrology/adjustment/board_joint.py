@@ -109,7 +109,7 @@ def _adjusted(inputs: BoardInputs, start: BoardStart) -> tuple[Adjusted, Mountin
     found = adjust(start.problem, start.state)
     found, mounting = without_strays(found, start.mounting, inputs.board.size_mm)
     again = sorted_anew(found)
-    if not start.apart:
+    if not start.moved:
         off_mm, off_rad = scatter_told(found)
         views = [
             replace(view, line_off_mm=float(off_mm), line_off_rad=float(off_rad))
@@ -136,6 +136,7 @@ def _assembled(inputs: BoardInputs, found: Adjusted, start: BoardStart) -> Board
         poses,
         inputs.limits,
         start.size,
+        start.lines_out if start.moved else {},
         start.apart,
         contacts,
     )

@@ -20,7 +20,7 @@ FEWEST_STRIPE_POINTS = 20
 # so many standard deviations of those that agree.
 OFF_MM, OFF_FLATNESSES, OFF_TIMES = 0.5, 3.0, 4.0
 AGREEING_ROUNDS = 8
-# Contradicting lines are mistakes where they are no larger a share than this, or where the
+# Contradicting lines are left out where they are no larger a share than this, or where the
 # others agree so closely that chance puts none of them so far off more often than so.
 MISTAKES_SHARE, CHANCE = 0.2, 1e-3
 # By how much whole lines are off their plane (mm) and turned out of it (rad): where few
@@ -41,16 +41,18 @@ class Lines:
 
     ``off_mm`` (P,) is how far each line lies off the plane of most (NaN where there is no
     line). Of those further off than the others explain, ``left_out`` are few, or the others
-    agree closely (Student's test); ``apart`` are neither: the laser moved, nobody knows which
-    lines are right, and all count. ``plane`` is that of all that count, in the camera's
-    frame; ``scatter_mm`` and ``scatter_rad`` are the standard deviations by which whole lines
-    lie off it and are turned out of it.
+    agree closely (Student's test); ``apart`` are neither, or the last ones: nobody knows where
+    the laser is now, and all count. ``moved`` tells that they are too many to be mistakes, left
+    out or not. ``plane`` is that of all that count, in the camera's frame; ``scatter_mm`` and
+    ``scatter_rad`` are the standard deviations by which whole lines lie off it and are turned
+    out of it.
     """
 
     plane: LaserPlane
     off_mm: Floats
     left_out: tuple[int, ...]
     apart: tuple[int, ...]
+    moved: bool
     scatter_mm: float
     scatter_rad: float
 
@@ -87,8 +89,14 @@ def lines_of(views: Sequence[BoardView], found: Bundle, numbers: Sequence[int]) 
         )
     off, out, apart = _contradicting(in_cam, enough, plane, views[0].board.flatness_mm)
     counting = [p for p in enough if p not in out]
-    plane, (scatter_mm, scatter_rad) = _through([in_cam[p] for p in counting], bool(apart))
-    return Lines(plane, off, out, apart, scatter_mm, scatter_rad)
+    moved = not _few([*out, *apart], enough)
+    plane, (scatter_mm, scatter_rad) = _through([in_cam[p] for p in counting], moved)
+    return Lines(plane, off, out, apart, moved, scatter_mm, scatter_rad)
+
+
+def _few(far: Sequence[int], seen: Sequence[int]) -> bool:
+    """Whether lines are so few of all that they are mistakes."""
+    return len(far) <= MISTAKES_SHARE * len(seen)
 
 
 def _offsets(in_cam: Sequence[Floats], poses: Sequence[int], plane: LaserPlane) -> Floats:
@@ -106,23 +114,39 @@ def _contradicting(
     lie in it: few enough to leave out, or too many.
 
     From the better half of the lines on, the plane is laid through those that agree with it.
+    How closely they do, their places and their turns tell together, in their usual proportion.
     """
     off = _offsets(in_cam, seen, plane)
     agreeing = sorted(seen, key=lambda p: abs(float(off[p])))[: len(seen) // 2 + 1]
     for _ in range(AGREEING_ROUNDS):
         before = set(agreeing)
-        off = _offsets(in_cam, seen, _of_least_squares([in_cam[p] for p in agreeing]))
-        free = max(len(agreeing) - 3, 1)
-        usual = float(np.sqrt(np.sum(off[agreeing] ** 2) / free))
+        through = [in_cam[p] for p in agreeing]
+        plane = _of_least_squares(through)
+        off = _offsets(in_cam, seen, plane)
+        free = max(2 * len(agreeing) - 3, 1)
+        square = float(np.sum((_off_plane(through, plane)[0] / USUAL_SCATTER) ** 2))
+        usual = float(USUAL_SCATTER[0] * np.sqrt(square / free))
         limit = max(OFF_MM, OFF_FLATNESSES * flatness_mm, OFF_TIMES * usual)
         agreeing = [p for p in seen if abs(float(off[p])) <= limit]
         if set(agreeing) == before:
             break
     far = tuple(p for p in seen if p not in agreeing)
-    few = len(far) <= MISTAKES_SHARE * len(seen)
-    beyond = float(stdtrit(free, 1 - CHANCE / 2)) * usual
-    clear = 2 * len(far) < len(seen) and all(abs(float(off[p])) > beyond for p in far)
-    return (off, far, ()) if few or clear else (off, (), far)
+    if _few(far, seen):
+        return off, far, ()
+    expected = usual * _foreseen(through, [in_cam[p] for p in far], plane)
+    clear = np.abs(off[list(far)]) > stdtrit(free, 1 - CHANCE / 2) * expected
+    last = far == tuple(seen[-len(far) :])  # the laser may still be where these have it
+    left_out = 2 * len(far) < len(seen) and bool(clear.all()) and not last
+    return (off, far, ()) if left_out else (off, (), far)
+
+
+def _foreseen(agreeing: Sequence[Floats], others: Sequence[Floats], plane: LaserPlane) -> Floats:
+    """(K,) how well the place of each of the other lines is foreseen by a plane through those that
+    agree: its deviation as a multiple of theirs."""
+    by_plane = _off_plane(agreeing, plane)[1] * (USUAL_SCATTER[0] / USUAL_SCATTER)[:, None]
+    C = np.linalg.inv(np.einsum("lki,lkj->ij", by_plane, by_plane))
+    place = _off_plane(others, plane)[1][:, 0]
+    return np.asarray(np.sqrt(1 + np.einsum("li,ij,lj->l", place, C, place)))
 
 
 def _points(view: BoardView, found: Bundle, pose: int) -> Floats:

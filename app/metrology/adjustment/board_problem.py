@@ -70,7 +70,8 @@ class BoardStart:
     """The problem, a start for it, and what was told on the way.
 
     ``lines_out`` tells by pose number how far off (mm) the lines are that were left out, and
-    ``apart`` the same of those that contradict but are too many to be mistakes."""
+    ``apart`` the same of those that contradict but count; where these are too many to be
+    mistakes the laser ``moved``."""
 
     problem: Problem
     state: State
@@ -78,6 +79,7 @@ class BoardStart:
     size: SizeByMotion
     lines_out: dict[int, float]
     apart: dict[int, float]
+    moved: bool
 
 
 def board_problem(inputs: BoardInputs) -> BoardStart:
@@ -119,7 +121,7 @@ def board_problem(inputs: BoardInputs) -> BoardStart:
     )
     lines_out = {numbers[p]: float(abs(lines.off_mm[p])) for p in lines.left_out}
     apart = {numbers[p]: float(abs(lines.off_mm[p])) for p in lines.apart}
-    return BoardStart(problem, state, mounting, size, lines_out, apart)
+    return BoardStart(problem, state, mounting, size, lines_out, apart, lines.moved)
 
 
 def _bundled(inputs: BoardInputs, moves: FlangeMotion) -> tuple[list[BoardView], Bundle]:

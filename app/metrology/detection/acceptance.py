@@ -51,7 +51,7 @@ def judged(grey: Floats, found: Survey, certificate_mm: float) -> tuple[Survey, 
     if not parts:
         return found, Objection("too few of its edges could be measured")
     against = _shifted(found, certificate_mm) or missized(grey, found) or overrun(grey, found)
-    return found, against or astray(found, parts)
+    return found, against or astray(found, parts, certificate_mm)
 
 
 def _shifted(found: Survey, certificate_mm: float) -> Objection | None:
@@ -63,7 +63,8 @@ def _shifted(found: Survey, certificate_mm: float) -> Objection | None:
     shift = max(told, key=lambda one: one.ratio, default=None)
     if shift is None or shift.ratio < _SHIFTED:
         return None
-    return elsewhere(found.frame.names[shift.edges[0]], abs(shift.by_mm), shift.edges)
+    off_mm = abs(shift.by_mm)
+    return elsewhere(found.frame.names[shift.edges[0]], off_mm, off_mm * px_per_mm, shift.edges)
 
 
 def _unclear(found: Survey) -> Objection | None:

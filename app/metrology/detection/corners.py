@@ -133,7 +133,7 @@ def detect_object(
             tried = _tried(grey, hidden, found, scale, block, declined)
             tries.append(tried)
             if tried.good and not _doubtful(tried) and tried is max(tries, key=_borne_out):
-                _refuse_gainsaid(tried, tries[:-1], block)
+                _refuse_gainsaid(tried, tries[:-1], findings, block)
                 return _detection(_the_one(tried, findings, block), block)
             if _sure(tried):
                 break
@@ -149,7 +149,9 @@ def detect_object(
         ) from None
 
 
-def _refuse_gainsaid(tried: "_Tried", before: list["_Tried"], block: Crenellated) -> None:
+def _refuse_gainsaid(
+    tried: "_Tried", before: list["_Tried"], findings: list[PictureFinding], block: Crenellated
+) -> None:
     """Refuses a find where an earlier try drew about as much of the object and found another.
 
     Raises:
@@ -157,8 +159,8 @@ def _refuse_gainsaid(tried: "_Tried", before: list["_Tried"], block: Crenellated
     """
     for one in before:
         as_much = one.shown_px > _AS_MUCH * tried.shown_px
-        if one.against is not None and one.against.definite and as_much:
-            raise refusals.mismatch(block, one.against.text)
+        if one.nearest is not None and one.against is not None and one.against.definite and as_much:
+            raise refusals.contradicted(block, one.against, findings, one.nearest.blur_px)
 
 
 @dataclass(frozen=True)
@@ -288,15 +290,17 @@ def _why_not(
 ) -> Refusal:
     """The refusal after the last attempt: another object, or one not seen well enough."""
     best = max(tries, key=lambda one: one.shown_px)
-    seen_well = not findings and not noisy(grey)
+    # Lines that mostly make no block are of marks and of other things: these may hide it.
+    block_like = [acceptance.block_like(one.found) for one in tries]
+    seen_well = not findings and not noisy(grey) and sum(block_like) > len(tries) / 2
     # A placing that hardly shows is none to say where the frame ends on.
     if best.nearest is not None and _share_shown(best) > acceptance.LEAST_SHOWN:
         share = acceptance.in_frame(best.nearest)
         if acceptance.too_little_left(best.nearest, block, share):
             return refusals.too_much_cut_off(block, share)
-    if best.against is not None and best.against.definite:
-        return refusals.mismatch(block, best.against.text)
-    if not any(acceptance.block_like(one.found) for one in tries):
+    if best.nearest is not None and best.against is not None and best.against.definite:
+        return refusals.contradicted(block, best.against, findings, best.nearest.blur_px)
+    if not any(block_like):
         return refusals.unfound(tries[0].found)
     why = "no placing of its edges explains those in the picture"
     if best.against is not None:

@@ -94,7 +94,7 @@ def _planes_stay(part: Part, planes: list[Shift]) -> bool:
     return bool(own) and max(own) < _STAYS
 
 
-def astray(found: Survey, parts: list[Part]) -> Objection | None:
+def astray(found: Survey, parts: list[Part], certificate_mm: float) -> Objection | None:
     """Edges that lie too far from where the certificate puts them."""
     displaced = _displaced(parts, _SIGMAS)
     if not displaced:
@@ -105,7 +105,19 @@ def astray(found: Survey, parts: list[Part]) -> Objection | None:
         " puts it",
         True,
         tuple({part.edge for part in displaced}),
+        _alone(found, displaced, certificate_mm),
+        max(part.distance_px for part in displaced),
     )
+
+
+def _alone(found: Survey, displaced: list[Part], certificate_mm: float) -> bool:
+    """Whether a single edge says so: without it, its planes are where they should be."""
+    if len({part.edge for part in displaced}) > 1:
+        return False
+    rest = without(found, [part.number for part in displaced], certificate_mm)
+    if rest is None or _displaced(parts_of(rest, certificate_mm), _SIGMAS):
+        return False
+    return _planes_stay(displaced[0], shifts(rest, certificate_mm))
 
 
 def _strained(found: Survey, parts: list[Part]) -> Objection | None:
@@ -119,6 +131,7 @@ def _strained(found: Survey, parts: list[Part]) -> Objection | None:
         f" {worst.distance_um:.0f} µm, from where the certificate puts them",
         True,
         (worst.edge,),
+        off_px=worst.distance_px,
     )
 
 

@@ -129,8 +129,9 @@ def _just_hidden(
     aside = np.abs(frame.starts_mm - centre_mm)
     edge_on = aside < _EDGE_ON * np.sqrt((aside**2).sum(axis=1, keepdims=True))
     edge_on &= frame.starts_mm == frame.ends_mm
-    hidden = np.flatnonzero(edge_on.any(axis=1))
-    return hidden[~np.isin(hidden, visible)]
+    hidden = edge_on.any(axis=1)
+    hidden[visible] = False
+    return np.flatnonzero(hidden)
 
 
 @kernel

@@ -21,16 +21,22 @@ _MEDIAN_SQUARE = 0.455
 @dataclass(frozen=True)
 class _Mean:
     """Of a part: its number, its points' mean distance, and that mean's variance, by the
-    points and by marks along it, px squared."""
+    points, by marks along it and by the block's certificate, px squared."""
 
     part: int
     off_px: float
     variance: float
     marks: float
+    certificate: float
 
 
 def scatter(
-    off_px: Floats, at: Stations, shows: NDArray[np.bool_], sigma_px: Floats, marks_px: Floats
+    off_px: Floats,
+    at: Stations,
+    shows: NDArray[np.bool_],
+    sigma_px: Floats,
+    marks_px: Floats,
+    certificate_px: Floats,
 ) -> tuple[NDArray[np.bool_], float, Floats]:
     """Which points agree with the others of their part, and what their sigmas lack.
 
@@ -38,12 +44,15 @@ def scatter(
         off_px: (N,) distances of the points from where the camera draws their edges.
         at: their stations; shows: (N,) which were seen.
         sigma_px: (N,) their deviations by the pixels' noise; marks_px: (N,) how far marks
-            along a part may move the whole of it.
+            along a part may move the whole of it; certificate_px: (N,) how far the
+            block's certificate may.
 
     Returns:
         (N,) which agree; the factor that brings the sigmas to the scatter along the parts,
         further to that of parts' means where neighbouring points err alike (texture); and
-        factors (N,) beyond it, so that the parts' means scatter no more than they say.
+        factors (N,) beyond it, so that the parts' means scatter no more than they and the
+        certificate say. The certificate itself is not in the sigmas: who adjusts the block
+        with them counts it by itself.
     """
     used = np.zeros(len(off_px), dtype=bool)
     spreads, products, squares = [], 0.0, 0.0
@@ -58,7 +67,8 @@ def scatter(
             weight = 1 / sigma_px[rows[fine]] ** 2
             mean = float(weight @ off_px[rows[fine]] / weight.sum())
             marks = float(marks_px[rows[0]]) ** 2
-            means.append(_Mean(int(part), mean, 1 / float(weight.sum()), marks))
+            certificate = float(np.mean(certificate_px[rows[fine]])) ** 2
+            means.append(_Mean(int(part), mean, 1 / float(weight.sum()), marks, certificate))
         if fine.sum() >= _IN_PART:
             z = z[fine] - z[fine].mean()
             spreads.append(np.full(len(z), float(np.mean(z**2)) * len(z) / (len(z) - 1)))
@@ -80,11 +90,11 @@ def _together(at: Stations, means: list[_Mean], scale: float) -> Floats:
     factor = np.ones(len(at.part))
     off = np.array([one.off_px for one in means])
     own = scale * np.array([one.variance for one in means])
-    marks = np.array([one.marks for one in means])
+    others = np.array([one.marks + one.certificate for one in means])
     moved = 0.0
     if len(means) >= _FEWEST_MEANS:
         # About as much as makes the median of the squares what it is of unit variance.
-        lack = np.median(off**2 - _MEDIAN_SQUARE * (own + marks)) / _MEDIAN_SQUARE
+        lack = np.median(off**2 - _MEDIAN_SQUARE * (own + others)) / _MEDIAN_SQUARE
         moved = max(float(lack), 0.0)
     for one, variance in zip(means, own, strict=True):
         factor[at.part == one.part] = np.sqrt(1 + (moved + one.marks) / variance)

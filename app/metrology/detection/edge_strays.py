@@ -60,9 +60,10 @@ def missized(grey: Floats, found: Survey) -> Objection | None:
     lines = _lines_about(grey, found)
     for axis, _, edges in planes(found.frame):
         rows = np.flatnonzero(np.isin(lines.at.edge, edges))
-        off_mm = _elsewhere(found, lines, rows, axis, _in_place(found, edges, axis))
-        if off_mm is not None:
-            return elsewhere(found.frame.names[lines.at.edge[rows[0]]], abs(off_mm), edges)
+        told = _elsewhere(found, lines, rows, axis, _in_place(found, edges, axis))
+        if told is not None:
+            name = found.frame.names[lines.at.edge[rows[0]]]
+            return elsewhere(name, abs(told.by_mm), told.by_px, edges, told.alone)
     return None
 
 
@@ -77,6 +78,16 @@ class _Lines:
     at: Stations
     there: NDArray[np.bool_]
     free: NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class _Elsewhere:
+    """Where a plane seems to lie: by how many mm along its axis, and px in the picture, from its
+    place; ``alone``: one of its edges says so, and another the contrary."""
+
+    by_mm: float
+    by_px: float
+    alone: bool
 
 
 def _lines_about(grey: Floats, found: Survey) -> _Lines:
@@ -135,8 +146,8 @@ def _in_place(found: Survey, edges: tuple[int, ...], axis: int) -> int:
 
 def _elsewhere(
     found: Survey, lines: _Lines, rows: NDArray[np.int64], axis: int, in_place: int
-) -> float | None:
-    """By how many mm along an axis the edges at some stations lie elsewhere; None if they do not.
+) -> _Elsewhere | None:
+    """How far along an axis the edges at some stations lie elsewhere; None if they do not.
 
     Every shift of their plane moves each station's edge along its normal by a known amount.
     ``in_place``: how many of the edges are seen where they should be; as many must lie
@@ -174,7 +185,12 @@ def _elsewhere(
         return None
     several = most > 1
     told = (stands_out and here < _HERE * share[best]) or (several and here < share[best] / 2)
-    return float(steps[best]) if told else None
+    if not told:
+        return None
+    stays = [_share(lines.there[rows, reach], length, edge == one) for one in np.unique(edge)]
+    say = np.array(shows) - np.array(stays)
+    alone = bool(np.sum(say > _PART_OF_IT) < 2 and np.any(say < -_PART_OF_IT))
+    return _Elsewhere(float(steps[best]), float(np.abs(away[best]).max()), alone)
 
 
 def _share(there: NDArray[np.bool_], length: Floats, rows: NDArray[np.bool_]) -> float:

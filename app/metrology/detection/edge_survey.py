@@ -225,16 +225,18 @@ def _fitted(
     per_edge = np.bincount(edge, minlength=len(found.frame.names))[edge]
     # The certificate's error moves a whole edge at once, a mark a whole part of it: spread
     # over the points they weigh as they should.
-    depth = (at.points_mm[keep] @ found.camera.rotation.T + found.camera.translation_mm)[:, 2]
+    depth = (at.points_mm @ found.camera.rotation.T + found.camera.translation_mm)[:, 2]
     certificate_px = certificate_mm * found.camera.matrix[0, 0] / depth
     per_part = np.bincount(at.part[keep])[at.part[keep]]
-    as_a_whole = per_edge * certificate_px**2 + per_part * found.marks_px[keep] ** 2
+    as_a_whole = per_edge * certificate_px[keep] ** 2 + per_part * found.marks_px[keep] ** 2
     sigma = np.sqrt(found.sigma_px[keep] ** 2 + as_a_whole)
     camera, covariance = fit_edges(
         found.camera, at.points_mm[keep], found.uv_px[keep], at.normal[keep], sigma, free
     )
     off = residuals(camera, at.points_mm, found.uv_px, at.normal)
-    used, along, together = scatter(off, found.at, found.shows, found.sigma_px, found.marks_px)
+    used, along, together = scatter(
+        off, at, found.shows, found.sigma_px, found.marks_px, certificate_px
+    )
     return replace(
         found,
         camera=camera,

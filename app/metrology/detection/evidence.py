@@ -87,7 +87,8 @@ def with_evidence(
         against: what speaks against it.
     """
     fault = _FAULTS.get(refusal.code, "object")
-    if refusal.code in ("object-not-found", "object-unclear"):
+    by_light = against is not None and against.alone
+    if refusal.code in ("object-not-found", "object-unclear") and not by_light:
         named = [_FINDING_FAULTS[one.code] for one in findings if one.code in _FINDING_FAULTS]
         fault = named[0] if named else fault
     marks: list[Mark] = []

@@ -174,7 +174,7 @@ def _vote(
     low = np.array([-np.inf, -np.inf, block.crest_z_mm])
     high = np.array([np.inf, block.front_y_mm, np.inf])
     reach = [_ASIDE / focal, size * focal / _FURTHER, size * focal / _NEARER]
-    found: list[tuple[Floats, float]] = []
+    every, scored = [], []
     for k in range(3):
         plane = _across(k)
         p, q = plane
@@ -186,10 +186,13 @@ def _vote(
         one = (turned, weight, np.ascontiguousarray(points[p][:, ::-1]))
         centres, scores = completed(places, votes, *one, *bearings[q], points[q], near_rad, best)
         order = np.argsort([k, p, q])
-        found += [(centres[row][order], float(scores[row])) for row in np.flatnonzero(scores)]
+        voted = np.flatnonzero(scores)
+        every.append(centres[voted][:, order])
+        scored.append(scores[voted])
         best = max(best, float(scores.max()))
-    found.sort(key=lambda one: -one[1])
-    return found[:_READINGS]
+    found, score = np.ascontiguousarray(np.concatenate(every)), np.concatenate(scored)
+    most = np.argsort(-score, kind="stable")[:_READINGS]
+    return [(found[row], float(score[row])) for row in most]
 
 
 @kernel

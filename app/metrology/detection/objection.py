@@ -2,18 +2,24 @@
 
 from dataclasses import dataclass
 
+import numpy as np
+
 
 @dataclass(frozen=True)
 class Objection:
     """Why the picture does not bear a placing out.
 
     ``definite``: it shows other measures, rather than too little; ``edges``: rows in the
-    wireframe of those that disagree.
+    wireframe of those that disagree. ``alone``: a single edge says so, and nothing bears it
+    out; a shadow or something before the block may look like that. ``off_px``: how far the
+    picture shows them elsewhere, at most.
     """
 
     text: str
     definite: bool = False
     edges: tuple[int, ...] = ()
+    alone: bool = False
+    off_px: float = np.inf
 
 
 def in_words(edge: str) -> str:
@@ -34,10 +40,14 @@ def in_words(edge: str) -> str:
     )
 
 
-def elsewhere(edge: str, off_mm: float, edges: tuple[int, ...]) -> Objection:
+def elsewhere(
+    edge: str, off_mm: float, off_px: float, edges: tuple[int, ...], alone: bool = False
+) -> Objection:
     """The objection that a size differs: an edge of it, how far it lies off, all its edges."""
     return Objection(
         f"{in_words(edge)} seems to lie {off_mm:.2f} mm from where the certificate puts it",
         True,
         edges,
+        alone,
+        off_px,
     )

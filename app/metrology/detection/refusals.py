@@ -6,7 +6,8 @@ from numpy.typing import NDArray
 from app.metrology.crenellated import Crenellated
 from app.metrology.detection.edge_survey import Survey
 from app.metrology.detection.locate import Search
-from app.metrology.detection.picture import BLURRED, PictureFinding
+from app.metrology.detection.objection import Objection
+from app.metrology.detection.picture import BLURRED, EDGE_WIDTH, PictureFinding
 from app.metrology.refusal import Refusal
 
 # Share of the edges in the frame that makes the object whole.
@@ -69,6 +70,28 @@ def mismatch(block: Crenellated, why: str) -> Refusal:
         "choose the object that is before the camera; if it is this one, look whether its"
         " edges are clean and undamaged",
     )
+
+
+def contradicted(
+    block: Crenellated, against: Objection, findings: list[PictureFinding], blur_px: float
+) -> Refusal:
+    """The refusal for a block that a placing shows, but for what is objected to that."""
+    if against.alone:
+        return unclear(
+            block,
+            f"{against.text}, and nothing else bears that out: a shadow, a highlight or something"
+            " before it may look like that",
+        )
+    width_px = EDGE_WIDTH * blur_px
+    soft = next((one for one in findings if one.code in ("image-soft", "image-blurred")), None)
+    if soft is not None and against.off_px < width_px:
+        return Refusal(
+            "object-unclear",
+            f"{block.name} is not seen sharply enough to be sure of it",
+            f"{against.text}, less than the {width_px:.0f} px that the picture's edges are wide",
+            soft.remedy,
+        )
+    return mismatch(block, against.text)
 
 
 def mirror_refusal(block: Crenellated, share: float) -> Refusal:
