@@ -13,7 +13,7 @@ from app.cli_arm import articulation, identify
 from app.cli_bench import bench
 from app.cli_report import report
 from app.cli_scan import reconstruct, replay, study, sync
-from app.cli_station import backup, mqtt_schema
+from app.cli_station import backup, mqtt_schema, password
 from app.console import (
     print_figures,
     print_json,
@@ -282,5 +282,6 @@ cli.command()(identify)
 cli.command()(articulation)
 cli.command()(report)
 cli.command()(backup)
+cli.command()(password)
 cli.command()(mqtt_schema)
 cli.add_typer(bench, name="bench")

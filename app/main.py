@@ -4,16 +4,12 @@ import asyncio
 import gc
 import logging
 import socket
-import ssl
-import sys
 import tempfile
-import webbrowser
 from collections.abc import AsyncIterator, Callable
 from contextlib import AbstractAsyncContextManager, asynccontextmanager
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 
-import uvicorn
 from fastapi import Depends, FastAPI
 
 from app.api import (
@@ -46,7 +42,17 @@ from app.api.wiring import Parts, close_context, open_context
 from app.files.software import SOFTWARE
 from app.metrology.refusal import Refusal
 from app.replay import Replay
-from app.settings import Serving, Settings, read_settings, user_data_folder
+from app.serving import (
+    LOCAL,
+    NETWORK_WORDS,
+    FirstLine,
+    address_of,
+    listen,
+    make_server,
+    network_of,
+    raise_file_limit,
+)
+from app.settings import DEFAULT_FILE, Serving, Settings, read_settings, user_data_folder
 from app.station.warm_up import warm_up
 from hardware.errors import DeviceError
 from hardware.registry import arm_driver, sensor_driver
@@ -54,10 +60,6 @@ from hardware.thermometer import FileThermometer
 
 PORTS_TRIED = 20
 FIRST_START = "the first start compiles for a minute or two"
-LOCAL = Serving()
-SHUTDOWN_S = 3
-LARGEST_MESSAGE = 1 << 16
-"""Of a browser's messages; all are small."""
 
 
 def build_app(parts: Parts) -> FastAPI:
@@ -141,8 +143,9 @@ def serve(config: Path | None, data: Path | None, host: str, port: int, open_bro
         arm_driver(arm.driver, arm.options)
         sensor_driver(sensor.driver, sensor.options)
     except DeviceError as error:
-        raise Refusal("driver", error.what, remedy=error.remedy) from error
-    listening = _listen(host, port, 1)
+        named = error.what.replace(DEFAULT_FILE, str(config or DEFAULT_FILE), 1)
+        raise Refusal("driver", named, remedy=error.remedy) from error
+    listening = listen(host, port, 1)
     parts = Parts(
         name=settings.name,
         data=data or settings.data,
@@ -191,7 +194,7 @@ def demo(data: Path | None, host: str, port: int, open_browser: bool) -> None:
     """
     from app.demonstration import simulated_parts
 
-    listening = _listen(host, port, PORTS_TRIED)
+    listening = listen(host, port, PORTS_TRIED)
     print(f"Starting the simulated station; {FIRST_START}.", flush=True)
     with simulated_parts(data or user_data_folder() / "demo", (host,)) as parts:
         _run(parts, listening, host, open_browser)
@@ -203,83 +206,10 @@ def replay(show: Replay, title: str, host: str, port: int, open_browser: bool) -
     Raises:
         Refusal: no port is free.
     """
-    listening = _listen(host, port, PORTS_TRIED)
+    listening = listen(host, port, PORTS_TRIED)
     with tempfile.TemporaryDirectory(prefix="crenel-replay-") as data:
         parts = Parts(title, Path(data), show.arm, show.sensor, hosts=(host,), guest="Replay")
         _run(parts, listening, host, open_browser, show)
-
-
-def _listen(host: str, port: int, tries: int) -> socket.socket:
-    """A bound socket, on the port or one of the next ``tries - 1``."""
-    family = socket.AF_INET6 if ":" in host else socket.AF_INET
-    for offset in range(tries):
-        listening = socket.socket(family, socket.SOCK_STREAM)
-        listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        try:
-            listening.bind((host, port + offset))
-            listening.listen(128)
-        except OSError as error:
-            listening.close()
-            reason = error.strerror or str(error)
-            continue
-        if offset:
-            print(f"Port {port} is in use; taking {port + offset}.", file=sys.stderr)
-        return listening
-    raise Refusal(
-        "port",
-        f"Cannot listen on {host} port {port}",
-        reason,
-        "Stop what is using it, or choose another with --port",
-    )
-
-
-def make_server(app: FastAPI, serving: Serving = LOCAL) -> "StationServer":
-    """The server of an application, not yet running.
-
-    Raises:
-        Refusal: certificate and key are not a pair in PEM format.
-    """
-    config = uvicorn.Config(
-        app,
-        ssl_certfile=serving.tls_certificate,
-        ssl_keyfile=serving.tls_key,
-        forwarded_allow_ips=list(serving.proxies),
-        log_config=None,  # its words go where all others go
-        log_level="warning",
-        access_log=False,
-        ws="websockets-sansio",
-        ws_per_message_deflate=False,
-        ws_max_size=LARGEST_MESSAGE,
-        timeout_graceful_shutdown=SHUTDOWN_S,
-        server_header=False,
-    )
-    try:
-        config.load()
-    except ssl.SSLError as error:
-        raise Refusal(
-            "tls",
-            f"{serving.tls_certificate} and {serving.tls_key} cannot be used",
-            f"they are no certificate with its key in PEM format ({error.reason})",
-            "Give the certificate, with those that vouch for it, and its own key",
-        ) from error
-    return StationServer(config)
-
-
-class StationServer(uvicorn.Server):
-    """Says where the station is once it can be reached."""
-
-    address = ""
-    first_words = ""
-    open_browser = False
-
-    async def startup(self, sockets: list[socket.socket] | None = None) -> None:
-        await super().startup(sockets)
-        if self.started and self.address:
-            print(f"Crenel is at {self.address} (end with Ctrl-C)", flush=True)
-            if self.first_words:
-                print(self.first_words, flush=True)
-            if self.open_browser:
-                await asyncio.to_thread(webbrowser.open, self.address)
 
 
 def _run(
@@ -295,24 +225,24 @@ def _run(
     Raises:
         Refusal: the data folder cannot be used, or is in use by another server.
     """
-    app = build_app(parts)
+    raise_file_limit()
+    network = network_of(host, serving)
+    app = build_app(replace(parts, watching=replace(parts.watching, network=network)))
     server = make_server(app, serving)
     warm_up()
-    shown = "127.0.0.1" if host in ("0.0.0.0", "::") else host
-    bracketed = f"[{shown}]" if ":" in shown else shown
     console = logging.StreamHandler()
     console.setLevel(logging.WARNING)  # the rest is in the log of the Health page
-    console.setFormatter(logging.Formatter("%(asctime)s %(name)s: %(message)s"))
+    console.setFormatter(FirstLine("%(asctime)s %(name)s: %(message)s"))
     logging.getLogger().addHandler(console)
-    scheme = "https" if serving.tls_certificate else "http"
-    server.address = f"{scheme}://{bracketed}:{listening.getsockname()[1]}/"
+    server.address = address_of(host, listening, serving)
     entrance = app.state.context.entrance
     if entrance.by_code:
         server.address += f"#code={entrance.code}"
     elif entrance.first_start:
-        server.first_words = (
+        server.first_words.append(
             f"Nobody can sign in yet. The code {entrance.code} makes the first administrator there."
         )
+    server.first_words += NETWORK_WORDS[network]
     server.open_browser = open_browser
     if show is not None:
         show.start(app.state.context.scene, app.state.context.bus)

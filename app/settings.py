@@ -6,7 +6,7 @@ data = "data"                 # beside this file; --data goes before it
 hosts = ["station.local"]     # further names browsers may use; localhost always may
 tls_certificate = "cert.pem"  # with the key: the station is served over HTTPS
 tls_key = "key.pem"
-proxies = ["10.0.0.5"]        # whose word is taken for where a browser is, and for HTTPS
+proxies = ["10.0.0.5"]        # theirs alone is the word on where a browser is, and on HTTPS
 address = "http://10.0.0.7:8000/"  # of its pages, for the stations that link to them
 backups = "/mnt/backup/crenel"     # where the Health page's button puts them
 
@@ -48,7 +48,9 @@ station = "room-2"            # in the topics of this one; else by its name
 file = "/sys/bus/w1/devices/28-0316a4d5e6ff/temperature"  # thousandths of a degree Celsius
 """
 
+import ipaddress
 import os
+import ssl
 import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -65,6 +67,21 @@ from app.metrology.refusal import Refusal
 from app.supervise.broker import BrokerSettings
 
 DEFAULT_FILE = "station.toml"
+WORDS = {
+    "string_type": "it must be text in quotes",
+    "string_too_short": "it is empty",
+    "list_type": 'it must be a list, as ["one", "two"]',
+    "int_type": "it must be a whole number",
+    "float_type": "it must be a number",
+    "bool_type": "it must be true or false",
+    "model_type": "it must be a table",
+}
+"""Of what does not fit; the rest says it well enough."""
+PATTERN_WORDS = {
+    "address": "it must begin with http:// or https:// and name a machine",
+    "prefix": "it must be words with / between them, without spaces, # and +",
+    "station": "it must be small letters, digits and hyphens, 40 at most",
+}
 LimitUm = Annotated[float, Field(gt=0, le=10_000, allow_inf_nan=False)]
 
 
@@ -82,7 +99,7 @@ class Serving:
 
     tls_certificate: Path | None = None
     tls_key: Path | None = None
-    proxies: tuple[str, ...] = ("127.0.0.1", "::1")
+    proxies: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -113,7 +130,7 @@ class _StationTable(BaseModel):
     tls_certificate: Annotated[str, Field(min_length=1)] | None = None
     tls_key: Annotated[str, Field(min_length=1)] | None = None
     proxies: list[Annotated[str, Field(min_length=1)]] = list(Serving.proxies)
-    address: Annotated[str, Field(max_length=200, pattern="^https?://")] | None = None
+    address: Annotated[str, Field(max_length=200, pattern="^https?://[^/]")] | None = None
     backups: Annotated[str, Field(min_length=1)] | None = None
 
 
@@ -243,13 +260,17 @@ def _mqtt(path: Path, table: _MqttTable | None) -> BrokerSettings | None:
         station=table.station,
     )
     settings.password()
-    if settings.ca_file is not None and not settings.ca_file.is_file():
-        raise Refusal(
-            "settings-mqtt",
-            f"{path}, [mqtt]: ca_file = {str(settings.ca_file)!r}",
-            "there is no such file",
-            "Give the certificates of the broker's authority in PEM format",
-        )
+    if settings.ca_file is not None:
+        try:
+            ssl.create_default_context(cafile=settings.ca_file)
+        except OSError as error:  # those of TLS are of this kind
+            unreadable = isinstance(error, ssl.SSLError)
+            raise Refusal(
+                "settings-mqtt",
+                f"{path}, [mqtt]: ca_file = {str(settings.ca_file)!r}",
+                "it holds no certificates" if unreadable else "there is no such file",
+                "Give the certificates of the broker's authority in PEM format",
+            ) from error
     return settings
 
 
@@ -275,6 +296,16 @@ def _serving(path: Path, station: _StationTable) -> Serving:
                 "there is no such file",
                 "Give the file in PEM format",
             )
+    for proxy in station.proxies:
+        try:
+            ipaddress.ip_network(proxy, strict=False)
+        except ValueError as error:
+            raise Refusal(
+                "settings-proxies",
+                f"{path}, [station]: proxies has {proxy!r}",
+                "it is no address",
+                'Give the address from which the proxy connects, as "10.0.0.5" or "10.0.0.0/24"',
+            ) from error
     return Serving(files.get("tls_certificate"), files.get("tls_key"), tuple(station.proxies))
 
 
@@ -305,12 +336,16 @@ def _invalid(path: Path, error: ValidationError) -> Refusal:
     key = ".".join(place[1:])
     named = f"{path}, {table}: {key}" if key else f"{path}: the table {table}"
     if first["type"] == "missing":
-        return Refusal("settings-key-missing", f"{named} is missing")
+        remedy = "Add it as the README shows"
+        return Refusal("settings-key-missing", f"{named} is missing", remedy=remedy)
     if first["type"] == "extra_forbidden":
         return Refusal("settings-key-unknown", f"{named} is not known", remedy="Correct its name")
-    message = str(first["msg"])
+    message = str(first["msg"]).replace("Input should", "it must")
+    if first["type"] == "string_pattern_mismatch":
+        message = PATTERN_WORDS[place[-1]]
     return Refusal(
         "settings-key-invalid",
         f"{named} = {first['input']!r}",
-        f"{message[:1].lower()}{message[1:]}",
+        WORDS.get(first["type"], message),
+        "Correct it",
     )

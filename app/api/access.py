@@ -1,6 +1,7 @@
 """Who is behind a request, and whether it may do what it asks: the one door of all routes."""
 
 import asyncio
+import logging
 from collections.abc import Iterator
 from contextlib import contextmanager, nullcontext
 from http import HTTPStatus
@@ -19,6 +20,7 @@ from app.metrology.refusal import Refusal
 from app.station.lease import Person
 from app.store.sign_ins import IDLE, Visitor
 
+log = logging.getLogger(__name__)
 POLICY_VIOLATION, SIGNED_OUT = 1008, 4401
 LOOKED_AFTER_S = 1.0
 A_YEAR_S = 365 * 86400
@@ -38,7 +40,8 @@ def authorise(connection: HTTPConnection) -> Iterator[None]:
         yield
         return
     visitor = visitor_of(connection)
-    with _noted(connection, rule, visitor) if rule.act else nullcontext():
+    # who is nobody fills no log
+    with _noted(connection, rule, visitor) if rule.act and visitor else nullcontext():
         connection.state.visitor = _let_in(connection, rule, visitor)
         if rule.right is Right.act:
             context.lease.act(person_of(connection))
@@ -46,7 +49,7 @@ def authorise(connection: HTTPConnection) -> Iterator[None]:
 
 
 @contextmanager
-def _noted(connection: HTTPConnection, rule: Rule, visitor: Visitor | None) -> Iterator[None]:
+def _noted(connection: HTTPConnection, rule: Rule, visitor: Visitor) -> Iterator[None]:
     """Writes into the audit log what is done inside, or why it was not."""
     outcome = "failed"
     try:
@@ -62,12 +65,14 @@ def _noted(connection: HTTPConnection, rule: Rule, visitor: Visitor | None) -> I
         words = getattr(connection.state, "detail", "") or ", ".join(
             str(value) for value in connection.path_params.values()
         )
-        context_of(connection).store.audit.note(
-            visitor.name if visitor else "",
-            address_of(connection),
-            f"{rule.act}: {words}" if words else rule.act,
-            outcome,
-        )
+        act = f"{rule.act}: {words}" if words else rule.act
+        try:
+            context_of(connection).store.audit.note(
+                visitor.name, address_of(connection), act, outcome
+            )
+        except Refusal as refusal:  # a full disk undoes no Stop
+            what = (visitor.name, act, outcome, refusal.why)
+            log.warning("not in the audit log: %s, %s: %s (%s)", *what)
 
 
 def _rule(connection: HTTPConnection) -> Rule:
@@ -170,12 +175,29 @@ def cookie_for(port: int) -> str:
     return f"crenel-{port}"
 
 
+def known_as(connection: HTTPConnection) -> str:
+    """The token by which this browser is known, or nothing; it lets nobody in."""
+    return connection.cookies.get(f"{cookie_name(connection)}-known", "")
+
+
 def set_cookie(response: Response, connection: HTTPConnection, token: str, wall: bool) -> None:
     """Signs this browser in with a token; no script can read it, no other page send it."""
+    lasts_s = A_YEAR_S if wall else int(IDLE.total_seconds())
+    _set(response, connection, cookie_name(connection), token, lasts_s)
+
+
+def set_known(response: Response, connection: HTTPConnection, token: str) -> None:
+    """The browser is known from now on."""
+    _set(response, connection, f"{cookie_name(connection)}-known", token, A_YEAR_S)
+
+
+def _set(
+    response: Response, connection: HTTPConnection, name: str, token: str, lasts_s: int
+) -> None:
     response.set_cookie(
-        cookie_name(connection),
+        name,
         token,
-        max_age=A_YEAR_S if wall else int(IDLE.total_seconds()),
+        max_age=lasts_s,
         httponly=True,
         samesite="strict",
         secure=connection.url.scheme == "https",

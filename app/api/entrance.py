@@ -1,5 +1,6 @@
 """The ways to sign in: by name and password, by the console's code, and by a wall link."""
 
+import ipaddress
 import secrets
 import threading
 from hmac import compare_digest
@@ -7,7 +8,7 @@ from hmac import compare_digest
 from app.api.denied import TooManyTries
 from app.api.throttle import Throttle
 from app.metrology.refusal import Refusal
-from app.store.accounts import Account, AccountStore, Role
+from app.store.accounts import Account, AccountStore, Role, plain_name
 from app.store.scrapers import ScraperStore
 from app.store.sign_ins import SignInStore, Visitor
 
@@ -54,14 +55,22 @@ class Entrance:
         """What the console is to show; None where no code is good for anything."""
         return self._code if self.by_code or self.first_start else None
 
-    def sign_in(self, name: str, password: str, address: str) -> Account | None:
+    def sign_in(self, name: str, password: str, address: str, browser: str = "") -> Account | None:
         """The account; None where name and password do not belong together.
 
+        Args:
+            browser: the token by which it is known, if it is. Tries there count by
+                themselves, so that whoever guesses elsewhere keeps nobody out.
+
         Raises:
-            TooManyTries: of this name, or from this address.
+            TooManyTries: of this name, from this address, or at this browser.
         """
-        keys = (f"name {name.lower()}", f"address {address}")
+        plain = plain_name(name).lower()
         with self._lock:
+            if self._sign_ins.knows(browser, plain):
+                keys: tuple[str, ...] = (f"browser {browser}",)
+            else:
+                keys = (f"name {plain}", counted_address(address))
             self._let_try(*keys)
             account = self._accounts.matching(name, password)
             self._note(account is not None, *keys)
@@ -91,7 +100,7 @@ class Entrance:
 
     def wall(self, token: str, address: str) -> Visitor | None:
         """The wall screen whose link this is."""
-        key = f"address {address}"
+        key = counted_address(address)
         with self._lock:
             self._let_try(key)
             visitor = self._sign_ins.visitor(token)
@@ -101,7 +110,7 @@ class Entrance:
 
     def scraper(self, token: str, address: str) -> bool:
         """Whether a program may read the metrics by this token."""
-        key = f"scraper {address}"
+        key = f"scraper {counted_address(address)}"
         with self._lock:
             self._let_try(key)
             good = self._scrapers.good(token)
@@ -109,7 +118,7 @@ class Entrance:
         return good
 
     def _matches(self, code: str, address: str) -> bool:
-        key = f"address {address}"
+        key = counted_address(address)
         self._let_try(key)
         plain = "".join(code.upper().replace("-", "").split())
         good = compare_digest(plain.encode(), self._code.encode())
@@ -126,3 +135,14 @@ class Entrance:
             self._throttle.succeeded(*keys)
         else:
             self._throttle.failed(*keys)
+
+
+def counted_address(address: str) -> str:
+    """What tries are counted by: one machine may have as many addresses as an IPv6 network has."""
+    try:
+        plain = ipaddress.ip_address(address.partition("%")[0])
+    except ValueError:
+        return f"address {address}"
+    if isinstance(plain, ipaddress.IPv4Address):
+        return f"address {plain}"
+    return f"address {plain.ipv4_mapped or ipaddress.ip_network((int(plain) >> 64 << 64, 64))}"

@@ -1,20 +1,30 @@
 """Which pages may talk to the server, and what its own may load.
 
-It answers only to the names it is known by (which defeats DNS rebinding), and takes
-changes and live connections only from its own pages (which defeats foreign pages open
-in the same browser). Who may do what is looked at behind this, in ``access``.
+It answers only to the names it is known by, and to plain addresses (which defeats DNS
+rebinding: no foreign page has an address for its name), and takes changes and live
+connections only from its own pages (which defeats foreign pages open in the same browser).
+What is sent to it must be small and come soon, since it is read before it is known who sends
+it. Who may do what is looked at behind this, in ``access``.
 """
 
+import asyncio
+import ipaddress
 from collections.abc import Collection
 from urllib.parse import urlsplit
 
 from starlette.datastructures import Headers, MutableHeaders
+from starlette.exceptions import HTTPException
+from starlette.responses import PlainTextResponse
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app.api.problems import problem
 from app.report.page import POLICY
 
 LOCAL_NAMES = ("localhost", "127.0.0.1", "::1")
+LARGEST_BODY = 1 << 18
+BODY_S = 15.0
+OWN = ("/api/", "/metrics")
+"""What is nobody else's to see, a later user of the same browser included."""
 SAFE_METHODS = ("GET", "HEAD", "OPTIONS")
 PAGES = (
     "default-src 'self'; img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'; "
@@ -51,12 +61,14 @@ class Guard:
         if refusal:
             await _refuse(refusal, scope, receive, send)
             return
-        await self._app(scope, receive, _with_headers(send, _policy(scope["path"])))
+        if scope["type"] == "http":
+            receive = _Body(receive)
+        await self._app(scope, receive, _with_headers(send, scope["path"]))
 
     def _refusal(self, scope: Scope) -> str:
         headers = Headers(scope=scope)
         host = headers.get("host", "").lower()
-        if _name(host) not in self._hosts:
+        if _name(host) not in self._hosts and not _is_address(_name(host)):
             return (
                 f"This station does not answer to the name '{_name(host)}'. "
                 "Names are added with hosts in station.toml."
@@ -83,15 +95,56 @@ def _name(host: str) -> str:
         return ""
 
 
+def _is_address(name: str) -> bool:
+    try:
+        ipaddress.ip_address(name)
+    except ValueError:
+        return False
+    return True
+
+
+class _Body:
+    """Receives a request: its body as far as ``LARGEST_BODY``, within ``BODY_S``.
+
+    Raises:
+        HTTPException: it is larger, or late.
+    """
+
+    def __init__(self, receive: Receive) -> None:
+        self._receive, self._bytes, self._whole = receive, 0, False
+        self._until_s = 0.0
+
+    async def __call__(self) -> Message:
+        if self._whole:
+            return await self._receive()
+        self._until_s = self._until_s or asyncio.get_running_loop().time() + BODY_S
+        try:
+            async with asyncio.timeout_at(self._until_s):
+                message = await self._receive()
+        except TimeoutError:
+            late = f"What was sent did not arrive within {BODY_S:.0f} s."
+            raise HTTPException(408, late) from None
+        self._bytes += len(message.get("body", b""))
+        self._whole = not message.get("more_body", False)
+        if self._bytes > LARGEST_BODY:
+            raise HTTPException(413, f"More than {LARGEST_BODY // 1024} kB were sent.")
+        return message
+
+
 async def _refuse(text: str, scope: Scope, receive: Receive, send: Send) -> None:
     if scope["type"] == "websocket":
         await receive()
         await send({"type": "websocket.close", "code": 1008, "reason": text[:120]})
         return
+    if "text/html" in Headers(scope=scope).get("accept", ""):  # somebody reads it
+        await PlainTextResponse(text, 403)(scope, receive, send)
+        return
     await problem(403, "not-allowed", text)(scope, receive, send)
 
 
-def _with_headers(send: Send, policy: str) -> Send:
+def _with_headers(send: Send, path: str) -> Send:
+    policy, own = _policy(path), path.startswith(OWN)
+
     async def sending(message: Message) -> None:
         if message["type"] == "http.response.start":
             headers = MutableHeaders(scope=message)
@@ -100,6 +153,8 @@ def _with_headers(send: Send, policy: str) -> Send:
             headers["Referrer-Policy"] = "same-origin"
             headers["Cross-Origin-Opener-Policy"] = "same-origin"
             headers["Cross-Origin-Resource-Policy"] = "same-origin"
+            if own:
+                headers.setdefault("Cache-Control", "no-store")
         await send(message)
 
     return sending

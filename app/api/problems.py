@@ -13,12 +13,16 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from app.api.denied import Denied, TooManyTries
 from app.api.schema import Problem
 from app.guide.guide import StaleCommand
+from app.guide.session import STALE
 from app.guide.view import FlowView
 from app.metrology.refusal import Refusal
+from app.store.database import NOT_KEPT
 
 log = logging.getLogger(__name__)
 
 UNPROCESSABLE = 422
+STATUSES = {STALE: 409, NOT_KEPT: 507, "disk-full": 507}
+"""Of refusals that programs know by their status."""
 
 
 def problem(
@@ -58,7 +62,9 @@ def install(app: FastAPI) -> None:
 
 async def _refused(request: Request, error: Exception) -> Response:
     assert isinstance(error, Refusal)
-    return refusal_problem(error)
+    if error.code == NOT_KEPT:
+        log.warning("%s %s was not kept: %s", request.method, request.url.path, error.why)
+    return refusal_problem(error, STATUSES.get(error.code, UNPROCESSABLE))
 
 
 async def _stale(request: Request, error: Exception) -> Response:

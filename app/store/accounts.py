@@ -51,7 +51,7 @@ class AccountStore:
         return self._read("ORDER BY name")
 
     def get(self, name: str) -> Account | None:
-        found = self._read("WHERE name = ?", _plain(name))
+        found = self._read("WHERE name = ?", plain_name(name))
         return found[0] if found else None
 
     def has_admin(self) -> bool:
@@ -83,7 +83,7 @@ class AccountStore:
 
     def matching(self, name: str, password: str) -> Account | None:
         """The account that name and password belong to; as slow for a name that is not known."""
-        rows = self._database.read("SELECT * FROM account WHERE name = ?", _plain(name))
+        rows = self._database.read("SELECT * FROM account WHERE name = ?", plain_name(name))
         hashed = rows[0]["password"] if rows else _nobody()
         try:
             HASHER.verify(hashed, password)
@@ -154,13 +154,13 @@ def _account(row: sqlite3.Row) -> Account:
     return Account(row["name"], Role[row["role"]], row["made_at"])
 
 
-def _plain(name: str) -> str:
+def plain_name(name: str) -> str:
     """One spelling of names that look alike."""
     return " ".join(unicodedata.normalize("NFKC", name).split())
 
 
 def _name(name: str) -> str:
-    plain = _plain(name)
+    plain = plain_name(name)
     if not plain or len(plain) > LONGEST_NAME or not plain.isprintable():
         raise Refusal(
             "account-name",

@@ -5,6 +5,7 @@ written meanwhile; the files follow, so that every file which that moment knows 
 The copy is a data folder itself: a station starts from it with ``--data``.
 """
 
+import errno
 import json
 import os
 import shutil
@@ -86,7 +87,8 @@ def stamped_name() -> str:
     return f"crenel-{datetime.now(UTC):%Y%m%d-%H%M%S}"
 
 
-def _check(data: Path, output: Path) -> None:
+def check_data_folder(data: Path) -> None:
+    """Raises ``Refusal`` for a folder that no station was started with."""
     if not (data / DATABASE).is_file():
         raise Refusal(
             "no-data-folder",
@@ -94,6 +96,10 @@ def _check(data: Path, output: Path) -> None:
             f"there is no {DATABASE}",
             "Give the folder that the station was started with",
         )
+
+
+def _check(data: Path, output: Path) -> None:
+    check_data_folder(data)
     inside = output.resolve().is_relative_to(data)
     if inside and not output.resolve().is_relative_to(data / "backups"):
         raise Refusal(
@@ -136,6 +142,7 @@ def _copy(
             continue  # deleted since it was listed
         done += size
         progress(done / max(total, 1), path.name)
+    total += (part / DATABASE).stat().st_size
     made = BackupMade(str(output), at, len(files) + 1, total)
     note = {**asdict(made), "of": str(data), "version": SOFTWARE.version}
     write_atomically(part / NOTE, _json(note))
@@ -153,6 +160,8 @@ def _copy_database(source: Path, target: Path) -> None:
             writing.close()
             reading.close()
     except sqlite3.DatabaseError as error:
+        if error.sqlite_errorcode == sqlite3.SQLITE_FULL:
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC)) from error
         found = str(error)
     os.chmod(target, 0o600)
     if found != "ok":

@@ -120,9 +120,18 @@ CREATE TABLE temperature (
 ) STRICT;
 CREATE INDEX temperature_in_time ON temperature (at);
 """
-SCHEMAS = (FIRST, ACCESS, SUPERVISION, VERIFICATIONS)
+KNOWN_BROWSERS = """
+CREATE TABLE known_browser (
+    token TEXT NOT NULL,
+    account TEXT NOT NULL COLLATE NOCASE REFERENCES account (name) ON DELETE CASCADE,
+    made_at TEXT NOT NULL,
+    PRIMARY KEY (token, account)
+) STRICT;
+"""
+SCHEMAS = (FIRST, ACCESS, SUPERVISION, VERIFICATIONS, KNOWN_BROWSERS)
 """What each version of the database adds to the one before."""
 SCHEMA_VERSION = len(SCHEMAS)
+NOT_KEPT = "not-kept"
 
 
 class Database:
@@ -136,7 +145,12 @@ class Database:
     def __init__(self, path: Path) -> None:
         self._path = path.absolute()
         self._lock = threading.RLock()
-        self._connection = sqlite3.connect(path, check_same_thread=False, isolation_level=None)
+        try:
+            self._path.touch(mode=0o600)
+            self._path.chmod(0o600)  # passwords' hashes are nobody else's; its journals follow it
+            self._connection = sqlite3.connect(path, check_same_thread=False, isolation_level=None)
+        except (OSError, sqlite3.OperationalError) as error:
+            raise _unreadable(path, error) from error
         try:
             self._connection.row_factory = sqlite3.Row
             self._connection.execute("PRAGMA journal_mode = WAL")
@@ -145,18 +159,21 @@ class Database:
             self._prepare(path)
         except sqlite3.DatabaseError as error:
             self._connection.close()
-            raise Refusal(
-                "database-unreadable",
-                f"{path} cannot be read as a station's database",
-                str(error),
-                "Put the last backup in its place, or move it away to begin anew",
-            ) from error
+            raise _unreadable(path, error) from error
         except Refusal:
             self._connection.close()
             raise
 
     def _prepare(self, path: Path) -> None:
         version = int(self._connection.execute("PRAGMA user_version").fetchone()[0])
+        tables = self._connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")
+        names = {row["name"] for row in tables}
+        if names and (version == 0 or "journal" not in names):
+            raise Refusal(
+                "database-foreign",
+                f"{path} is another program's database",
+                remedy="Give the station a data folder of its own with --data",
+            )
         if version > SCHEMA_VERSION:
             raise Refusal(
                 "database-newer",
@@ -172,15 +189,26 @@ class Database:
 
     @contextmanager
     def writing(self) -> Iterator[sqlite3.Connection]:
-        """One transaction: all of it is kept, or on an exception nothing."""
+        """One transaction: all of it is kept, or on an exception nothing.
+
+        Raises:
+            Refusal: ``not-kept``, where the disk does not take it.
+        """
         with self._lock:
-            self._connection.execute("BEGIN IMMEDIATE")
             try:
+                self._connection.execute("BEGIN IMMEDIATE")
                 yield self._connection
+                self._connection.execute("COMMIT")
+            except sqlite3.OperationalError as error:
+                self._undo()
+                raise _not_kept(error) from error
             except BaseException:
-                self._connection.execute("ROLLBACK")
+                self._undo()
                 raise
-            self._connection.execute("COMMIT")
+
+    def _undo(self) -> None:
+        if self._connection.in_transaction:  # SQLite may have undone it by itself
+            self._connection.execute("ROLLBACK")
 
     def read(self, query: str, *values: str | int | float | None) -> list[sqlite3.Row]:
         """All rows of a query."""
@@ -202,3 +230,20 @@ class Database:
     def close(self) -> None:
         with self._lock:
             self._connection.close()
+
+
+def _unreadable(path: Path, error: Exception) -> Refusal:
+    return Refusal(
+        "database-unreadable",
+        f"{path} cannot be read as a station's database",
+        str(getattr(error, "strerror", None) or error),
+        "Put the last backup in its place, or move it away to begin anew",
+    )
+
+
+def _not_kept(error: sqlite3.OperationalError) -> Refusal:
+    if error.sqlite_errorcode == sqlite3.SQLITE_FULL:
+        why, remedy = "the station's disk is full", "Free some space, then do it again"
+    else:
+        why, remedy = f"the database cannot be written: {error}", "Look at the station's disk"
+    return Refusal(NOT_KEPT, "This was not kept", why, remedy)

@@ -1,18 +1,24 @@
 """Who is signed in where: browsers by their cookie, wall screens by their link.
 
+A browser in which somebody has signed in before is known by a second cookie, which opens
+nothing: there a password is looked at though others guess at the same name.
+
 Of cookies and links only the SHA-256 is kept, so that a copied database opens no door.
 """
 
 import hashlib
+import logging
 import secrets
 import sqlite3
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
 
 from app.files.moments import utc_now
+from app.metrology.refusal import Refusal
 from app.store.accounts import Role
 from app.store.database import Database
 
+log = logging.getLogger(__name__)
 IDLE = timedelta(hours=14)
 """A person's browser that was not used for so long must sign in again: longer than a shift."""
 SEEN_EVERY = timedelta(minutes=1)
@@ -80,11 +86,14 @@ class SignInStore:
         if idle > IDLE:
             self._end("token = ?", digest)
             return None
-        if idle > SEEN_EVERY:
-            with self._database.writing() as connection:
-                connection.execute(
-                    "UPDATE sign_in SET seen_at = ? WHERE token = ?", (utc_now(), digest)
-                )
+        if abs(idle) > SEEN_EVERY:  # or the clock was set back
+            try:
+                with self._database.writing() as connection:
+                    connection.execute(
+                        "UPDATE sign_in SET seen_at = ? WHERE token = ?", (utc_now(), digest)
+                    )
+            except Refusal as refusal:  # a full disk keeps nobody from Stop
+                log.warning("a sign-in is not noted as used: %s", refusal.why)
         return Visitor(digest[:ID_DIGITS], row["name"], Role[row["role"]], wall=False)
 
     def end(self, token: str) -> None:
@@ -94,6 +103,23 @@ class SignInStore:
     def end_all(self, account: str) -> None:
         """Signs a person out everywhere."""
         self._end("account = ?", account)
+
+    def know(self, token: str, account: str) -> str:
+        """From now on a browser is known for this account; its token, a new one if it had none."""
+        query = "SELECT 1 FROM known_browser WHERE token = ?"
+        if not self._database.read(query, _digest(token)):
+            token = secrets.token_urlsafe(TOKEN_BYTES)
+        with self._database.writing() as connection:
+            connection.execute(
+                "INSERT OR IGNORE INTO known_browser (token, account, made_at) VALUES (?, ?, ?)",
+                (_digest(token), account, utc_now()),
+            )
+        return token
+
+    def knows(self, token: str, account: str) -> bool:
+        """Whether this account was signed in at the token's browser before."""
+        query = "SELECT 1 FROM known_browser WHERE token = ? AND account = ?"
+        return bool(token) and bool(self._database.read(query, _digest(token), account))
 
     def _end(self, clause: str, value: str) -> None:
         with self._database.writing() as connection:

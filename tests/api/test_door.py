@@ -1,10 +1,19 @@
 """Who is let in, what pages may load, and how errors are answered."""
 
+import contextlib
+import http.client
+import socket
+import time
+from collections.abc import Iterator
+
 import httpx
 import pytest
 
+from app import serving
 from app.api import client as client_room
-from app.api.guard import Guard
+from app.api import guard
+from app.api.guard import LARGEST_BODY, Guard
+from app.metrology.refusal import Refusal
 from tests.api.conftest import Server
 
 
@@ -40,10 +49,120 @@ def test_the_own_page_may(server: Server) -> None:
 def test_further_names_come_from_the_settings() -> None:
     async def answers(scope: object, receive: object, send: object) -> None: ...
 
-    guard = Guard(answers, hosts=("Station.local", "[fe80::1]"))
-    for host, refused in (("station.local:8000", False), ("[fe80::1]:80", False), ("x", True)):
+    at_the_door = Guard(answers, hosts=("Station.local",))
+    for host, refused in (("station.local:8000", False), ("station:8000", True), ("x", True)):
         scope = {"type": "http", "method": "GET", "headers": [(b"host", host.encode())]}
-        assert bool(guard._refusal(scope)) is refused
+        assert bool(at_the_door._refusal(scope)) is refused
+
+
+@pytest.mark.parametrize("host", ["192.168.1.20", "[fe80::1]:8000", "10.0.0.5:8000"])
+def test_a_plain_address_is_answered(server: Server, host: str) -> None:
+    """No page of somebody else's can have it for its name."""
+    assert server.http.get("/api/session", headers={"host": host}).status_code == 200
+
+
+def test_a_person_at_a_wrong_name_reads_plain_words(server: Server) -> None:
+    answer = server.http.get("/", headers={"host": "evil.example", "accept": "text/html"})
+    assert answer.status_code == 403
+    assert answer.text.startswith("This station does not answer to the name 'evil.example'.")
+
+
+def test_what_is_sent_by_whoever_comes_is_small(server: Server) -> None:
+    headers = {"content-type": "application/json"}
+
+    def much() -> Iterator[bytes]:
+        for _ in range(100):
+            yield b" " * LARGEST_BODY
+
+    with httpx.Client(base_url=server.address, timeout=20.0) as nobody:
+        answer = nobody.post("/api/session", content=much(), headers=headers)
+    assert answer.status_code == 413
+    assert answer.json()["detail"] == "More than 256 kB were sent."
+
+
+def test_what_is_sent_comes_soon(server: Server, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(guard, "BODY_S", 0.2)
+    with socket.create_connection(("127.0.0.1", server.port), timeout=10.0) as slow:
+        asked = f"POST /api/session HTTP/1.1\r\nHost: localhost:{server.port}\r\n"
+        slow.sendall(f"{asked}Content-Length: 50\r\n\r\n{{".encode())
+        assert slow.recv(100).startswith(b"HTTP/1.1 408")
+
+
+def test_a_connection_that_asks_nothing_is_closed(
+    server: Server, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(serving, "WORDLESS_S", 0.5)
+    address = ("127.0.0.1", server.port)
+    with (
+        socket.create_connection(address, timeout=10.0) as silent,
+        socket.create_connection(address, timeout=10.0) as begun,
+    ):
+        begun.sendall(b"GET /api/home HTTP/1.1\r\nHost: loc")
+        assert silent.recv(100) == b""
+        assert begun.recv(100) == b""
+
+
+def test_a_connection_that_goes_on_asking_is_kept(
+    server: Server, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(serving, "WORDLESS_S", 0.5)
+    kept = http.client.HTTPConnection("127.0.0.1", server.port, timeout=10.0)
+    kept.connect()
+    kept.auto_open = 0
+    with contextlib.closing(kept):
+        for _ in range(50):
+            kept.request("GET", "/api/health")
+            with kept.getresponse() as answer:
+                assert answer.status < 500
+                assert answer.read()
+            time.sleep(0.1)
+
+
+def test_what_is_ones_own_stays_in_no_browser(server: Server) -> None:
+    for path in ("/api/home", "/api/accounts", "/metrics"):
+        assert server.http.get(path).headers["cache-control"] == "no-store"
+
+
+def fill(server: Server) -> None:
+    for _ in range(100):
+        server.context.store.audit.note("x" * 4000, "", "", "")
+
+
+def test_a_full_disk_is_told_and_keeps_nobody_from_stop(server: Server) -> None:
+    """SQLite itself says that the disk is full: its file may grow no further."""
+    server.wait(lambda view: view["busy"] is None)
+    if server.flow()["running"]:
+        server.do("abandon")
+    database = server.context.store._database
+    pages = database.read("PRAGMA page_count")[0][0]
+    database.read(f"PRAGMA max_page_count = {pages}")
+    try:
+        with pytest.raises(Refusal, match="full"):
+            fill(server)
+        assert server.http.post("/api/stop").status_code == 204
+        assert server.http.post("/api/laser/off").status_code == 200
+        answer = server.http.post("/api/walls", json={"name": "w" * 60})
+        for _ in range(60):
+            if answer.status_code != 200:
+                break
+            answer = server.http.post("/api/walls", json={"name": "w" * 60})
+        assert answer.status_code == 507
+        assert answer.json()["detail"] == "This was not kept: the station's disk is full."
+        for _ in range(300):  # small rows have room for a while
+            answer = server.http.post("/api/flow/start")
+            if answer.status_code == 200:
+                answer = server.command("abandon")
+            if answer.status_code != 200:
+                break
+        assert answer.status_code == 507
+    finally:
+        database.read("PRAGMA max_page_count = 1073741823")
+    # a session that could not be written is none, and stands in nobody's way
+    assert server.http.post("/api/flow/start").json()["running"]
+    server.do("confirm_devices")
+    server.do("abandon")
+    for wall in server.http.get("/api/walls").json():
+        server.http.delete(f"/api/walls/{wall['id']}").raise_for_status()
 
 
 def test_every_page_states_what_it_may_load(server: Server) -> None:

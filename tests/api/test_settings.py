@@ -97,6 +97,12 @@ def test_only_the_devices_are_needed(tmp_path: Path, monkeypatch: pytest.MonkeyP
         (("good_um = 30", 'good_um = "30"'), "good_um"),
         (("good_um = 30", "good_um = 500"), "usable_um = 150 is below good_um = 500"),
         (("good_um = 30", "good_mm = 0.03"), "good_mm"),
+        (('name = "Room 2"', 'address = "room-2"'), "begin with http:// or https://"),
+        (('["station.local"]', '"room-2"'), "it must be a list"),
+        (('name = "Room 2"', 'proxies = ["proxy.local"]'), "it is no address"),
+        (("[arm]", '[mqtt]\nhost = "h"\nstation = "Room 2"\n[arm]'), "small letters"),
+        (("[arm]", '[mqtt]\nhost = "h"\nca_file = "station.toml"\n[arm]'), "no certificates"),
+        (("[arm]", '[mqtt]\nhost = "h"\nca_file = "gone"\n[arm]'), "there is no such file"),
     ],
 )
 def test_what_is_wrong_is_named(tmp_path: Path, change: tuple[str, str], named: str) -> None:

@@ -1,5 +1,8 @@
 """Waiting after failures."""
 
+import pytest
+
+from app.api.entrance import counted_address
 from app.api.throttle import FORGOTTEN_S, FREE_TRIES, LONGEST_WAIT_S, Throttle
 
 
@@ -36,3 +39,18 @@ def test_success_and_time_forget() -> None:
     clock.now_s += FORGOTTEN_S + 1
     throttle.failed("ben")
     assert throttle.wait_s("ben") == 0.0
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "alike"),
+    [
+        ("10.0.0.1", "10.0.0.2", False),
+        ("10.0.0.1", "::ffff:10.0.0.1", True),
+        ("2001:db8::1", "2001:db8::ffff:0:1", True),
+        ("2001:db8::1", "2001:db8:0:1::1", False),
+        ("fe80::1%eth0", "fe80::1%eth1", True),
+        ("testclient", "other", False),
+    ],
+)
+def test_a_machine_with_many_addresses_is_one(one: str, other: str, alike: bool) -> None:
+    assert (counted_address(one) == counted_address(other)) is alike

@@ -1,12 +1,13 @@
-"""``crenel backup`` and ``crenel mqtt-schema``."""
+"""``crenel backup``, ``password`` and ``mqtt-schema``."""
 
 import json
 from pathlib import Path
 
 from jsonschema import Draft202012Validator
-from typer.testing import CliRunner
+from typer.testing import CliRunner, Result
 
 from app.cli import cli
+from app.store.accounts import Role
 from app.store.store import Store
 
 
@@ -24,6 +25,28 @@ def test_a_folder_in_use_is_backed_up_and_can_be_opened(tmp_path: Path) -> None:
     assert (copy.folder / "arms/arm.json").read_text() == "{}"
     copy.close()
     store.close()
+
+
+def test_a_forgotten_password_is_given_anew_beside_a_station_that_runs(tmp_path: Path) -> None:
+    store = Store(tmp_path)
+    store.accounts.add("Ada", Role.admin, "a password that is lost")
+    cookie = store.sign_ins.begin("Ada", "a browser")
+
+    def give(name: str, password: str) -> Result:
+        words = ["password", str(tmp_path), name]
+        return CliRunner().invoke(cli, words, input=f"{password}\n")
+
+    assert give("Eve", "three unrelated words").exit_code == 1
+    assert "there are: Ada" in give("Eve", "three unrelated words").output
+    assert "10 to 200 are wanted" in give("ada", "short").output
+    done = give("ada", "three unrelated words")
+    assert (done.exit_code, "Ada has a new password" in done.output) == (0, True)
+    assert store.accounts.matching("Ada", "three unrelated words")
+    assert store.sign_ins.visitor(cookie) is None
+    assert store.audit.newest(1)[0].act == "changed an account: Ada, new password"
+    store.close()
+    nowhere = CliRunner().invoke(cli, ["password", str(tmp_path / "none"), "Ada"])
+    assert "no station's data folder" in nowhere.output
 
 
 def test_the_schema_is_printed() -> None:

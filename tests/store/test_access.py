@@ -8,9 +8,10 @@ from pathlib import Path
 import pytest
 
 from app.metrology.refusal import Refusal
+from app.station.log_book import LogBook
 from app.store import sign_ins
 from app.store.accounts import Role
-from app.store.database import FIRST, Database
+from app.store.database import FIRST, KNOWN_BROWSERS, SCHEMA_VERSION, SCHEMAS, Database
 from app.store.store import Store
 
 PASSWORD = "three unrelated words"
@@ -118,3 +119,41 @@ def test_a_database_of_the_first_version_is_brought_up_to_date(tmp_path: Path) -
     assert database.read("SELECT * FROM account") == []
     database.close()
     Database(path).close()
+
+
+def test_the_database_and_what_is_logged_are_for_the_owner_alone(store: Store) -> None:
+    file = store.folder / "station.db"
+    assert file.stat().st_mode & 0o777 == 0o600
+    journal = file.with_name("station.db-wal")
+    assert journal.stat().st_mode & 0o777 == 0o600
+    book = LogBook(store.folder)
+    book.close()
+    assert book.folder.stat().st_mode & 0o777 == 0o700
+
+
+def test_a_database_of_the_version_before_knows_no_browser_yet(tmp_path: Path) -> None:
+    place = SCHEMAS.index(KNOWN_BROWSERS)
+    old = sqlite3.connect(tmp_path / "station.db")
+    old.executescript(f"{' '.join(SCHEMAS[:place])} PRAGMA user_version = {place};")
+    old.close()
+    (tmp_path / "station.db").chmod(0o644)
+    database = Database(tmp_path / "station.db")
+    assert database.read("SELECT * FROM known_browser") == []
+    assert database.read("PRAGMA user_version")[0][0] == SCHEMA_VERSION
+    database.close()
+    assert (tmp_path / "station.db").stat().st_mode & 0o777 == 0o600
+
+
+def test_a_browser_is_known_for_those_who_signed_in_at_it(store: Store) -> None:
+    for name in ("Anna", "Ben"):
+        store.accounts.add(name, Role.operator, PASSWORD)
+    token = store.sign_ins.know("", "Anna")
+    assert store.sign_ins.knows(token, "anna")
+    assert not store.sign_ins.knows(token, "Ben")
+    assert not store.sign_ins.knows("", "Anna")
+    assert store.sign_ins.know(token, "Ben") == token
+    assert store.sign_ins.know("made up", "Ben") != "made up"
+    assert store.sign_ins.visitor(token) is None  # it lets nobody in
+    store.accounts.remove("Anna")
+    assert not store.sign_ins.knows(token, "Anna")
+    assert store.sign_ins.knows(token, "Ben")

@@ -163,6 +163,21 @@ def test_a_database_of_a_later_version_is_left_alone(tmp_path: Path) -> None:
         assert caught.value.code == "database-newer"
 
 
+@pytest.mark.parametrize("version", [0, 2, 99])
+def test_another_programs_database_is_left_alone(tmp_path: Path, version: int) -> None:
+    connection = sqlite3.connect(tmp_path / "station.db")
+    connection.executescript(f"CREATE TABLE things (x); PRAGMA user_version = {version};")
+    connection.close()
+    with pytest.raises(Refusal, match="another program"):
+        Store(tmp_path)
+
+
+def test_a_folder_in_the_databases_place_is_named(tmp_path: Path) -> None:
+    (tmp_path / "station.db").mkdir()
+    with pytest.raises(Refusal, match="cannot be read as a station's database"):
+        Store(tmp_path)
+
+
 def test_what_is_not_a_database_is_named(tmp_path: Path) -> None:
     (tmp_path / "station.db").write_text("no database at all, but long enough to be read as one")
     with pytest.raises(Refusal) as caught:
