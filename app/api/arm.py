@@ -7,7 +7,12 @@ from starlette.responses import Response
 from app.api.context import TheContext
 from app.api.schema import ArmStart, FlowCommand
 from app.guide.arm.commands import command
-from app.guide.arm.view import ArmCheckSummary, ArmView, TipCheckSummary
+from app.guide.arm.view import (
+    ArmCheckSummary,
+    ArmView,
+    IdentificationSummary,
+    TipCheckSummary,
+)
 
 router = APIRouter(prefix="/api/arm")
 
@@ -32,6 +37,12 @@ def checks(context: TheContext) -> list[ArmCheckSummary]:
 def tips(context: TheContext) -> list[TipCheckSummary]:
     """Every finished check of the tip, newest first."""
     return context.arm_guide.past.tip_checks()
+
+
+@router.get("/identifications")
+def identifications(context: TheContext) -> list[IdentificationSummary]:
+    """Every identification of the arm, newest first."""
+    return context.arm_guide.past.identifications()
 
 
 @router.post("/start", response_model=ArmView)

@@ -12,6 +12,7 @@ from urllib.parse import urlsplit
 from app.api.context import Context
 from app.files.moments import utc_now
 from app.files.software import SOFTWARE
+from app.guide.due import SECONDS_A_DAY, age_days
 from app.station import health
 from app.station.health import Health, HealthItem
 from app.station.host import memory, versions, writable
@@ -21,6 +22,7 @@ DATABASE_EVERY_S = 600.0
 RECORDS_EVERY_S = 30.0
 """What asks the disk is looked at less often than the rest."""
 AN_HOUR_S = 3600.0
+AHEAD_S = 60.0
 PACKAGES = ("numpy", "scipy", "numba", "opencv-python-headless", "fastapi", "uvicorn", "viser")
 
 
@@ -72,7 +74,7 @@ class Examiner:
             health.folder(str(store.folder), trouble),
             health.database(size_mb, damage),
             health.backup(
-                None if last is None else max(_days_since(last.at), 0.0),
+                None if last is None else age_days(last.at, datetime.now(UTC)),
                 "" if last is None else last.folder,
                 watch.backups.same_disk,
                 watch.backups.trouble,
@@ -94,8 +96,10 @@ class Examiner:
         calibration, scan = store.calibrations.newest(), store.scans.newest()
         newest = [calibration.accepted_at] if calibration else []
         newest += [scan.started_at] if scan else []
-        ahead = max((-_days_since(at) for at in newest), default=0.0)
-        return ahead if ahead > 1 / 1440 else 0.0
+        now = datetime.now(UTC)
+        ahead = [(datetime.fromisoformat(at) - now).total_seconds() for at in newest]
+        ahead_s = max(ahead, default=0.0)
+        return ahead_s / SECONDS_A_DAY if ahead_s > AHEAD_S else 0.0
 
     def _program(self) -> list[HealthItem]:
         watch = self._context.watch
@@ -104,6 +108,7 @@ class Examiner:
             health.event_loop(stalls, watch.watchdog.limit_s),
             health.memory_use(memory()),
             health.log_errors(watch.logs.errors_since(time.time() - AN_HOUR_S)),
+            health.network(watch.settings.network),
             health.software(software(self._context)),
         ]
 
@@ -142,7 +147,3 @@ def packages() -> dict[str, str]:
         except PackageNotFoundError:
             continue
     return found
-
-
-def _days_since(at: str) -> float:
-    return (datetime.now(UTC) - datetime.fromisoformat(at)).total_seconds() / 86400

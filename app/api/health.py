@@ -1,5 +1,6 @@
 """The station's health, its log, the support bundle and backups."""
 
+import threading
 from dataclasses import dataclass
 from typing import Annotated
 
@@ -10,12 +11,14 @@ from app.api.context import Context, TheContext
 from app.api.examining import Examiner
 from app.api.support import bundle
 from app.files.moments import utc_now
+from app.metrology.refusal import Refusal
 from app.station.health import Health
 from app.station.log_book import Level, LogLine
 from app.store.backup import BackupMade
 
 router = APIRouter(prefix="/api")
 LINES = 300
+BUNDLING = threading.Lock()
 
 
 @dataclass(frozen=True)
@@ -55,10 +58,20 @@ def logs(
 
 @router.get("/support.zip")
 def support(context: TheContext) -> Response:
-    """What somebody who helps needs to know; no secrets, no people."""
+    """What somebody who helps needs to know; no secrets, no people.
+
+    Raises:
+        Refusal: one is being made: many at once would keep Stop waiting.
+    """
+    if not BUNDLING.acquire(blocking=False):
+        raise Refusal("busy", "A support bundle is being made already", remedy="Wait for it")
+    try:
+        content = bundle(context)
+    finally:
+        BUNDLING.release()
     name = f"crenel-support-{utc_now()[:19].replace(':', '')}.zip"
     headers = {"Content-Disposition": f'attachment; filename="{name}"', "Cache-Control": "no-store"}
-    return Response(bundle(context), media_type="application/zip", headers=headers)
+    return Response(content, media_type="application/zip", headers=headers)
 
 
 @router.post("/backup")

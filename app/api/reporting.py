@@ -136,7 +136,7 @@ def _calibration(home: Home | None, due_days: float) -> CalibrationReport | None
         name=summary.name[:LONGEST],
         accepted_at=summary.accepted_at,
         age_days=summary.age_days,
-        total_um=round(summary.total_um, 1),
+        total_um=round(summary.total_um, 3),
         quality=summary.verdict,
         due=line.state == "due",
         due_in_days=round(due_days - summary.age_days, 2),

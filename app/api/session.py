@@ -8,7 +8,9 @@ from app.api.access import (
     ThePerson,
     TheVisitor,
     address_of,
+    known_as,
     set_cookie,
+    set_known,
     token_of,
     visitor_of,
 )
@@ -46,7 +48,9 @@ def session(request: Request, context: TheContext) -> Session:
 @router.post("/session")
 def sign_in(asked: SignIn, request: Request, response: Response, context: TheContext) -> Session:
     """Signs this browser in."""
-    account = context.entrance.sign_in(asked.name, asked.password, address_of(request))
+    account = context.entrance.sign_in(
+        asked.name, asked.password, address_of(request), known_as(request)
+    )
     if account is None:
         context.store.audit.note(asked.name, address_of(request), "signed in", "wrong password")
         raise Denied(
@@ -55,6 +59,7 @@ def sign_in(asked: SignIn, request: Request, response: Response, context: TheCon
             "Name and password do not belong together.",
             "Try again, or ask an administrator for a new password",
         )
+    _know(account.name, request, response, context)
     return _begin(account.name, request, response, context)
 
 
@@ -77,6 +82,7 @@ def first_admin(
     )
     if account is None:
         raise _wrong_code(context, request, "made the first administrator")
+    _know(account.name, request, response, context)
     return _begin(account.name, request, response, context)
 
 
@@ -117,7 +123,8 @@ def change_password(
     visitor: TheVisitor,
 ) -> Session:
     """Changes the own password; every other browser of this person is signed out."""
-    if context.entrance.sign_in(visitor.name, asked.old, address_of(request)) is None:
+    address, browser = address_of(request), known_as(request)
+    if context.entrance.sign_in(visitor.name, asked.old, address, browser) is None:
         raise Denied(
             HTTPStatus.FORBIDDEN, "wrong-password", "The old password is wrong.", "Try again"
         )
@@ -167,6 +174,13 @@ def _begin(name: str, request: Request, response: Response, context: Context) ->
     set_cookie(response, request, token, wall=False)
     context.store.audit.note(name, address_of(request), "signed in")
     return _session(context, context.store.sign_ins.visitor(token))
+
+
+def _know(name: str, request: Request, response: Response, context: Context) -> None:
+    """Whoever knows a password is kept out by nobody's guesses at this browser any more."""
+    before = known_as(request)
+    if not context.store.sign_ins.knows(before, name):
+        set_known(response, request, context.store.sign_ins.know(before, name))
 
 
 def _session(context: Context, visitor: Visitor | None) -> Session:

@@ -6,6 +6,7 @@ from collections import defaultdict
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Literal
 
 from app.files.moments import utc_now
 from app.metrology.refusal import Refusal
@@ -26,6 +27,8 @@ from app.supervise.messages import station_id
 from app.supervise.notices import Notice, NoticeKind, Repeats
 from app.supervise.webhook import Webhook, WebhookStore
 
+Network = Literal["here", "encrypted", "proxied", "open"]
+"""From where the station is reached: from this machine alone, or from others in some way."""
 BUCKETS_S = (0.5, 1.0, 2.0, 5.0, 10.0, 30.0, 60.0, 120.0, 300.0)
 
 
@@ -38,6 +41,7 @@ class Watching:
     backups: Path | None = None
     mqtt: BrokerSettings | None = None
     thermometer: Thermometer | None = None
+    network: Network = "here"
     told: Mapping[str, object] = field(default_factory=dict)
     """The settings as they are in use, for the support bundle."""
 

@@ -18,14 +18,13 @@ from app.files.software import SOFTWARE
 from app.guide.arm.commands import press as press_arm
 from app.guide.arm.guide import ArmGuide, ArmStation
 from app.guide.buttons import Buttons, Press
-from app.guide.commands import action_of, press
+from app.guide.commands import press
 from app.guide.due import DUE, DueLimits
 from app.guide.guide import Guide
 from app.guide.guide import Station as GuidedStation
 from app.guide.hand import Hand
 from app.guide.scan_hand import ScanHand
 from app.guide.signing import Signing
-from app.guide.verify.commands import button_of as verify_button
 from app.guide.verify.commands import press as press_verify
 from app.guide.verify.guide import VerifyGuide, VerifyStation
 from app.metrology.findings import LIMITS, Limits
@@ -173,15 +172,14 @@ def _pressed(
     """A press belongs to whichever of the open sessions waits for it and was last gone on with."""
 
     def pressed(event: Press) -> None:
-        waiting: list[tuple[int, Callable[[], None]]] = []
-        if action_of(guide, event.button)[0]:
-            waiting.append((guide.state.rev, lambda: press(guide, event)))
-        if verify_button(verify_guide, event.button):
-            waiting.append((verify_guide.state.rev, lambda: press_verify(verify_guide, event)))
-        if arm_guide.running:
-            waiting.append((arm_guide.state.rev, lambda: press_arm(arm_guide, event)))
-        if waiting:
-            max(waiting, key=lambda one: one[0])[1]()
+        sessions: list[tuple[int, Callable[[], bool]]] = [
+            (guide.state.rev, lambda: press(guide, event)),
+            (verify_guide.state.rev, lambda: press_verify(verify_guide, event)),
+            (arm_guide.state.rev, lambda: press_arm(arm_guide, event)),
+        ]
+        for _, takes in sorted(sessions, key=lambda one: one[0], reverse=True):
+            if takes():
+                return
 
     return pressed
 

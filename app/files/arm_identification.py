@@ -25,6 +25,8 @@ from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
 
 ARM = "arm.json"
+IDENTIFIED = "identified.json"
+"""The arm as identified, where it is kept beside what it was identified from."""
 ARTICULATION, SPHERES, BALLBARS = "articulation.csv", "spheres.csv", "ballbars.csv"
 TABLES = (ARTICULATION, SPHERES, BALLBARS)
 

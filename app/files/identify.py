@@ -1,6 +1,7 @@
 """From a folder of seats, spheres and ball bars to an identified ``arm.json``."""
 
-from dataclasses import asdict
+import os
+from dataclasses import asdict, dataclass
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -26,13 +27,28 @@ from app.metrology.arm_model.validation import Deviations, Validation
 from app.metrology.frames import Floats
 
 
+@dataclass(frozen=True)
+class Signature:
+    """Where and by whom an arm is identified, as far as it is known."""
+
+    operator: str = ""
+    station: str = ""
+    simulated: bool = False
+    temperature_c: float | None = None
+
+
 def identify_folder(
-    folder: Path, output: Path, check: Path | None = None, progress: Progress = no_progress
+    folder: Path,
+    output: Path,
+    check: Path | None = None,
+    progress: Progress = no_progress,
+    signature: Signature = Signature(),
 ) -> tuple[ArmFile, Identification]:
     """Identifies the arm of a folder and writes it to ``output``.
 
     Args:
         check: a folder of places that the fit must not see.
+        signature: what the file says of where and by whom it was made.
 
     Raises:
         Refusal: the folder or the place to write to is not in order, or no better arm
@@ -47,17 +63,18 @@ def identify_folder(
     checked_target(output, inputs)
     with refusals_naming(folder):
         result = identify(session.arm, session.observations, held_out, progress)
-    sheet = arm_sheet(result.arm, identification_part(result, inputs, folder))
+    sheet = arm_sheet(result.arm, identification_part(result, inputs, folder, signature))
     sheet.write(output)
     return sheet, result
 
 
 def identification_part(
-    result: Identification, inputs: list[Path], folder: Path
+    result: Identification, inputs: list[Path], folder: Path, signature: Signature
 ) -> IdentificationPart:
     """What the file says of an identification, made now."""
     return IdentificationPart(
         created_at=datetime.now(UTC).isoformat(timespec="seconds"),
+        **asdict(signature),
         parameters=tuple(
             ParameterPart(
                 name=_in_degrees(moved.name),
@@ -78,10 +95,7 @@ def identification_part(
         warnings=result.warnings,
         inputs=tuple(
             IdentificationInput(
-                file=path.relative_to(folder).as_posix()
-                if path.is_relative_to(folder)
-                else path.name,
-                sha256=sha256_of(path),
+                file=Path(os.path.relpath(path, folder)).as_posix(), sha256=sha256_of(path)
             )
             for path in inputs
         ),

@@ -3,12 +3,15 @@
 An arm may have a button of its own for back; on one that has none, undo is held.
 """
 
+import logging
 import threading
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import Literal, Protocol
+from typing import Literal, Protocol, TypeVar
 
+log = logging.getLogger(__name__)
+T = TypeVar("T")
 LONG_PRESS_S = 0.8
 ButtonName = Literal["primary", "undo", "back"]
 
@@ -51,7 +54,15 @@ class Buttons:
 
     def edge(self, event: Edge) -> None:
         """From the thread that reads the arm; returns at once."""
-        self._worker.submit(self._edge, event)
+        self._worker.submit(self._logged, self._edge, event)
+
+    @staticmethod
+    def _logged(act: Callable[[T], None], what: T) -> None:
+        """A press that fails ends no later one."""
+        try:
+            act(what)
+        except Exception:
+            log.exception("a press of the arm's button failed")
 
     def _edge(self, event: Edge) -> None:
         name = str(event.button)
@@ -65,7 +76,9 @@ class Buttons:
 
     def _hold(self, stamp_ns: int) -> None:
         press = Press(stamp_ns, "back")
-        timer = threading.Timer(LONG_PRESS_S, self._worker.submit, (self._long, press))
+        timer = threading.Timer(
+            LONG_PRESS_S, self._worker.submit, (self._logged, self._long, press)
+        )
         timer.daemon = True
         self._held = (press, timer)
         timer.start()

@@ -49,13 +49,13 @@ def action_of(guide: Guide, button: ButtonName) -> tuple[str, Args]:
     return "", {}
 
 
-def press(guide: Guide, event: Press) -> None:
+def press(guide: Guide, event: Press) -> bool:
     """The arm's buttons: primary takes a point or does the step's main action, undo takes a
-    point back, and back goes a step back."""
+    point back, and back goes a step back. False where the button means nothing now."""
     with guide.lock:
         name, args = action_of(guide, event.button)
         if not name:
-            return
+            return False
         by_hand = guide.hand_running and guide.state.step == "touch"
         try:
             if name == "take_point":
@@ -68,6 +68,7 @@ def press(guide: Guide, event: Press) -> None:
         except Refusal as refusal:
             guide.decline(refusal)
         guide.refresh()
+        return True
 
 
 def _act(guide: Guide, name: str, args: Args, key: str | None) -> None:

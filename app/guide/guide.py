@@ -114,7 +114,7 @@ class Guide(GuidedSession[CalibrationState, FlowView]):
         preview = self.station.preview.latest()
         job = self.station.jobs.current
         return Live(
-            rev=self._journal.last_number(),
+            rev=self.rev,
             arm_link=rig.arm.link(),
             sensor_link=rig.sensor.link(),
             arm=self._connected_arm(),
@@ -216,13 +216,18 @@ class Guide(GuidedSession[CalibrationState, FlowView]):
             choices = best_guess(
                 library, self.state, self._connected_arm(), self._connected_sensor()
             )
-        session_id = new_session_id()
-        self.sheets = Sheets(self._folder_of(session_id), self.limits)
-        self.state = CalibrationState(session_id=session_id, choices=choices)
-        if step == "touch":
-            self.folder.keep_sheets(library, self.state)
-        self._journal.begin_session(session_id, KIND)
-        self.append("started", {"choices": choices, "step": step}, key)
+        session_id, sheets = new_session_id(), self.sheets
+        with self.beginning():
+            self.sheets = Sheets(self._folder_of(session_id), self.limits)
+            try:
+                self.state = CalibrationState(session_id=session_id, choices=choices)
+                if step == "touch":
+                    self.folder.keep_sheets(library, self.state)
+                self._journal.begin_session(session_id, KIND)
+                self.append("started", {"choices": choices, "step": step}, key)
+            except BaseException:
+                self.sheets = sheets
+                raise
 
     def _folder_of(self, session_id: str) -> SessionFolder:
         return SessionFolder(self._data_folder / "sessions" / session_id)
@@ -286,17 +291,13 @@ class Guide(GuidedSession[CalibrationState, FlowView]):
         else:
             station.scene.clear_block()
 
-    def refuse_unless_possible(
-        self, name: str, args: Mapping[str, object], rev: int | None, by_hand: bool = False
-    ) -> None:
-        """Raises ``StaleCommand`` or ``Refusal`` when a command cannot be done now.
+    @property
+    def rev(self) -> int:
+        return self._journal.last_number()
 
-        ``by_hand``: the hand gives it, so that its own work is no hindrance.
-        """
+    def why_not(self, name: str, args: Mapping[str, object], by_hand: bool) -> str | None:
         live = self.live()
-        if by_hand:
-            live = replace(live, busy=None)
-        if rev is not None and rev != live.rev:
-            raise StaleCommand(self.view())
-        if reason := why_not(self.state, live, name, args):
-            raise Refusal("not-now", reason)
+        return why_not(self.state, replace(live, busy=None) if by_hand else live, name, args)
+
+    def stale(self) -> Exception:
+        return StaleCommand(self.view())

@@ -3,7 +3,8 @@
 import secrets
 import threading
 from abc import ABC, abstractmethod
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from datetime import UTC, datetime
 from typing import Generic, Protocol, TypeVar
 
@@ -37,6 +38,7 @@ class SessionState(Protocol):
         """True in some way once the session is over."""
 
 
+STALE = "stale-view"
 State = TypeVar("State", bound=SessionState)
 View = TypeVar("View")
 
@@ -86,6 +88,46 @@ class GuidedSession(ABC, Generic[State, View]):
     @abstractmethod
     def view(self) -> View:
         """The session as of now."""
+
+    @property
+    @abstractmethod
+    def rev(self) -> int:
+        """What the view's revision is now."""
+
+    @abstractmethod
+    def why_not(self, name: str, args: Mapping[str, object], by_hand: bool) -> str | None:
+        """Why a command cannot be done now; ``by_hand``: the hand's own work is no hindrance."""
+
+    def refuse_unless_possible(
+        self, name: str, args: Mapping[str, object], rev: int | None, by_hand: bool = False
+    ) -> None:
+        """Before every command: of a browser with its view's revision, of the hand as its own.
+
+        Raises:
+            Refusal: it cannot be done now, or was given on an old view.
+        """
+        if rev is not None and rev != self.rev:
+            raise self.stale()
+        if reason := self.why_not(name, args, by_hand):
+            raise Refusal("not-now", reason)
+
+    def stale(self) -> Exception:
+        """What is raised where a command was given on an old view."""
+        return Refusal(
+            STALE,
+            "The session went on meanwhile; nothing was done",
+            remedy="Look at the present step, and act on that",
+        )
+
+    @contextmanager
+    def beginning(self) -> Iterator[None]:
+        """A session that cannot be written, as on a full disk, is not begun."""
+        before = self.state
+        try:
+            yield
+        except BaseException:
+            self.state = before
+            raise
 
     def refresh(self) -> View:
         """Publishes the view if it changed, and returns it."""

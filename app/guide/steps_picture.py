@@ -2,14 +2,14 @@
 
 from collections.abc import Sequence
 
-from app.guide.advice import Advice
+from app.guide.advice import ENOUGH_POSES, Advice
 from app.guide.body import Body, lost_devices, offer
 from app.guide.framing import first_outline
 from app.guide.live import Live
 from app.guide.pose_pictures import pose_pictures
 from app.guide.state import CalibrationState
 from app.guide.touching import sentence
-from app.guide.view import Action, CameraPicture, LiveNumber, StillPicture
+from app.guide.view import Action, CameraPicture, LiveNumber, StepProgress, StillPicture
 from app.metrology.adjustment.pose_advice import Hold
 from app.station.findings import Finding
 
@@ -33,6 +33,7 @@ def place_step(state: CalibrationState, live: Live) -> Body:
         ),
         picture=_camera(state, live),
         number=_to_go(live) or _stillness(live),
+        progress=_poses(state, live),
         findings=[*lost_devices(live), *_picture_findings(live)],
         actions=[
             offer(state, live, "confirm_place", "The object is in the picture", primary=True),
@@ -47,12 +48,22 @@ def capture_step(state: CalibrationState, live: Live) -> Body:
         instruction="Hold still and take the picture. The laser switches itself.",
         picture=_camera(state, live),
         number=_stillness(live),
+        progress=_poses(state, live),
         findings=[*lost_devices(live), *_picture_findings(live)],
         actions=[
             offer(state, live, "capture", "Take the picture", primary=True),
             *_enough(state, live),
         ],
     )
+
+
+def _poses(state: CalibrationState, live: Live) -> StepProgress:
+    """How many poses there are, of as many as are asked for while they help."""
+    done = len(state.pictures)
+    if live.advice is not None and not live.advice.worth_it:
+        return StepProgress(done, done, f"{done} poses are enough")
+    of = max(done, ENOUGH_POSES)
+    return StepProgress(done, of, f"{done} of up to {of} poses")
 
 
 def _enough(state: CalibrationState, live: Live) -> list[Action]:
@@ -113,6 +124,7 @@ def solve_step(state: CalibrationState, live: Live) -> Body:
         instruction=_solve_instruction(state, live, refused is not None, unusable, more),
         picture=_taken(state, live),
         number=_known(advice) if advice else None,
+        progress=_poses(state, live),
         findings=findings,
         actions=[
             offer(state, live, "another_pose", "Take another pose", primary=more),

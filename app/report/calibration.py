@@ -6,7 +6,8 @@ import numpy as np
 
 from app.files.acceptance import Acceptance, read_acceptance
 from app.files.calibration import CalibrationFile, PosePart
-from app.files.session import BoardSession, Session, read_any_session
+from app.files.objects import read_certificate
+from app.files.session import OBJECT, BoardSession, Session, read_any_session
 from app.metrology.arm import Arm, tip_centres
 from app.metrology.chessboard.board import Chessboard
 from app.metrology.frames import Floats
@@ -115,14 +116,15 @@ def _what(
         ("Arm", named(arm.name, arm.serial_number) + tip),
         ("Sensor", f"{named(sensor.name, sensor.serial_number)}, {size}{laser}"),
         ("Object", named(target.name, target.serial_number)),
-        ("Its certificate", _certificate(target)),
+        ("Its certificate", read_certificate(session.folder / OBJECT) or UNKNOWN),
+        ("Its coordinates", _coordinates(target)),
     ]
     return Section("What was calibrated", [Facts(rows)])
 
 
-def _certificate(target: object) -> str:
+def _coordinates(target: object) -> str:
     unsure = 1e3 * float(getattr(target, "standard_uncertainty_mm", 0.0))
-    text = f"coordinates known to {unsure:.1f} µm (k = 1)"
+    text = f"known to {unsure:.1f} µm (k = 1)"
     if isinstance(target, Chessboard):
         columns, rows = target.inner_corners
         return f"{columns} × {rows} inner corners, {target.square_mm:g} mm apart, {text}"

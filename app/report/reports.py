@@ -3,12 +3,14 @@
 from pathlib import Path
 
 from app.files.arm_check import ARM_CHECK
+from app.files.arm_identification import IDENTIFIED
 from app.files.tip_check import TIP_CHECK
 from app.files.verification import VERIFICATION
 from app.metrology.refusal import Refusal
 from app.report.arm_check import arm_check_report
 from app.report.calibration import CALIBRATION, calibration_report
 from app.report.content import Report
+from app.report.identification import identification_report
 from app.report.language import in_language
 from app.report.page import page
 from app.report.paper import paper
@@ -19,6 +21,7 @@ KINDS = (
     (VERIFICATION, verification_report),
     (ARM_CHECK, arm_check_report),
     (TIP_CHECK, tip_check_report),
+    (IDENTIFIED, identification_report),
     (CALIBRATION, calibration_report),
 )
 FORMS = {".html": page, ".pdf": paper}
@@ -38,7 +41,7 @@ def report_of(folder: Path) -> Report:
         "no-record",
         str(folder),
         there,
-        f"Name the folder of a calibration, an arm check or a verification: it has one of "
+        f"Name the folder of a calibration, a check or a verification: it has one of "
         f"{', '.join(name for name, _ in KINDS)}",
     )
 

@@ -26,7 +26,9 @@ def device_state(title: str, link: Link, info: ArmInfo | SensorInfo | None) -> D
     """The state of a link; a connected device is told by its name and serial number."""
     text = link.text
     if info is not None and link.state is LinkState.CONNECTED:
-        text = f"{info.name}, serial number {info.serial_number}"
+        text = info.name
+        if info.serial_number:
+            text = f"{info.name}, serial number {info.serial_number}"
     return DeviceState(
         title,
         link.state.value,

@@ -15,3 +15,8 @@ class Finding:
     text: str
     remedy: str = ""
     pose: int | None = None
+
+
+def capital(text: str) -> str:
+    """With a capital letter, as a sentence begins."""
+    return text[:1].upper() + text[1:]

@@ -118,7 +118,7 @@ def clock(jumps: int, last_jump_s: float, ahead_days: float) -> HealthItem:
             "clock",
             "Clock",
             "attention",
-            f"The clock was set {jumps} times since the start, last by {last_jump_s:+.0f} s.",
+            f"The clock was set {_times(jumps)} since the start, last by {last_jump_s:+.0f} s.",
             why,
             "Let it be kept by a time server, which moves it gently.",
         )
@@ -180,12 +180,12 @@ def event_loop(stalls: Stalls, limit_s: float) -> HealthItem:
     parts = []
     if stalls.count:
         parts.append(
-            f"Held up {stalls.count} times for more than {limit_s:.2f} s, "
+            f"Held up {_times(stalls.count)} for more than {limit_s:.2f} s, "
             f"{stalls.longest_s:.1f} s the longest"
         )
     if stalls.pauses:
         parts.append(
-            f"the whole program stood still {stalls.pauses} times, "
+            f"the whole program stood still {_times(stalls.pauses)}, "
             f"{stalls.longest_pause_s:.1f} s the longest"
         )
     quality: Quality = "neutral" if stalls.longest_s < STALLS_BAD_S else "attention"
@@ -214,11 +214,14 @@ def memory_use(used: Memory) -> HealthItem:
 
 def log_errors(count: int) -> HealthItem:
     """Whether something failed lately that nobody foresaw."""
+    what = f"{count} errors in the last hour." if count else "No error in the last hour."
+    if count == 1:
+        what = "One error in the last hour."
     return HealthItem(
         "log",
         "Log",
         "attention" if count else "good",
-        f"{count} errors in the last hour." if count else "No error in the last hour.",
+        what,
         "An error there is something that the program did not foresee.",
         "Look at them below, and send the support bundle." if count else "",
     )
@@ -302,8 +305,32 @@ def webhook(host: str, failed: int, trouble: str) -> HealthItem:
     return HealthItem("webhook", "Webhook", "good", f"{host} takes notifications.", why, "")
 
 
+def network(how: str) -> HealthItem:
+    """Whether what browsers send and are sent can be read on the way."""
+    what = {
+        "here": "Only this machine's browsers reach the station.",
+        "encrypted": "Other machines reach it, encrypted.",
+        "proxied": "Other machines reach it by a proxy.",
+        "open": "Other machines reach it, and nothing is encrypted.",
+    }[how]
+    return HealthItem(
+        "network",
+        "Network",
+        "neutral" if how == "open" else "good",
+        what,
+        "Who reads along has passwords, and can act in other people's names.",
+        "Name tls_certificate and tls_key in station.toml, or put a proxy before it."
+        if how == "open"
+        else "",
+    )
+
+
 def software(versions: dict[str, str]) -> HealthItem:
     """What runs here."""
     told = ", ".join(f"{name} {version}" for name, version in versions.items())
     why = "Whoever helps you asks for this first."
     return HealthItem("software", "Software", "good", f"{told}.", why, "")
+
+
+def _times(count: int) -> str:
+    return "once" if count == 1 else f"{count} times"

@@ -8,6 +8,7 @@ import json
 import logging
 import logging.handlers
 import queue
+import sys
 from collections import deque
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -56,8 +57,9 @@ class LogBook:
     def __init__(self, folder: Path) -> None:
         self.folder = folder / FOLDER
         try:
-            self.folder.mkdir(parents=True, exist_ok=True)
-            file = logging.handlers.RotatingFileHandler(
+            self.folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+            self.folder.chmod(0o700)  # names and addresses are in them
+            file = _File(
                 self.folder / FILE, maxBytes=FILE_BYTES, backupCount=FILES - 1, encoding="utf-8"
             )
         except OSError as error:
@@ -136,13 +138,28 @@ class _Handler(logging.handlers.QueueHandler):
     def prepare(self, record: logging.LogRecord) -> logging.LogRecord:
         if record.levelno >= logging.ERROR:
             self._error_times.append(record.created)
-        trace = ""
+        trace = str(getattr(record, "trace", ""))
         if record.exc_info:
             trace = logging.Formatter().formatException(record.exc_info)
         plain = logging.makeLogRecord(record.__dict__)
         plain.msg, plain.args = record.getMessage(), None
         plain.exc_info, plain.exc_text, plain.stack_info = None, trace or None, None
         return plain
+
+
+class _File(logging.handlers.RotatingFileHandler):
+    """Says once that the disk takes no lines, until it does again."""
+
+    failing = False
+
+    def emit(self, record: logging.LogRecord) -> None:
+        failed, self.failing = self.failing, False
+        super().emit(record)
+        if self.failing and not failed:
+            print("The log cannot be written; the Health page says more.", file=sys.stderr)
+
+    def handleError(self, record: logging.LogRecord) -> None:
+        self.failing = True
 
 
 class _JsonLine(logging.Formatter):

@@ -2,7 +2,7 @@
 
 from app.metrology.detection.picture import Image, PictureMeasures, findings_of, measured
 from app.metrology.refusal import Refusal
-from app.station.findings import Finding
+from app.station.findings import Finding, capital
 from app.station.stillness import Stillness
 
 
@@ -17,19 +17,17 @@ def measured_words(image: Image) -> tuple[PictureMeasures | None, list[Finding]]
         measures = measured(image)
     except Refusal as refusal:
         return None, [refused(refusal)]
-    return measures, [Finding("attention", f.text, f.remedy) for f in findings_of(measures)]
+    return measures, [
+        Finding("attention", capital(f.text), capital(f.remedy)) for f in findings_of(measures)
+    ]
 
 
 def refused(refusal: Refusal) -> Finding:
     """A refusal as a finding."""
     text = refusal.what if not refusal.why else f"{refusal.what}: {refusal.why}"
-    return Finding("attention", _sentence(text), _sentence(refusal.remedy))
+    return Finding("attention", capital(text), capital(refusal.remedy))
 
 
 def still_words(stillness: Stillness) -> list[Finding]:
     """Asks to hold still when the arm moves; empty when it is still."""
     return [] if stillness.still else [Finding("attention", stillness.text, "Hold still")]
-
-
-def _sentence(text: str) -> str:
-    return text[:1].upper() + text[1:]

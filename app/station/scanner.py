@@ -15,7 +15,7 @@ from app.files.scan_settings import AUTOMATIC, ScanSettings
 from app.metrology.refusal import Refusal
 from app.station.bus import Bus
 from app.station.distance import Distance, distance_of
-from app.station.findings import Finding
+from app.station.findings import Finding, capital
 from app.station.pipeline import ScanCalibration, ScanPipeline
 from app.station.rig import Rig
 from app.station.scan_words import blocked, findings_of
@@ -272,7 +272,7 @@ class Scanner:
         with self._lock:
             scan = self._scan
             running = self._is_running()
-        why_not = "" if refusal is None or running else refusal.line
+        why_not = "" if refusal is None or running else capital(refusal.line)
         state: State = "blocked" if why_not else "idle"
         if scan is None:
             return replace(NOTHING, state=state, why_not=why_not)

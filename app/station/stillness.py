@@ -65,7 +65,8 @@ def _words(still: bool, moved_um: float, turned_arcsec: float, window: JointWind
     seconds = (window.stamps_ns[-1] - window.stamps_ns[0]) / 1e9
     # in hand the numbers change too fast to be read closer than this
     moved = f"{moved_um:.0f} µm" if moved_um < 1000 else f"{moved_um / 1000:.1f} mm"
-    return f"Moved {moved} and turned {turned_arcsec:.0f}″ in {seconds:.1f} s"
+    turned = f"{turned_arcsec:.0f}″" if turned_arcsec < 3600 else f"{turned_arcsec / 3600:.1f}°"
+    return f"Moved {moved} and turned {turned} in {seconds:.1f} s"
 
 
 def _widest(points: Floats) -> float:

@@ -91,7 +91,8 @@ class LoopWatchdog:
             return
         frame = sys._current_frames().get(watched)
         stack = "".join(traceback.format_stack(frame, FRAMES)) if frame is not None else ""
-        log.warning("the event loop is held up for more than %.2f s by:\n%s", self._limit_s, stack)
+        limit_s, more = self._limit_s, {"trace": stack}
+        log.warning("the event loop is held up for more than %.2f s", limit_s, extra=more)
         while not answered.wait(PERIOD_S) and not self._stopping.is_set():
             continue
         lasted_s = time.monotonic() - asked_s

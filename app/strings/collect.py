@@ -31,6 +31,7 @@ SILENT = (
         for name in ("board_lines", "board_problem", "board_start", "mounting")
     ),
     "app/metrology/chessboard",
+    "app/metrology/grey_lanes.py",
     "app/metrology/lanes.py",
 )
 """Files of these rooms whose words are for machines."""

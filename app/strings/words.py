@@ -5,7 +5,7 @@ THINGS = (
     "plane sphere cylinder plate block board gauge bar seat part shell ball step arm sensor object "
     "camera laser tip calibration verification scan frames"
 )
-HOW = "warmer colder above below on off none unknown ambient both"
+HOW = "warmer colder above below on off none unknown ambient both once"
 IN_TABLES = (
     "used unchanged changed missing pass fail undecided no depth edges stripe distortion corner "
     "contact points pictures number integer string boolean"
@@ -18,6 +18,7 @@ WORDS = (
     *("Simulated gauge plate", "Simulated gauge sphere", "Simulated arm", "Simulated camera"),
     # what the code puts together of pieces
     *("Touch {missing}", "{path}: {field} is {value}", "{count} more on the {face} face"),
+    "{place}, point {number}: {distance_um} µm off",
     *(f"tilt {way} {{deg}}°" for way in ("right", "left", "to the back", "to the front")),
     *(f"turn {way} {{deg}}°" for way in ("anticlockwise", "clockwise")),
     *("tip Ø {diameter_mm} mm", "laser {wavelength_nm} nm", "touched points", "laser stripe"),

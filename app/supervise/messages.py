@@ -95,7 +95,9 @@ class StationReport(Payload):
     name: Name
     version: Name
     simulated: bool
-    address: Annotated[str, Field(max_length=200)] = Field(description="Of its pages, or empty")
+    address: Annotated[str, Field(max_length=200, pattern="^(https?://.*)?$")] = Field(
+        description="Of its pages, or empty"
+    )
     at: Moment
     up_s: Amount
     devices: tuple[DeviceReport, ...]

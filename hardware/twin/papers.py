@@ -56,6 +56,7 @@ def object_paper(
         "version": 1,
         "name": name,
         "serial_number": serial_number,
+        "certificate": "simulated",
         "edges_x_mm": list(certificate.edges_x_mm),
         "front_y_mm": certificate.front_y_mm,
         "back_y_mm": certificate.back_y_mm,

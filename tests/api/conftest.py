@@ -15,7 +15,8 @@ from pydantic_core import to_jsonable_python
 
 from app.api.context import Context
 from app.demonstration import parts_of
-from app.main import build_app, make_server
+from app.main import build_app
+from app.serving import make_server
 from app.station.warm_up import warm_up
 from hardware.twin.station import Twin, TwinConfig
 from tests.entering import cookie, enter

@@ -23,7 +23,8 @@ CONTEXT.set_forkserver_preload(["app.main", "app.demonstration", "hardware.twin.
 def _serve(pipe: Connection, data: Path, calibrated: bool) -> None:
     """In the process: the demonstration, with a hand in a hurry."""
     from app.demonstration import parts_of
-    from app.main import build_app, make_server
+    from app.main import build_app
+    from app.serving import make_server
     from hardware.twin.station import Twin, TwinConfig
 
     with Twin(TwinConfig(pace=4.0)) as twin, socket.socket() as listening:

@@ -117,7 +117,7 @@ def test_an_old_view_and_a_repeated_key_do_nothing(
     assert again.status_code == 200
     assert len(again.json()["picture"]["seats"]) <= 1
     stale = server.http.post("/api/arm/command", json={**body, "key": uuid.uuid4().hex})
-    assert stale.status_code == 422
+    assert stale.status_code == 409
     assert stale.json()["code"] == "stale-view"
 
 
@@ -183,6 +183,11 @@ def test_several_seats_identify_the_arm_and_the_old_one_is_kept(
     assert seats["after_um"] < seats["before_um"]
     assert result["volume_after_um"] < result["volume_before_um"] / 2
     assert any("ball bar" in finding["text"] for finding in view["findings"])
+    (identified,) = server.http.get("/api/arm/identifications").json()
+    assert identified["volume_after_um"] == result["volume_after_um"]
+    report = server.http.get(f"/api/arm/identifications/{identified['id']}/report.html").text
+    assert "Operator: Demo" in report
+    assert "Every file has the content that the result was made from." in report
     arms, true = server.data / "arms", server.twin._rig.arm
     was = volumetric_error_um(true, read_arm(arms / "simulated.json"))
     before = (arms / "simulated.json").read_bytes()

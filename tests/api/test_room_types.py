@@ -21,6 +21,7 @@ SHAPES: dict[str, dict[str, type]] = {
         "ArmResult": view.ArmResult,
         "TipResult": view.TipResult,
         "TipCheckSummary": view.TipCheckSummary,
+        "IdentificationSummary": view.IdentificationSummary,
         "ArmPicture": view.ArmPicture,
         "ArmView": view.ArmView,
         "ArmCheckSummary": view.ArmCheckSummary,

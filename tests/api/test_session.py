@@ -88,6 +88,30 @@ def test_guessing_becomes_slow_and_stays_so_for_the_right_password(
         assert http.post("/api/session", json={**wrong, "password": PASSWORD}).status_code == 200
 
 
+def test_guesses_keep_nobody_out_of_a_browser_that_is_known(server: Server, people: None) -> None:
+    with browser(server, "Anna") as anna, browser(server) as other:
+        # one name however it is spelled, and one address whatever a header says
+        spellings = ("Anna", "anna ", "ANNA", "\uff21nna", " Anna", "Anna\u2003") * 3
+        codes = []
+        for spelled in spellings:
+            asked = {"name": spelled, "password": "guess"}
+            elsewhere = {"x-forwarded-for": f"10.0.0.{len(codes)}"}
+            codes.append(other.post("/api/session", json=asked, headers=elsewhere).status_code)
+            if codes[-1] == 429:
+                break
+        failures = server.context.entrance._throttle._failures
+        assert failures["name anna"][0] == failures["address 127.0.0.1"][0] == codes.count(401)
+        assert codes[-1] == 429
+        right = {"name": "Anna", "password": PASSWORD}
+        anna.delete("/api/session").raise_for_status()
+        assert anna.post("/api/session", json=right).status_code == 200
+        # there it becomes slow for who guesses, too
+        anna.delete("/api/session").raise_for_status()
+        wrong = {**right, "password": "guess"}
+        assert 429 in [anna.post("/api/session", json=wrong).status_code for _ in range(12)]
+    server.context.entrance._throttle.succeeded("address 127.0.0.1", "name anna")
+
+
 def test_signing_out_closes_what_is_live(server: Server, people: None) -> None:
     with browser(server, "Vera") as http:
         with connect(server.live, additional_headers=cookie(http)) as socket:

@@ -18,6 +18,7 @@ from prometheus_client.parser import text_string_to_metric_families
 from websockets.sync.client import connect
 
 from app.api.access import cookie_for
+from app.api.health import BUNDLING
 from app.api.observer import _tell_due
 from app.api.schema import Home
 from app.api.watch import Watching
@@ -192,6 +193,13 @@ PLANTED = {
     "a person": "Philippa Nobody",
     "a remote address": "10.20.30.40",
 }
+
+
+def test_one_support_bundle_is_made_at_a_time(server: Server) -> None:
+    with BUNDLING:
+        answer = server.http.get("/api/support.zip")
+        assert (answer.status_code, answer.json()["code"]) == (422, "busy")
+    assert server.http.get("/api/support.zip").status_code == 200
 
 
 def test_the_support_bundle_holds_no_secret_and_nobody(

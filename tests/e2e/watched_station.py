@@ -6,7 +6,8 @@ from pathlib import Path
 from types import SimpleNamespace
 
 from app.demonstration import parts_of
-from app.main import _listen, _run
+from app.main import _run
+from app.serving import listen
 from app.store.store import Store
 from app.supervise.broker import BrokerSettings
 from hardware.twin.station import Twin
@@ -14,7 +15,7 @@ from tests.api.calibrated import use_truth
 
 
 def serve(data: Path, broker_port: int) -> None:
-    listening = _listen("127.0.0.1", 0, 1)
+    listening = listen("127.0.0.1", 0, 1)
     with Twin() as twin:
         parts = parts_of(twin, data, ("127.0.0.1",))
         store = Store(data)

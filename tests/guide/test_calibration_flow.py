@@ -116,6 +116,7 @@ def test_every_step_tells_what_to_do_and_why_not(
     assert view.instruction.endswith(".")
     assert [s.id for s in view.steps] == list(STEPS)
     assert [s.state for s in view.steps].count("current") == 1
+    assert (view.progress is None) == (step in ("devices", "setup", "review"))
     assert sum(a.primary and a.enabled for a in view.actions) <= 1
     for each in view.actions:
         assert each.enabled == (each.why_not == "")
@@ -293,6 +294,8 @@ def test_every_pose_is_listed_and_a_refused_one_says_why(
     told = view_of(state, live_of(state, arm, block, seen=blurred))
     assert "cannot be used" in told.instruction
     assert action(told, "retake").primary
+    assert told.progress is not None
+    assert (told.progress.done, told.progress.text) == (2, "2 of up to 6 poses")
 
 
 def test_few_points_are_told_how_many_more_help(

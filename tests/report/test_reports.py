@@ -19,6 +19,7 @@ from app.files.calibrate import calibrate_session
 from app.files.calibration import CalibrationFile, Input
 from app.files.documents import sha256_of
 from app.files.gauge_cloud import MAP, MapFile
+from app.files.identify import Signature, identify_folder
 from app.files.software import SOFTWARE
 from app.files.tip_check import TIP_CHECK, TipCheckFile
 from app.files.verification import VerificationFile, write_verification
@@ -31,6 +32,7 @@ from app.report.page import page
 from app.report.reports import report_as, report_of
 from app.report.words import moment, tied
 from app.strings.sentences import sentences_of
+from hardware.twin.arm_sessions import ArmSessionPlan, render_arm_session
 from hardware.twin.session import SessionPlan, render_session
 from tests.files.builders import ARM
 from tests.files.test_verification import SHEET
@@ -112,6 +114,8 @@ def test_a_calibrations_report_says_what_a_certificate_does(folder: Path) -> Non
             "20.4 °C",
             "2026-11-21 10:00 UTC",
             *(number for number in sheet.serial_numbers.model_dump().values()),
+            "Its certificate",
+            "simulated",
             f"{total_um:.1f} µm",
             f"{total_um / 1e3:.4f} mm",
             f"{2 * total_um:.1f} µm",
@@ -241,6 +245,35 @@ def test_a_tip_checks_report(tmp_path: Path) -> None:
     for told in ("Fail", "The tip is worn.", "−100.0 µm", "± 20.0 µm", "5.9000 mm", "not stated"):
         assert told in printed, told
     known_in_german(tmp_path, ARM.name, "The tip is worn.")
+
+
+def test_an_identifications_report(tmp_path: Path) -> None:
+    plan = ArmSessionPlan(
+        seats=6,
+        points_per_seat=14,
+        spheres=2,
+        points_per_sphere=14,
+        bar_lengths_mm=(600.0,),
+        positions_per_bar=4,
+        points_per_end=3,
+    )
+    render_arm_session(tmp_path, 3, plan)
+    identified = tmp_path / "identified.json"
+    signature = Signature(operator="Ben", station="Room 2", simulated=True, temperature_c=21.5)
+    sheet, _ = identify_folder(tmp_path, identified, signature=signature)
+    printed = text_of(report_as(tmp_path, ".pdf"))
+    told = ("Identified", "Ben", "Room 2", "21.5 °C", sheet.serial_number, "k = 1", "unchanged")
+    for words in (*told, "articulation.csv", "ballbars.csv", "Approved", "a demonstration"):
+        assert words in printed, words
+    assert report_as(tmp_path, ".pdf") == report_as(tmp_path, ".pdf")
+    known_in_german(tmp_path, sheet.name, "Room 2")
+    (tmp_path / "articulation.csv").write_text(
+        (tmp_path / "articulation.csv").read_text().replace("\n", "\n\n", 1)
+    )
+    assert "changed" in text_of(report_as(tmp_path, ".pdf"))
+    write_arm(identified, ARM)
+    with pytest.raises(Refusal, match="says nothing of an identification"):
+        report_of(tmp_path)
 
 
 def test_a_verifications_report(tmp_path: Path) -> None:

@@ -20,6 +20,7 @@ from app.metrology.laser_plane import LaserPlane
 from app.metrology.refusal import Refusal
 from app.station import scanner as scanning
 from app.station.bus import Bus
+from app.station.findings import capital
 from app.station.pipeline import ScanCalibration
 from app.station.rig import Rig
 from app.station.scanner import Scanner, ScanResult, ScanState
@@ -175,7 +176,7 @@ def test_what_forbids_a_scan_is_said(scanner: Scanner, bench: Bench, rig: Rig) -
             scanner.start("no")
         assert refused.value.code == code
         assert scanner.state().state == "blocked"
-        assert scanner.state().why_not == refused.value.line
+        assert scanner.state().why_not == capital(refused.value.line)
     scanner.set_calibration(calibration())
     bench.arm_plugged = False
     until(lambda: not rig.arm.fresh)

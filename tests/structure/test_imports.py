@@ -17,6 +17,7 @@ ROOMS_ALLOWED = {
         "app.bench",
         "app.demonstration",
         "app.main",
+        "app.serving",
         "app.api",
         "app.station",
         "app.metrology",

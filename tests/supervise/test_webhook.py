@@ -1,10 +1,13 @@
 """Notices to a real receiver on this machine."""
 
 import asyncio
+import contextlib
 import hashlib
 import hmac
 import json
+import socket
 import threading
+import time
 from collections.abc import Awaitable, Callable, Iterator
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
@@ -13,6 +16,7 @@ import pytest
 
 from app.metrology.refusal import Refusal
 from app.station.bus import Event
+from app.supervise import webhook as webhook_room
 from app.supervise.notices import Notice, NoticeKind, Repeats, kind_of
 from app.supervise.webhook import (
     WAITING,
@@ -147,6 +151,43 @@ def test_an_address_where_nobody_is_holds_nobody_up() -> None:
 
     sending(webhook, act)
     assert webhook.trouble == "no connection"
+
+
+def test_an_answer_that_never_ends_holds_nobody_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    """One receiver talks on for ever, the other begins to answer and never gets to the point."""
+    monkeypatch.setattr(webhook_room, "ANSWER_S", 0.5)
+
+    def drip(words: bytes, more: bytes) -> tuple[socket.socket, str]:
+        listening = socket.create_server(("127.0.0.1", 0))
+
+        def serve() -> None:
+            with contextlib.suppress(OSError):
+                while True:
+                    connection, _ = listening.accept()
+                    with connection, contextlib.suppress(OSError):
+                        connection.recv(65536)
+                        connection.sendall(words)
+                        while True:
+                            connection.sendall(more)
+                            time.sleep(0.05)
+
+        threading.Thread(target=serve, daemon=True).start()
+        return listening, f"http://127.0.0.1:{listening.getsockname()[1]}/"
+
+    for words, sent, trouble in (
+        (b"HTTP/1.1 200 OK\r\n\r\n", 1, ""),
+        (b"HTTP/1.1 200 OK\r\nX: ", 0, "no answer within 0 s"),
+    ):
+        listening, url = drip(words, b"x" * 100)
+        webhook = Webhook(WebhookSettings(url=url), PAUSES_S[:1])
+
+        async def act(webhook: Webhook = webhook) -> None:
+            webhook.offer(notice(1))
+            await until(lambda: webhook.sent + webhook.failed)
+
+        sending(webhook, act)
+        listening.close()
+        assert (webhook.sent, webhook.trouble) == (sent, trouble)
 
 
 def test_only_what_is_wanted_is_sent() -> None:

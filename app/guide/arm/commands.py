@@ -28,12 +28,15 @@ def command(guide: ArmGuide, name: str, args: Args, rev: int, key: str) -> ArmVi
 BUTTONS = {("seat", "primary"): "begin", ("swing", "primary"): "finish"}
 
 
-def press(guide: ArmGuide, event: Press) -> None:
-    """The arm's primary button begins and ends a swing, and takes the points of a sphere."""
+def press(guide: ArmGuide, event: Press) -> bool:
+    """The arm's primary button begins and ends a swing, and takes the points of a sphere.
+
+    False where no session is open; one that is has the arm, whatever the button means to it.
+    """
     with guide.lock:
         name = BUTTONS.get((guide.state.step, event.button))
         if name is None or not guide.running:
-            return
+            return guide.running
         try:
             if guide.state.touching:
                 # whether the arm was still is judged as of the press, not as of now
@@ -45,6 +48,7 @@ def press(guide: ArmGuide, event: Press) -> None:
         except Refusal as refusal:
             guide.decline(refusal)
         guide.refresh()
+        return True
 
 
 def _fit(guide: ArmGuide, args: Args, key: str | None) -> None:

@@ -2,7 +2,7 @@
 
 import time
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
 from app.files.arm import read_arm
@@ -31,7 +31,6 @@ from app.station.rig import Rig
 
 FRESH_S = 2.0
 """Arms that were added to the data folder are seen after this time."""
-IDENTIFIED = "identified.json"
 
 
 @dataclass(frozen=True)
@@ -138,11 +137,12 @@ class ArmGuide(GuidedSession[ArmState, ArmView]):
             "limit_um": self._last_limit_um(purpose),
         }
         sphere = self._last_sphere() if purpose == "tip" else None
-        self.state = ArmState(session_id=session_id)
-        self._journal.begin_session(session_id, KIND)
-        self.append("started", payload, key)
-        if sphere is not None:
-            self.append("artefact_chosen", asdict(sphere))
+        with self.beginning():
+            self.state = ArmState(session_id=session_id)
+            self._journal.begin_session(session_id, KIND)
+            self.append("started", payload, key)
+            if sphere is not None:
+                self.append("artefact_chosen", asdict(sphere))
 
     def _last_limit_um(self, purpose: Purpose) -> float | None:
         """The one set last for the same; an open session's may be not in its history yet."""
@@ -189,21 +189,13 @@ class ArmGuide(GuidedSession[ArmState, ArmView]):
             if kind == "ended":
                 self._journal.end_session(self.state.session_id)
 
-    def refuse_unless_possible(
-        self, name: str, args: Mapping[str, object], rev: int | None, by_hand: bool = False
-    ) -> None:
-        """Raises ``Refusal`` when a command cannot be done now; ``by_hand``: the hand gives it."""
+    @property
+    def rev(self) -> int:
+        return self.state.rev
+
+    def why_not(self, name: str, args: Mapping[str, object], by_hand: bool) -> str | None:
         live = self.live()
-        if by_hand:
-            live = ArmLive(**{**live.__dict__, "busy": None})
-        if rev is not None and rev != self.state.rev:
-            raise Refusal(
-                "stale-view",
-                "The session went on meanwhile; nothing was done",
-                remedy="Look at the present step, and act on that",
-            )
-        if reason := why_not(self.state, live, name, args):
-            raise Refusal("not-now", reason)
+        return why_not(self.state, replace(live, busy=None) if by_hand else live, name, args)
 
     # -- seats ---------------------------------------------------------------
 

@@ -6,11 +6,11 @@ from typing import Protocol
 
 from app.guide.arm.state import Artefact, Purpose
 from app.guide.arm.tip import LIMIT_UM
-from app.guide.arm.view import ArmCheckSummary, TipCheckSummary
+from app.guide.arm.view import ArmCheckSummary, IdentificationSummary, TipCheckSummary
 from app.guide.journal import Journal, Row
 
 KIND = "arm"
-CHECKED, TIP_CHECKED = "checked", "tip_checked"
+CHECKED, TIP_CHECKED, SOLVED = "checked", "tip_checked", "solved"
 
 
 class ArmJournal(Journal, Protocol):
@@ -33,6 +33,11 @@ class ArmPast:
     def tip_checks(self) -> list[TipCheckSummary]:
         """Of the tip, newest first."""
         return [_tip_summary(row) for row in reversed(self.journal.history(KIND, TIP_CHECKED))]
+
+    def identifications(self) -> list[IdentificationSummary]:
+        """Of the arm, newest first; of each session the last fit, which its folder holds."""
+        last = {row.session_id: row for row in self.journal.history(KIND, SOLVED)}
+        return [_identification(row) for row in sorted(last.values(), key=_when, reverse=True)]
 
     def last_check(self) -> ArmCheckSummary | None:
         """The newest of the arm."""
@@ -58,6 +63,23 @@ class ArmPast:
         if row is None or not isinstance(sphere := row.payload.get("sphere"), Mapping):
             return None
         return Artefact(**sphere)
+
+
+def _when(row: Row) -> str:
+    return row.at
+
+
+def _identification(row: Row) -> IdentificationSummary:
+    told = row.payload
+    return IdentificationSummary(
+        id=row.session_id,
+        at=row.at,
+        arm_name=str(told.get("arm_name", "")),
+        arm_serial=str(told.get("arm_serial", "")),
+        volume_before_um=float(told["volume_before_um"]),  # type: ignore[arg-type]  # as works.fit
+        volume_after_um=float(told["volume_after_um"]),  # type: ignore[arg-type]  # wrote them
+        size_known=bool(told["size_known"]),
+    )
 
 
 def _tip_summary(row: Row) -> TipCheckSummary:

@@ -159,3 +159,16 @@ class TipCheckSummary:
     text: str
     """What was found, in one sentence."""
     verdict: Quality
+
+
+@dataclass(frozen=True)
+class IdentificationSummary:
+    """One identification of the arm."""
+
+    id: str
+    at: str
+    arm_name: str
+    arm_serial: str
+    volume_before_um: float
+    volume_after_um: float
+    size_known: bool

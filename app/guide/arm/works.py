@@ -2,11 +2,12 @@
 
 from datetime import UTC, datetime
 
-from app.files.arm_identification import ARM
+from app.files.arm_identification import ARM, IDENTIFIED
 from app.files.atomic import write_atomically
 from app.files.failures import files_refused
-from app.files.identify import identify_folder, parameter_lines
-from app.guide.arm.guide import IDENTIFIED, ArmGuide
+from app.files.identify import Signature, identify_folder, parameter_lines
+from app.guide.arm.guide import ArmGuide
+from app.guide.arm.past import SOLVED
 from app.metrology.arm_model.identification import Identification
 from app.metrology.refusal import Refusal
 from app.station.jobs import Progress
@@ -17,12 +18,18 @@ REPLACED = "replaced"
 
 def fit(guide: ArmGuide, progress: Progress) -> None:
     """Identifies the arm from the session's folder, exactly as the command line does."""
-    folder = guide.folder
+    folder, signing = guide.folder, guide.signing
+    signature = Signature(
+        signing.operator(), signing.station, signing.simulated, signing.temperature_c()
+    )
     with guide.lock:
         guide.keep_seats()
     try:
-        _, result = identify_folder(
-            folder, folder / IDENTIFIED, progress=lambda share, text: progress(text, share)
+        sheet, result = identify_folder(
+            folder,
+            folder / IDENTIFIED,
+            progress=lambda share, text: progress(text, share),
+            signature=signature,
         )
     except Refusal as refusal:
         # the folder's path says nothing to an operator
@@ -33,7 +40,8 @@ def fit(guide: ArmGuide, progress: Progress) -> None:
         )
         guide.station.bus.event("refused", refusal.line, "bad")
         return
-    guide.append("solved", _payload(result))
+    named = {"arm_name": sheet.name, "arm_serial": sheet.serial_number}
+    guide.append(SOLVED, {**named, **_payload(result)})
     guide.station.bus.event("step_done", "The arm is identified.", "good")
 
 

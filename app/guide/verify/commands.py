@@ -59,13 +59,13 @@ def button_of(guide: VerifyGuide, button: str) -> str:
     return "back" if button == "back" and guide.state.step == "review" else ""
 
 
-def press(guide: VerifyGuide, event: Press) -> None:
+def press(guide: VerifyGuide, event: Press) -> bool:
     """The arm's buttons: primary takes a touch, begins and ends a cloud; undo takes back, and
-    back goes a step back."""
+    back goes a step back. False where the button means nothing now."""
     with guide.lock:
         name = button_of(guide, event.button)
         if not name:
-            return
+            return False
         try:
             if name == "touch":
                 # whether the arm was still is judged as of the press, not as of now
@@ -77,6 +77,7 @@ def press(guide: VerifyGuide, event: Press) -> None:
         except Refusal as refusal:
             guide.decline(refusal)
         guide.refresh()
+        return True
 
 
 def measure_waiting(guide: VerifyGuide) -> None:

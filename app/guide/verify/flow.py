@@ -86,8 +86,7 @@ def _words(state: VerifyState, live: VerifyLive) -> tuple[str, str]:
             "near its corners and in its middle" if plane else "on its top and all around its side"
         )
         return TITLES["touch"], (
-            f"Touch it with the probe {where}, and press the arm's button at each place. "
-            "So scan and probe can be compared."
+            f"Touch it with the probe {where}, and press the arm's button at each place."
         )
     if state.step == "scan":
         if state.open_cloud is not None:
@@ -142,7 +141,7 @@ def _known(touched: object) -> str:
         return f"so the plane is known to {1e3 * at:.0f} µm and {arcsec:.0f}″, k = 1"
     if isinstance(touched, TouchedSphere):
         return f"so its centre is known to {1e3 * touched.centre_sd_mm:.0f} µm, k = 1"
-    return ""
+    return "after a few more touches"
 
 
 def _progress(state: VerifyState, live: VerifyLive) -> StepProgress | None:

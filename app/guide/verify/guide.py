@@ -244,9 +244,10 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyView]):
         session_id = new_session_id()
         known = self.gauges().known
         gauge = self.state.gauge if self.state.gauge in known else next(iter(known), "")
-        self.state = VerifyState(session_id=session_id)
-        self._journal.begin_session(session_id, KIND)
-        self.append("started", {"calibration_id": active.id, "gauge": gauge}, key)
+        with self.beginning():
+            self.state = VerifyState(session_id=session_id)
+            self._journal.begin_session(session_id, KIND)
+            self.append("started", {"calibration_id": active.id, "gauge": gauge}, key)
 
     def keep_sheets(self) -> None:
         """Copies gauge, arm and calibration, which the session uses from now on."""
@@ -280,21 +281,13 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyView]):
         self._trouble = None
         self.changed.notify_all()
 
-    def refuse_unless_possible(
-        self, name: str, args: Mapping[str, object], rev: int | None, by_hand: bool = False
-    ) -> None:
-        """Raises ``Refusal`` when a command cannot be done now; ``by_hand``: the hand gives it."""
+    @property
+    def rev(self) -> int:
+        return self.state.rev
+
+    def why_not(self, name: str, args: Mapping[str, object], by_hand: bool) -> str | None:
         live = self.live()
-        if by_hand:
-            live = replace(live, busy=None)
-        if rev is not None and rev != self.state.rev:
-            raise Refusal(
-                "stale-view",
-                "The verification went on meanwhile; nothing was done",
-                remedy="Look at the present step, and act on that",
-            )
-        if reason := why_not(self.state, live, name, args):
-            raise Refusal("not-now", reason)
+        return why_not(self.state, replace(live, busy=None) if by_hand else live, name, args)
 
     def touch(self, until_ns: int | None, key: str | None) -> None:
         """Takes the place that the tip touches, or touched at ``until_ns``.

@@ -2,6 +2,7 @@ import { useState } from "react";
 
 import { type Account, type Role, ROLES } from "../api/accessTypes";
 import { addAccount, changeAccount, removeAccount } from "../api/session";
+import look from "../parts/Control.module.css";
 import rows from "../parts/List.module.css";
 import { moment } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
@@ -101,7 +102,7 @@ interface RoleChoiceProps {
 function RoleChoice({ name, role, disabled = false, onRole }: RoleChoiceProps) {
   return (
     <select
-      className={styles.role}
+      className={look.input}
       aria-label={t("What {name} may do", { name: name || t("the new account") })}
       value={role}
       disabled={disabled}

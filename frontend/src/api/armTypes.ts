@@ -141,3 +141,14 @@ export interface TipCheckSummary {
   text: string;
   verdict: Quality;
 }
+
+/** One identification of the arm. */
+export interface IdentificationSummary {
+  id: string;
+  at: string;
+  arm_name: string;
+  arm_serial: string;
+  volume_before_um: number;
+  volume_after_um: number;
+  size_known: boolean;
+}

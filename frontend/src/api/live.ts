@@ -1,4 +1,5 @@
 import { noteReturn, notify } from "../state/notices";
+import { t } from "../state/language";
 import { playFor } from "../state/sounds";
 import { getState, type LiveState, putFlow, setState, subscribe } from "../state/store";
 import { readSession } from "./session";
@@ -109,9 +110,19 @@ function lose(): void {
 
 /** Who is no longer signed in is told so, and connects again once signed in. */
 async function again(): Promise<void> {
+  const before = getState().session?.you;
   await readSession();
-  if (getState().session?.you) connect();
-  else waiting = true;
+  if (getState().session?.you) return connect();
+  waiting = true;
+  if (before?.wall) {
+    notify({
+      quality: "attention",
+      title: t("The link of this screen has been ended."),
+      remedy: t("Ask an administrator for a new one"),
+    });
+  } else if (before) {
+    notify({ quality: "attention", title: t("You have been signed out."), remedy: t("Sign in, and go on") });
+  }
 }
 
 /** Opens the one live connection of this tab once somebody is signed in, and keeps it for ever. */

@@ -1,23 +1,16 @@
-import { useEffect, useRef } from "react";
-
 import { sendArm } from "../api/armCommands";
 import type { ArmView } from "../api/armTypes";
-import type { Finding } from "../api/types";
 import { StepDots } from "../flow/StepDots";
 import { Actions } from "../parts/Actions";
 import { BigNumber } from "../parts/BigNumber";
 import { CardHead } from "../parts/CardHead";
 import { Findings } from "../parts/Findings";
 import { Busy, Progress } from "../parts/Progress";
+import { useStepHeading } from "../parts/useStepHeading";
+import { withoutEchoes } from "../parts/withoutEchoes";
 import { ArmChoice } from "./ArmChoice";
 import { ArtefactField } from "./ArtefactField";
 import { LimitField } from "./LimitField";
-
-/** A finding that only says why an act is not possible is said there. */
-function withoutEchoes({ findings, actions }: ArmView): Finding[] {
-  const told = new Set(actions.filter(({ enabled }) => !enabled).map(({ why_not }) => why_not));
-  return findings.filter(({ text }) => !told.has(text));
-}
 
 /** A sphere is touched, a seat is swung in. */
 function helpFor({ step, artefact }: ArmView): string {
@@ -26,13 +19,7 @@ function helpFor({ step, artefact }: ArmView): string {
 
 /** What to do now: the server's words, number, progress and allowed acts. */
 export function ArmCard({ view }: { view: ArmView }) {
-  const heading = useRef<HTMLHeadingElement>(null);
-  const shown = useRef(view.step);
-  useEffect(() => {
-    if (shown.current === view.step) return;
-    shown.current = view.step;
-    heading.current?.focus({ preventScroll: true });
-  }, [view.step]);
+  const heading = useStepHeading(view.step);
   const choosing = view.step === "seat" && view.picture.seats.length === 0;
   return (
     <>
@@ -47,7 +34,7 @@ export function ArmCard({ view }: { view: ArmView }) {
           <ArtefactField artefact={view.artefact} disabled={view.busy !== null} only={view.purpose === "tip"} />
         )}
         {choosing && view.purpose !== "identify" && <LimitField limit_um={view.picture.limit_um} tip={view.purpose === "tip"} />}
-        <Findings findings={withoutEchoes(view)} />
+        <Findings findings={withoutEchoes(view.findings, view.actions)} />
       </Actions>
     </>
   );

@@ -1,5 +1,6 @@
 import { sendArm } from "../api/armCommands";
 import type { ChoiceOption } from "../api/types";
+import look from "../parts/Control.module.css";
 import styles from "../parts/Field.module.css";
 import { t } from "../state/language";
 
@@ -9,7 +10,7 @@ export function ArmChoice({ arms, arm }: { arms: ChoiceOption[]; arm: string }) 
     <label className={styles.field}>
       <span className={styles.label}>{t("Arm")}</span>
       <select
-        className={styles.input}
+        className={`${look.input} ${styles.input}`}
         value={arm}
         onChange={(event) => void sendArm("choose_arm", { id: event.target.value })}
       >

@@ -11,8 +11,8 @@ import { SeatList } from "./SeatList";
 export function ArmPictureView({ view }: { view: ArmView }) {
   const { picture } = view;
   if (view.purpose === "tip" && view.step !== "seat") return <TipPicture picture={picture} />;
-  if (picture.result) return <ResultView result={picture.result} />;
-  if (view.step === "seat") return view.purpose !== "identify" ? <History tips={view.purpose === "tip"} /> : <SeatList seats={picture.seats} />;
+  if (picture.result) return <ResultView result={picture.result} id={view.session_id} />;
+  if (view.step === "seat") return view.purpose !== "identify" ? <History of={view.purpose === "tip" ? "tip" : "arm"} /> : <SeatList seats={picture.seats} />;
   return (
     <div className={styles.picture}>
       <RunCharts picture={picture} />

@@ -1,21 +1,46 @@
-import type { ArmCheckSummary, TipCheckSummary } from "../api/armTypes";
+import type { ArmCheckSummary, IdentificationSummary, TipCheckSummary } from "../api/armTypes";
 import { EmptyState } from "../parts/EmptyState";
 import rows from "../parts/List.module.css";
-import { Reports } from "../parts/Reports";
-import { bound, moment } from "../parts/format";
-import { lengthFigures, measured, unitOf } from "../parts/lengths";
-import { QualityMark } from "../parts/QualityMark";
-import { counted, t } from "../state/language";
+import { t } from "../state/language";
 import { useLive } from "../state/store";
 import { useList } from "../state/useList";
 import { GaugeDrawing } from "../verify/GaugeDrawing";
+import { ArmRow, IdentifiedRow, TipRow } from "./CheckRows";
 import styles from "./History.module.css";
 import { HistoryChart } from "./HistoryChart";
 import { SeatIllustration } from "./SeatIllustration";
 
-/** Every finished check: of the arm as a line over time and one by one, of the tip one by one. */
-export function History({ tips = false }: { tips?: boolean }) {
-  return tips ? <TipHistory /> : <ArmHistory />;
+export type Past = "arm" | "tip" | "identified";
+
+/** What was done before: checks of the arm as a line over time and one by one, all else one by one. */
+export function History({ of }: { of: Past }) {
+  if (of === "tip") return <TipHistory />;
+  return of === "identified" ? <IdentifiedHistory /> : <ArmHistory />;
+}
+
+function IdentifiedHistory() {
+  const grown = useLive((s) => `${s.arm?.session_id ?? ""} ${s.arm?.step ?? ""}`);
+  const { list } = useList<IdentificationSummary>("/api/arm/identifications", grown);
+  if (!list) return null;
+  if (list.length === 0) {
+    return (
+      <EmptyState
+        picture={<SeatIllustration />}
+        title={t("Not identified here yet")}
+        text={t("Each identification will stand here: by how much the arm differed from its papers, how well it is known since, and its report.")}
+      />
+    );
+  }
+  return (
+    <div className={styles.history}>
+      <h2 className={styles.title}>{t("Identifications of the arm")}</h2>
+      <ul className={rows.list}>
+        {list.map((found) => (
+          <IdentifiedRow key={found.id} found={found} />
+        ))}
+      </ul>
+    </div>
+  );
 }
 
 function TipHistory() {
@@ -43,23 +68,6 @@ function TipHistory() {
   );
 }
 
-function TipRow({ check }: { check: TipCheckSummary }) {
-  return (
-    <li className={styles.row}>
-      <QualityMark quality={check.verdict} />
-      <div className={styles.what}>
-        <p className={styles.when}>{moment(check.at)}</p>
-        <p className={styles.detail}>{bound(check.text)}</p>
-      </div>
-      <dl className={styles.axes}>
-        <dt>{t("Diameter")}</dt>
-        <dd>{measured(check.diameter_mm, "mm", 3)}</dd>
-      </dl>
-      <Reports of={`/api/arm/tips/${check.id}`} />
-    </li>
-  );
-}
-
 function ArmHistory() {
   const grown = useLive((s) => `${s.arm?.session_id ?? ""} ${s.arm?.step ?? ""}`);
   const { list, failed } = useList<ArmCheckSummary>("/api/arm/checks", grown);
@@ -79,36 +87,9 @@ function ArmHistory() {
       <HistoryChart checks={list} />
       <ul className={rows.list}>
         {list.map((check) => (
-          <Row key={check.id} check={check} />
+          <ArmRow key={check.id} check={check} />
         ))}
       </ul>
     </div>
-  );
-}
-
-function Row({ check }: { check: ArmCheckSummary }) {
-  const limit = check.limit_um === null ? t("no limit was set") : t("limit {value}", { value: measured(check.limit_um, "µm") });
-  return (
-    <li className={styles.row}>
-      <QualityMark quality={check.verdict} />
-      <div className={styles.what}>
-        <p className={styles.when}>{moment(check.at)}</p>
-        <p className={styles.detail}>
-          {t("arm {serial}", { serial: check.arm_serial || check.arm_name })} · {counted(check.points, "{n} point", "{n} points")} · {limit}
-        </p>
-      </div>
-      <Axes label="(max − min)/2" values={check.half_range_um} />
-      <Axes label="2σ" values={check.two_sigma_um} />
-      <Reports of={`/api/arm/checks/${check.id}`} />
-    </li>
-  );
-}
-
-function Axes({ label, values }: { label: string; values: number[] }) {
-  return (
-    <dl className={styles.axes}>
-      <dt>{label} x, y, z</dt>
-      <dd>{values.map((value) => lengthFigures(value, "µm")).join(" · ")} {unitOf("µm")}</dd>
-    </dl>
   );
 }

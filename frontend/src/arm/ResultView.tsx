@@ -3,6 +3,7 @@ import { useState } from "react";
 import type { ArmResult, ParameterLine } from "../api/armTypes";
 import { CopyCsv } from "../parts/CopyCsv";
 import { DataTable } from "../parts/DataTable";
+import { Reports } from "../parts/Reports";
 import { Segments } from "../parts/Segments";
 import { bound } from "../parts/format";
 import { measured } from "../parts/lengths";
@@ -16,12 +17,13 @@ const TABS = [
 ];
 
 /** What the identification is worth, as bars; the parameters are one tap away. */
-export function ResultView({ result }: { result: ArmResult }) {
+export function ResultView({ result, id }: { result: ArmResult; id: string }) {
   const [tab, setTab] = useState("picture");
   return (
     <div className={styles.result}>
       <div className={styles.tabs}>
         <Segments value={tab} onChange={setTab} options={TABS.map(({ value, label }) => ({ value, label: t(label) }))} label={t("What to look at")} />
+        <Reports of={`/api/arm/identifications/${id}`} />
       </div>
       {tab === "picture" ? <BeforeAndAfter result={result} /> : <Parameters parameters={result.parameters} />}
     </div>

@@ -1,27 +1,21 @@
-import { useEffect, useRef } from "react";
-
 import { sendFlow } from "../api/commands";
 import type { Devices } from "../api/deviceTypes";
 import type { FlowView } from "../api/flowTypes";
-import type { Finding } from "../api/types";
 import { Actions } from "../parts/Actions";
 import { BigNumber } from "../parts/BigNumber";
 import { CardHead } from "../parts/CardHead";
 import { Findings } from "../parts/Findings";
 import { PressButton } from "../parts/PressButton";
 import { Busy, Progress } from "../parts/Progress";
+import { useStepHeading } from "../parts/useStepHeading";
+import { withoutEchoes } from "../parts/withoutEchoes";
 import { go } from "../state/router";
 import { useLive } from "../state/store";
 import { StepDots } from "./StepDots";
 
-/**
- * A finding that only repeats the number's note, why an act is not possible or which device is
- * lost, is said there.
- */
-function withoutEchoes({ findings, actions, number }: FlowView, lost: string): Finding[] {
-  const told = new Set(actions.filter(({ enabled }) => !enabled).map(({ why_not }) => why_not));
-  const said = number?.note ?? "";
-  return findings.filter(({ text }) => !told.has(text) && !said.startsWith(text) && !(lost && text.startsWith(`${lost}: `)));
+/** What the number's note says, or the picture of a device that is lost. */
+function isSaid(text: string, { number }: FlowView, lost: string): boolean {
+  return (number?.note ?? "").startsWith(text) || (lost !== "" && text.startsWith(`${lost}: `));
 }
 
 /** The station names one lost device at a time, the arm before the sensor. */
@@ -35,16 +29,7 @@ export function FlowCard({ view }: { view: FlowView }) {
   const lost = useLive((s) => lostTitle(s.devices));
   /* A calibration that is over leads on to what comes next. */
   const next = useLive((s) => (!view.running && s.home?.next.page !== "calibrate" ? s.home?.next : undefined));
-  const heading = useRef<HTMLHeadingElement>(null);
-  const shown = useRef(view.step);
-
-  /* A new step takes the focus, so that Enter presses nothing and Tab leads to its first act. */
-  useEffect(() => {
-    if (shown.current === view.step) return;
-    shown.current = view.step;
-    heading.current?.focus({ preventScroll: true });
-  }, [view.step]);
-
+  const heading = useStepHeading(view.step);
   return (
     <>
       <StepDots view={view} />
@@ -62,7 +47,7 @@ export function FlowCard({ view }: { view: FlowView }) {
         busy={view.busy !== null}
         onAct={(action) => sendFlow(action.name, action.args)}
       >
-        <Findings findings={withoutEchoes(view, lost)} />
+        <Findings findings={withoutEchoes(view.findings, view.actions, (text) => isSaid(text, view, lost))} />
       </Actions>
     </>
   );

@@ -6,6 +6,7 @@ import type { Vec3 } from "../api/types";
 import { BlockDrawing } from "../object/BlockDrawing";
 import { scaleEnd } from "../object/residuals";
 import { Suggestions, Touches } from "../object/Touches";
+import { Chips } from "../parts/Chips";
 import { t } from "../state/language";
 import { FaceChips } from "./FaceChips";
 import styles from "./ObjectPicture.module.css";
@@ -55,7 +56,24 @@ export function ObjectPicture({ picture }: { picture: ObjectView }) {
       <LastEvent>
         <Note points={points} scale_um={scale_um} />
       </LastEvent>
+      <Unplaced points={points.filter(({ face }) => face === selected?.face)} chosen={chosen} onPoint={setChosen} />
       <FaceChips faces={faces} onSelect={select} />
+    </div>
+  );
+}
+
+interface UnplacedProps {
+  points: TouchedPoint[];
+  chosen: number | null;
+  onPoint: (index: number) => void;
+}
+
+/** Points whose place on the object is not known yet: each can be taken out all the same. */
+function Unplaced({ points, chosen, onPoint }: UnplacedProps) {
+  const options = points.filter(({ at_mm }) => !at_mm).map(({ index }) => ({ value: index, label: `${index + 1}` }));
+  return (
+    <div className={styles.points}>
+      <Chips label={t("Points on this face")} options={options} value={chosen ?? -1} onChange={onPoint} />
     </div>
   );
 }

@@ -38,7 +38,11 @@ export function PointPanel({ point, onClose, removable }: PointPanelProps) {
       </div>
       <div className={styles.value}>{point.residual_um === null ? `– ${unitOf("µm")}` : signedLength(point.residual_um, "µm")}</div>
       <p className={styles.text}>
-        {point.outlier ? t("Outlier: it does not fit its face and is not used.") : t("Distance from its face, + outward.")}
+        {point.outlier
+          ? t("Outlier: it does not fit its face and is not used.")
+          : point.residual_um === null
+            ? t("Its distance is known once three faces that meet have been touched.")
+            : t("Distance from its face, + outward.")}
       </p>
       {removable && <PressButton onPress={remove}>{t("Remove this point")}</PressButton>}
     </div>

@@ -2,7 +2,7 @@ import type { FlowView } from "../api/flowTypes";
 import { t } from "../state/language";
 import styles from "./StepDots.module.css";
 
-/** On a phone, where the list of steps has no room: where we are, in one line. */
+/** Where the list of steps has no room: where we are, in one line. */
 export function StepDots({ view }: { view: Pick<FlowView, "steps" | "step"> }) {
   const index = view.steps.findIndex((step) => step.id === view.step);
   return (

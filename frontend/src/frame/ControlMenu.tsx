@@ -4,6 +4,7 @@ import { useState } from "react";
 import type { Control, You } from "../api/accessTypes";
 import { ROLES } from "../api/accessTypes";
 import { askForControl, releaseControl, signOut, takeControl } from "../api/session";
+import look from "../parts/Control.module.css";
 import { PressButton } from "../parts/PressButton";
 import { TextField } from "../parts/TextField";
 import { t } from "../state/language";
@@ -27,7 +28,7 @@ export function ControlMenu() {
       <Popover.Target>
         <button
           type="button"
-          className={styles.pill}
+          className={`${look.button} ${styles.pill}`}
           data-whose={whose}
           aria-label={t("Control: {who}", { who: words })}
           aria-haspopup="dialog"

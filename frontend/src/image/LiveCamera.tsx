@@ -31,10 +31,12 @@ interface LiveCameraProps {
   target?: Target;
   /** What lies on the picture, of its own size. */
   over?: (frame: Frame) => ReactNode;
+  /** Without the figures below. */
+  bare?: boolean;
 }
 
 /** The camera as it sees now, with corners, outline and stripe drawn on it. */
-export function LiveCamera({ target = [], over }: LiveCameraProps) {
+export function LiveCamera({ target = [], over, bare = false }: LiveCameraProps) {
   const { ref, width, height } = useElementSize<HTMLDivElement>();
   const canvas = useRef<HTMLCanvasElement>(null);
   const room = useRef({ width, height });
@@ -58,7 +60,7 @@ export function LiveCamera({ target = [], over }: LiveCameraProps) {
   const old_s = useAge(newest);
   const old = header !== null && old_s > OLD_S;
   return (
-    <div className={styles.camera}>
+    <div className={styles.camera} data-bare={bare || undefined}>
       <div ref={ref} className={styles.room}>
         <canvas
           ref={canvas}
@@ -72,7 +74,7 @@ export function LiveCamera({ target = [], over }: LiveCameraProps) {
         {header && old_s > AWAY_S && <Away old_s={old_s} />}
         {!header && <p className={styles.waiting}>{t("No picture yet. It appears when the camera sends one.")}</p>}
       </div>
-      {header && <Panel header={header} old_s={old ? old_s : null} line={over !== undefined} rate={rate} />}
+      {header && !bare && <Panel header={header} old_s={old ? old_s : null} line={over !== undefined} rate={rate} />}
     </div>
   );
 }
@@ -83,9 +85,9 @@ function Away({ old_s }: { old_s: number }) {
   const sensor = useLive((s) => s.devices?.sensor.state ?? "lost");
   const values = { age: age(old_s) };
   const why = !heard
-    ? t("The station has been away for {age}.", values)
+    ? t("The station is away, and this picture {age} old.", values)
     : sensor === "lost" || sensor === "off"
-      ? t("The camera has been away for {age}.", values)
+      ? t("The camera is away, and this picture {age} old.", values)
       : t("No newer picture has come for {age}.", values);
   return (
     <p className={styles.away} role="status">

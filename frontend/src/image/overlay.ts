@@ -89,7 +89,7 @@ export function drawBand(context: CanvasRenderingContext2D, band: Band, scale: n
   context.fillStyle = COLOURS.band;
   context.lineWidth = 1.5;
   context.setLineDash([2, 5]);
-  context.font = "600 13px system-ui, sans-serif";
+  context.font = '600 13px "Inter Variable", system-ui, sans-serif';
   context.shadowColor = "#000";
   context.shadowBlur = 4;
   for (const [line, words] of [

@@ -4,15 +4,17 @@ import { NextStep } from "../home/NextStep";
 import { startArm } from "../api/armCommands";
 import { ArmCard } from "../arm/ArmCard";
 import { ArmPictureView } from "../arm/ArmPictureView";
-import { History } from "../arm/History";
+import { History, type Past } from "../arm/History";
 import { Layout } from "../frame/Layout";
 import { MainAct } from "../parts/Actions";
 import { t } from "../state/language";
 import { Chips } from "../parts/Chips";
 import { CardHead } from "../parts/CardHead";
 import { PressButton } from "../parts/PressButton";
-import { useLive } from "../state/store";
+import { getState, useLive } from "../state/store";
 import styles from "./ArmPage.module.css";
+
+const PAST = { check: "arm", tip: "tip", identify: "identified" } as const;
 
 /** The arm itself: its daily check with the history, and its identification. */
 export function ArmPage() {
@@ -22,7 +24,8 @@ export function ArmPage() {
 }
 
 function NotStarted() {
-  const [tips, setTips] = useState(false);
+  // what was done last is looked at first
+  const [past, setPast] = useState<Past>(() => PAST[getState().arm?.purpose ?? "check"]);
   return (
     <Layout
       picture={
@@ -33,12 +36,13 @@ function NotStarted() {
               options={[
                 { value: "arm", label: t("Arm") },
                 { value: "tip", label: t("Tip") },
+                { value: "identified", label: t("Identifications") },
               ]}
-              value={tips ? "tip" : "arm"}
-              onChange={(value) => setTips(value === "tip")}
+              value={past}
+              onChange={setPast}
             />
           </div>
-          <History tips={tips} />
+          <History of={past} />
         </>
       }
       card={

@@ -1,7 +1,9 @@
 import type { ReactNode } from "react";
 
+import type { ArmCheckSummary, IdentificationSummary, TipCheckSummary } from "../api/armTypes";
 import type { CalibrationSummary } from "../api/homeTypes";
 import type { ScanSummary } from "../api/scanTypes";
+import { ArmRow, IdentifiedRow, TipRow } from "../arm/CheckRows";
 import { Banners } from "../frame/Banners";
 import type { VerificationSummary } from "../api/verifyTypes";
 import { CalibrationHistory } from "../records/CalibrationHistory";
@@ -25,6 +27,7 @@ function AllRecords() {
   const calibrations = useList<CalibrationSummary>("/api/calibrations");
   const verified = useLive((s) => `${s.verify?.session_id ?? ""} ${s.verify?.running ?? ""}`);
   const verifications = useList<VerificationSummary>("/api/verifications", verified);
+  const checks = useChecks();
   const records = useLive((s) => s.view?.records ?? 0);
   const scans = useList<ScanSummary>("/api/scans", `${records}`);
   return (
@@ -44,6 +47,12 @@ function AllRecords() {
         row={(summary) => <VerificationRow key={summary.id} summary={summary} />}
       />
       <Section
+        title={t("Arm and tip")}
+        empty={t("Checks of the arm and its tip and identifications will be here, the newest first. Make one on the page Arm & tip.")}
+        {...checks}
+        row={({ row }) => row}
+      />
+      <Section
         title={t("Scans")}
         empty={t("Saved clouds will be here, the newest first. Start a scan on the Scan page.")}
         {...scans}
@@ -53,6 +62,27 @@ function AllRecords() {
       <Banners />
     </main>
   );
+}
+
+interface Check {
+  at: string;
+  row: ReactNode;
+}
+
+/** Everything that was done to the arm and its tip, the newest first. */
+function useChecks(): { list: Check[] | null; failed: boolean } {
+  const grown = useLive((s) => `${s.arm?.session_id ?? ""} ${s.arm?.step ?? ""}`);
+  const arm = useList<ArmCheckSummary>("/api/arm/checks", grown);
+  const tip = useList<TipCheckSummary>("/api/arm/tips", grown);
+  const identified = useList<IdentificationSummary>("/api/arm/identifications", grown);
+  const failed = arm.failed || tip.failed || identified.failed;
+  if (!arm.list || !tip.list || !identified.list) return { list: null, failed };
+  const list: Check[] = [
+    ...arm.list.map((check) => ({ at: check.at, row: <ArmRow key={check.id} check={check} /> })),
+    ...tip.list.map((check) => ({ at: check.at, row: <TipRow key={check.id} check={check} /> })),
+    ...identified.list.map((found) => ({ at: found.at, row: <IdentifiedRow key={found.id} found={found} /> })),
+  ];
+  return { list: list.sort((a, b) => b.at.localeCompare(a.at)), failed };
 }
 
 interface SectionProps<T> {

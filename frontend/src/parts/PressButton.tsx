@@ -2,6 +2,7 @@ import { type ReactNode, useEffect, useId, useRef, useState } from "react";
 
 import { useBarred } from "../state/control";
 import { useElapsed } from "../state/freshness";
+import look from "./Control.module.css";
 import { bound, figures } from "./format";
 import styles from "./PressButton.module.css";
 
@@ -24,8 +25,9 @@ const pause = (ms: number) => new Promise<void>((resolve) => setTimeout(resolve,
 
 /**
  * A button for gloves: large, acting once however it bounces, deaf for a moment when it has
- * just come under the finger, silent under a held Enter, and counting the seconds while its
- * answer is awaited.
+ * just come under the finger, silent under a held key, and counting the seconds while its
+ * answer is awaited. Enter, which comes by itself from scanners of bar codes and from elbows,
+ * starts nothing at the station; the space bar does.
  */
 export function PressButton(props: PressButtonProps) {
   const { children, onPress, kind = "secondary", describedBy, free = false } = props;
@@ -62,14 +64,14 @@ export function PressButton(props: PressButtonProps) {
   return (
     <button
       type="button"
-      className={styles.button}
+      className={`${look.button} ${styles.button}`}
       data-kind={kind}
       data-off={disabled || undefined}
       aria-disabled={disabled || waiting || undefined}
       aria-labelledby={why ? labelId : undefined}
       aria-describedby={why ? whyId : describedBy}
       onClick={() => void press()}
-      onKeyDown={(event) => event.repeat && event.preventDefault()}
+      onKeyDown={(event) => (event.repeat || (event.key === "Enter" && !free)) && event.preventDefault()}
     >
       <span id={labelId} className={styles.label}>
         {children}

@@ -24,8 +24,8 @@ export function Readouts({ readouts, wrap = false }: { readouts: Readout[]; wrap
             {quality && quality !== "neutral" && <QualityMark quality={quality} size="1.125rem" />}
             {value}
             {unit && <span> {unit}</span>}
-            {note && <small>{note}</small>}
           </dd>
+          {note && <dd className={styles.note}>{note}</dd>}
         </div>
       ))}
     </dl>

@@ -1,4 +1,5 @@
 import { languageNow, t } from "../state/language";
+import look from "./Control.module.css";
 import download from "./Download.module.css";
 import { DownloadIcon } from "./icons";
 import styles from "./Reports.module.css";
@@ -8,10 +9,10 @@ export function Reports({ of }: { of: string }) {
   const lang = languageNow() === "en" ? "" : `?lang=${languageNow()}`;
   return (
     <div className={styles.reports}>
-      <a className={download.download} href={`${of}/report.html${lang}`} target="_blank" rel="noopener">
+      <a className={`${look.button} ${download.download}`} href={`${of}/report.html${lang}`} target="_blank" rel="noopener">
         {t("Report")}
       </a>
-      <a className={download.download} href={`${of}/report.pdf${lang}`} target="_blank" rel="noopener">
+      <a className={`${look.button} ${download.download}`} href={`${of}/report.pdf${lang}`} target="_blank" rel="noopener">
         <DownloadIcon size="1.25rem" />
         PDF
       </a>

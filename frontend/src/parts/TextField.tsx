@@ -1,5 +1,6 @@
 import { type InputHTMLAttributes, useId } from "react";
 
+import look from "./Control.module.css";
 import styles from "./Field.module.css";
 
 interface TextFieldProps extends Omit<InputHTMLAttributes<HTMLInputElement>, "onChange"> {
@@ -18,7 +19,7 @@ export function TextField({ label, help, onText, ...input }: TextFieldProps) {
       </label>
       <input
         id={id}
-        className={styles.input}
+        className={`${look.input} ${styles.input}`}
         type="text"
         aria-describedby={help ? `${id}-help` : undefined}
         {...input}

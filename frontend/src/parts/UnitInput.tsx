@@ -1,5 +1,6 @@
 import type { InputHTMLAttributes } from "react";
 
+import look from "./Control.module.css";
 import fields from "./Field.module.css";
 import styles from "./UnitInput.module.css";
 
@@ -15,7 +16,7 @@ export function UnitInput({ unit, long = false, onText, ...input }: UnitInputPro
   return (
     <div className={styles.unit} data-unit={unit}>
       <input
-        className={fields.input}
+        className={`${look.input} ${fields.input}`}
         data-long={long || undefined}
         type="number"
         inputMode="decimal"

@@ -50,9 +50,13 @@ export function decimalsIn(unit: string, decimals: number): number {
   return to ? Math.max(0, Math.ceil(decimals - Math.log10(perStation(to)))) : decimals;
 }
 
-/** The number alone, in the unit that is shown. */
+/**
+ * The number alone, in the unit that is shown. In inch it is the metric figure that is converted,
+ * as the station's sentences hold it, so that one value reads alike wherever it stands.
+ */
 export function lengthFigures(value: number, unit: string, decimals = 0, plus = false): string {
-  return (plus ? signed : figures)(inUnit(value, unit), decimalsIn(unit, decimals));
+  const said = inch(unit) ? Number(value.toFixed(decimals)) : value;
+  return (plus ? signed : figures)(inUnit(said, unit), decimalsIn(unit, decimals));
 }
 
 /** With its sign always. */

@@ -3,6 +3,7 @@ import { useState } from "react";
 import type { ScanSummary } from "../api/scanTypes";
 import type { Action } from "../api/types";
 import { deleteScan, renameScan } from "../api/viewCommands";
+import look from "../parts/Control.module.css";
 import { figures } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
 import { Question } from "../parts/Question";
@@ -60,7 +61,7 @@ function NewName({ scan, onDone }: { scan: ScanSummary; onDone: () => void }) {
       }}
     >
       <input
-        className={styles.input}
+        className={`${look.input} ${styles.input}`}
         value={name}
         maxLength={120}
         autoFocus

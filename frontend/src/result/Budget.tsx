@@ -1,6 +1,6 @@
 import type { BudgetRow, CalibrationResult } from "../api/resultTypes";
 import { bound } from "../parts/format";
-import { inUnit, lengthFigures, measured, unitOf } from "../parts/lengths";
+import { lengthFigures, measured, unitOf } from "../parts/lengths";
 import { said, t } from "../state/language";
 import styles from "./Budget.module.css";
 
@@ -41,7 +41,7 @@ function Row({ row, largest, total = false }: { row: BudgetRow; largest: number;
 
 /** Whole ones; a share too small for one is not called none. */
 function micrometres(value: number): string {
-  return value > 0 && inUnit(value, "µm") < 0.5 ? "< 1" : lengthFigures(value, "µm");
+  return value > 0 && value < 0.5 ? `< ${lengthFigures(1, "µm")}` : lengthFigures(value, "µm");
 }
 
 function Compared({ result }: { result: CalibrationResult }) {

@@ -2,6 +2,7 @@ import type { ReactNode } from "react";
 
 import { colourBy, removeFit } from "../api/viewCommands";
 import type { Figure, Fitted, ShapeName } from "../api/viewTypes";
+import look from "../parts/Control.module.css";
 import { CloseIcon, CylinderIcon, PlaneIcon, SphereIcon } from "../parts/icons";
 import { figures } from "../parts/format";
 import { lengthFigures, measured, unitOf } from "../parts/lengths";
@@ -31,7 +32,7 @@ export function MeasurePanel({ onPick }: { onPick: (shape: ShapeName) => void })
           <button
             key={shape.name}
             type="button"
-            className={styles.shape}
+            className={`${look.button} ${styles.shape}`}
             aria-disabled={barred || why !== "" || undefined}
             onClick={() => !barred && !why && onPick(shape.name)}
           >
@@ -100,7 +101,7 @@ function FitCard({ fitted, last }: { fitted: Fitted; last: boolean }) {
           : t("Too few pictures took part to tell an uncertainty.")}
       </p>
       {last && !byDeviation && !barred && (
-        <button type="button" className={styles.deviations} onClick={() => void colourBy("deviation")}>
+        <button type="button" className={`${look.button} ${styles.deviations}`} onClick={() => void colourBy("deviation")}>
           {t("Colour by deviation from it")}
         </button>
       )}

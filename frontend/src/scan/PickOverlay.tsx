@@ -1,6 +1,7 @@
 import { type PointerEvent, useEffect, useRef, useState } from "react";
 
 import type { Region, ShapeName } from "../api/viewTypes";
+import look from "../parts/Control.module.css";
 import { t, words } from "../state/language";
 import styles from "./PickOverlay.module.css";
 
@@ -62,7 +63,7 @@ export function PickOverlay({ shape, onPick, onCancel }: PickOverlayProps) {
         <p>{t(DRAW[shape])}</p>
         <button
           type="button"
-          className={styles.cancel}
+          className={`${look.button} ${styles.cancel}`}
           autoFocus
           onPointerDown={(event) => event.stopPropagation()}
           onClick={onCancel}

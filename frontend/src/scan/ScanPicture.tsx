@@ -3,7 +3,9 @@ import { type ReactNode, useRef, useState } from "react";
 import { newKey } from "../api/commands";
 import { fitShape } from "../api/viewCommands";
 import type { Region, ShapeName } from "../api/viewTypes";
-import { CameraIcon, CloudsIcon, ColoursIcon, MeasureIcon } from "../parts/icons";
+import { LiveCamera } from "../image/LiveCamera";
+import look from "../parts/Control.module.css";
+import { CameraIcon, CloudsIcon, ColoursIcon, MeasureIcon, ScanIcon } from "../parts/icons";
 import { useBarred } from "../state/control";
 import { t, words } from "../state/language";
 import { notify } from "../state/notices";
@@ -18,9 +20,10 @@ import styles from "./ScanPicture.module.css";
 import { ScansPanel } from "./ScansPanel";
 import { savePicture } from "./savePicture";
 
-type Panel = "scans" | "colours" | "measure";
+type Panel = "camera" | "scans" | "colours" | "measure";
 
 const TOOLS: { panel: Panel; label: string; icon: ReactNode }[] = [
+  { panel: "camera", label: words("Camera"), icon: <ScanIcon /> },
   { panel: "scans", label: words("Scans"), icon: <CloudsIcon /> },
   { panel: "colours", label: words("Colours"), icon: <ColoursIcon /> },
   { panel: "measure", label: words("Measure"), icon: <MeasureIcon /> },
@@ -50,7 +53,7 @@ export function ScanPicture() {
           <button
             key={tool.panel}
             type="button"
-            className={styles.tool}
+            className={`${look.button} ${styles.tool}`}
             aria-expanded={panel === tool.panel}
             onClick={() => toggle(tool.panel)}
           >
@@ -58,7 +61,7 @@ export function ScanPicture() {
             {t(tool.label)}
           </button>
         ))}
-        <button type="button" className={styles.tool} onClick={() => void save(frame.current)}>
+        <button type="button" className={`${look.button} ${styles.tool}`} onClick={() => void save(frame.current)}>
           <CameraIcon />
           {t("Save picture")}
         </button>
@@ -66,6 +69,11 @@ export function ScanPicture() {
       {panel && !picking && (
         <section className={styles.panel} aria-label={t(TOOLS.find((tool) => tool.panel === panel)?.label ?? "")}>
           {barred && <p className={styles.barred}>{barred}</p>}
+          {panel === "camera" && (
+            <div className={styles.camera}>
+              <LiveCamera bare />
+            </div>
+          )}
           {panel === "scans" && <ScansPanel />}
           {panel === "colours" && <ColourPanel />}
           {panel === "measure" && <MeasurePanel onPick={setPicking} />}

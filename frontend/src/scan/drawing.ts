@@ -1,21 +1,37 @@
 import { useEffect, useState } from "react";
 
+import { TRIAL_POINTS, trial_ms } from "./trial";
+
 /** Thousands of the clouds' points that a browser is sent, fewer with each step; at first all. */
 const STEPS = [null, 300, 75] as const;
+/** Of the clouds' points that the station shows. */
+const MOST_SHOWN = 2_000_000;
 const KEPT = "crenel-drawing";
-const LOOKED_MS = 3000;
+const LOOKED_MS = 1500;
 /** Slower than this, the page's buttons wait for the picture. */
 const SLOW_MS = 250;
 
-/** A browser without a graphics processor cannot draw many. */
+/** A browser without a graphics processor cannot draw many; one that does not say so is tried. */
 function firstStep(): number {
   const kept = Number(sessionStorage.getItem(KEPT));
   if (kept > 0 && kept < STEPS.length) return kept;
-  const gl = document.createElement("canvas").getContext("webgl");
+  const canvas = document.createElement("canvas");
+  canvas.width = 1024;
+  canvas.height = 768;
+  const gl = canvas.getContext("webgl2");
   const named = gl?.getExtension("WEBGL_debug_renderer_info");
   const renderer = gl && named ? String(gl.getParameter(named.UNMASKED_RENDERER_WEBGL)) : "";
+  const said = /swiftshader|llvmpipe|softpipe|software|basic render/i.test(renderer);
+  const step = said ? STEPS.length - 1 : gl ? stepOf(trial_ms(gl)) : 0;
   gl?.getExtension("WEBGL_lose_context")?.loseContext();
-  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(renderer) ? STEPS.length - 1 : 0;
+  return step;
+}
+
+/** By how long the points of the trial took: so many must be drawn within one slow frame. */
+function stepOf(took_ms: number): number {
+  const all = MOST_SHOWN * (took_ms / TRIAL_POINTS);
+  const some = 1000 * STEPS[1] * (took_ms / TRIAL_POINTS);
+  return all < SLOW_MS ? 0 : some < SLOW_MS ? 1 : STEPS.length - 1;
 }
 
 let step: number | null = null;

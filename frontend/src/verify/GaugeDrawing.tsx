@@ -16,18 +16,18 @@ interface Marks {
 
 function Plate({ touching, scanning }: Marks) {
   const spots = [
-    [92, 92],
-    [206, 80],
-    [236, 118],
-    [126, 132],
-    [166, 104],
+    [76, 119],
+    [182, 79],
+    [247, 115],
+    [141, 147],
+    [161, 115],
   ];
   return (
     <>
       <path className={styles.side} d="M40 122 132 160v22L40 144Z" />
       <path className={styles.front} d="M132 160 284 116v22L132 182Z" />
       <path className={styles.top} d="M40 122 190 62l94 54-152 44Z" />
-      {scanning && <path className={styles.stripe} d="M108 95 212 140" />}
+      {scanning && <path className={styles.stripe} d="M108 95 200 140" />}
       {touching && spots.map(([x, y]) => <ellipse key={x} className={styles.spot} cx={x} cy={y} rx={8} ry={5} />)}
     </>
   );

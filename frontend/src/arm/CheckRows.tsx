@@ -1,0 +1,82 @@
+import type { ArmCheckSummary, IdentificationSummary, TipCheckSummary } from "../api/armTypes";
+import { bound, moment } from "../parts/format";
+import { lengthFigures, measured, unitOf } from "../parts/lengths";
+import { QualityMark } from "../parts/QualityMark";
+import { Reports } from "../parts/Reports";
+import { counted, t } from "../state/language";
+import styles from "./History.module.css";
+
+/** A check of the arm, with its report. */
+export function ArmRow({ check }: { check: ArmCheckSummary }) {
+  const limit = check.limit_um === null ? t("no limit was set") : t("limit {value}", { value: measured(check.limit_um, "µm") });
+  return (
+    <li className={styles.row}>
+      <QualityMark quality={check.verdict} />
+      <div className={styles.what}>
+        <p className={styles.when}>
+          {t("Check of the arm")} · {moment(check.at)}
+        </p>
+        <p className={styles.detail}>
+          {t("arm {serial}", { serial: check.arm_serial || check.arm_name })} · {counted(check.points, "{n} point", "{n} points")} · {limit}
+        </p>
+      </div>
+      <Axes label="(max − min)/2" values={check.half_range_um} />
+      <Axes label="2σ" values={check.two_sigma_um} />
+      <Reports of={`/api/arm/checks/${check.id}`} />
+    </li>
+  );
+}
+
+/** A check of the tip, with its report. */
+export function TipRow({ check }: { check: TipCheckSummary }) {
+  return (
+    <li className={styles.row}>
+      <QualityMark quality={check.verdict} />
+      <div className={styles.what}>
+        <p className={styles.when}>
+          {t("Check of the tip")} · {moment(check.at)}
+        </p>
+        <p className={styles.detail}>{bound(check.text)}</p>
+      </div>
+      <dl className={styles.axes}>
+        <dt>{t("Diameter")}</dt>
+        <dd>{measured(check.diameter_mm, "mm", 3)}</dd>
+      </dl>
+      <Reports of={`/api/arm/tips/${check.id}`} />
+    </li>
+  );
+}
+
+/** An identification of the arm, with its report. */
+export function IdentifiedRow({ found }: { found: IdentificationSummary }) {
+  return (
+    <li className={styles.row}>
+      <QualityMark quality="neutral" />
+      <div className={styles.what}>
+        <p className={styles.when}>
+          {t("Identification of the arm")} · {moment(found.at)}
+        </p>
+        <p className={styles.detail}>
+          {t("arm {serial}", { serial: found.arm_serial || found.arm_name })}
+          {!found.size_known && ` · ${t("its size is that of its papers")}`}
+        </p>
+      </div>
+      <dl className={styles.axes}>
+        <dt>{t("Tip over the reach, rms")}</dt>
+        <dd>
+          {lengthFigures(found.volume_before_um, "µm", 1)} → {measured(found.volume_after_um, "µm", 1)}
+        </dd>
+      </dl>
+      <Reports of={`/api/arm/identifications/${found.id}`} />
+    </li>
+  );
+}
+
+function Axes({ label, values }: { label: string; values: number[] }) {
+  return (
+    <dl className={styles.axes}>
+      <dt>{label} x, y, z</dt>
+      <dd>{values.map((value) => lengthFigures(value, "µm")).join(" · ")} {unitOf("µm")}</dd>
+    </dl>
+  );
+}

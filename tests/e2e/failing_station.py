@@ -1,0 +1,25 @@
+"""A simulated station whose camera goes, or comes back, with each SIGUSR1; takes the folder."""
+
+import signal
+import sys
+from pathlib import Path
+
+from app.demonstration import parts_of
+from app.main import _run
+from app.serving import listen
+from hardware.twin.station import Twin
+
+
+def serve(data: Path) -> None:
+    listening = listen("127.0.0.1", 0, 1)
+    with Twin() as twin:
+
+        def turn(*_: object) -> None:
+            twin.faults.camera_lost = not twin.faults.camera_lost
+
+        signal.signal(signal.SIGUSR1, turn)
+        _run(parts_of(twin, data, ("127.0.0.1",)), listening, "127.0.0.1", False)
+
+
+if __name__ == "__main__":
+    serve(Path(sys.argv[1]))

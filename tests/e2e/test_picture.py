@@ -1,0 +1,68 @@
+"""The live picture in a real browser: it says that the camera is lost, and goes on by itself."""
+
+import signal
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, Page, expect
+
+from tests.e2e.conftest import Demo
+
+ROUNDS = 2
+DRAWN = """
+window.drawn = [];
+const draw = CanvasRenderingContext2D.prototype.drawImage;
+CanvasRenderingContext2D.prototype.drawImage = function (...given) {
+  window.drawn.push(Date.now());
+  return draw.apply(this, given);
+};
+"""
+"""When pictures were drawn, in ms of the clock that the tests have too."""
+
+
+@pytest.fixture(scope="module")
+def station(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Demo]:
+    data = tmp_path_factory.mktemp("station") / "data"
+    running = Demo(data, [sys.executable, "-m", "tests.e2e.failing_station", str(data)])
+    yield running
+    running.end()
+
+
+def first_after(page: Page, moment_ms: float) -> float:
+    """When the first picture was drawn after a moment."""
+    page.wait_for_function("moment => window.drawn.some(at => at > moment)", arg=moment_ms)
+    return float(page.evaluate("moment => window.drawn.find(at => at > moment)", moment_ms))
+
+
+def test_the_picture_comes_back_by_itself(
+    browser: Browser, station: Demo, pictures: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    page = browser.new_page(viewport={"width": 1440, "height": 900})
+    page.add_init_script(DRAWN)
+    page.goto(station.link)
+    page.get_by_role("link", name="Settings").click()
+    picture = page.get_by_role("img", name="Live picture of the camera")
+    expect(picture).to_be_visible()
+    first_after(page, 1e3 * time.time())
+    page.evaluate("window.drawn = []")
+    page.wait_for_timeout(3000)
+    told = [f"{page.evaluate('window.drawn.length') / 3:.1f} pictures a second"]
+    for _ in range(ROUNDS):
+        station.process.send_signal(signal.SIGUSR1)
+        away = page.get_by_text("The camera is away, and this picture")
+        expect(away).to_be_visible(timeout=20_000)
+        expect(picture).to_have_attribute("data-old", "true")
+        page.screenshot(path=pictures / "picture-away.png")
+        back_ms = 1e3 * time.time()
+        station.process.send_signal(signal.SIGUSR1)
+        told.append(f"drawn again {(first_after(page, back_ms) - back_ms) / 1e3:.2f} s after")
+        expect(away).to_have_count(0)
+        expect(picture).not_to_have_attribute("data-old", "true")
+    # nothing was loaded anew: what was drawn before the camera went is still known
+    assert page.evaluate("window.drawn.length") > ROUNDS
+    page.close()
+    with capsys.disabled():
+        print(f"\nlive picture: {', '.join(told)} the camera is back")
