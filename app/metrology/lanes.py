@@ -170,6 +170,21 @@ def _where(context: Any, which: Any, one: Any, other: Any) -> Any:
     return _LANES(_MASK, _LANES, _LANES), generate
 
 
+def _highest(context: Any, lanes: Any) -> Any:
+    """The largest of sixteen numbers: the larger of two halves, again and again."""
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        (lanes,) = arguments
+        for half in (8, 4, 2, 1):
+            places = [(i + half) % int(WIDTH) for i in range(int(WIDTH))]
+            order = ir.Constant(ir.VectorType(_PLACE, int(WIDTH)), places)
+            turned = builder.shuffle_vector(lanes, lanes, order)
+            lanes = builder.select(builder.fcmp_ordered(">", lanes, turned), lanes, turned)
+        return builder.extract_element(lanes, ir.Constant(_PLACE, 0))
+
+    return _SINGLE(_LANES), generate
+
+
 load = cast(Callable[[NDArray[np.float32], np.uintp], Lanes], intrinsic(_load))
 load_whole = cast(
     Callable[[NDArray[np.uint8] | NDArray[np.uint16], np.uintp], Lanes], intrinsic(_load_whole)
@@ -177,3 +192,4 @@ load_whole = cast(
 store = cast(Callable[[NDArray[np.float32], np.uintp, Lanes], None], intrinsic(_store))
 all_lanes = cast(Callable[[np.float32], Lanes], intrinsic(_all_lanes))
 where = cast(Callable[[Mask, Lanes, Lanes], Lanes], intrinsic(_where))
+highest = cast(Callable[[Lanes], np.float32], intrinsic(_highest))

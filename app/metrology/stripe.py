@@ -1,5 +1,6 @@
 """The laser stripe in an image: its centre below a pixel, and how far to trust it."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal, cast
@@ -278,7 +279,7 @@ def _peaks(
     """The fitted peaks (5, n) of the columns sought, and the most pixels clipped in one."""
     threshold = settings.threshold
     if threshold is None:
-        threshold = STANDS_OUT * np.sqrt(SCORE_VARIANCE * read)
+        threshold = STANDS_OUT * math.sqrt(SCORE_VARIANCE * read)
     least, most = settings.min_width_px, settings.max_width_px
     found, clipped = kernels.measure(
         grey,

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from app.metrology.compiled import vector_kernel
 from app.metrology.grey_lanes import Grey
-from app.metrology.lanes import WIDTH, all_lanes, load, load_whole, store, where
+from app.metrology.lanes import WIDTH, all_lanes, highest, load, load_whole, store, where
 
 Singles = NDArray[np.float32]
 
@@ -42,9 +42,11 @@ REACH, REACH_PX, BESIDE_CLIPPED_PX = np.float32(3.2), np.float32(1), np.float32(
 LEAST_START = np.float32(0.4)
 HALF_WIDTHS = np.float32(1 / 2.3548)
 # Neighbouring columns whose peaks are so many rows apart are taken at once.
-MOST_APART = 8
+MOST_APART = 31
+FARTHEST_LEAP = np.uintp(16)
 # Rows about a peak that are looked at where the usual number does not do.
 WIDEST_REACH = 40
+PROFILE_ROWS = 2 * WIDEST_REACH + 1 + MOST_APART
 
 
 @vector_kernel
@@ -79,7 +81,7 @@ def gather(
         columns, rows: (n <= LANES,) where the peaks are; the last fills up the block.
         reach: rows about ``rows``; those beyond the image repeat its border.
         raw: room to work in, as long as profile.
-        profile: ((2 reach + 1) LANES,) or more, filled row by row.
+        profile: (PROFILE_ROWS LANES,), of which the first 2 reach + 1 rows are filled.
     """
     height = len(pixels) // width
     for group in range(0, LANES, int(WIDTH)):
@@ -116,14 +118,20 @@ def gather_neighbours(
         profile: its first row says by how many rows each lane is over the lowest.
     """
     at, line = np.uintp(group), np.uintp(width)
-    over = load(profile, at)
-    for k in range(np.uintp(2 * reach + 1)):
-        pixel = first + k * line
-        taken = load_whole(pixels, pixel)
-        for d in range(1, apart + 1):
-            pixel += line
-            taken = where(over >= np.float32(d), load_whole(pixels, pixel), taken)
-        store(profile, k * ALL + at, taken)
+    over, most = load(profile, at), np.uintp(apart)
+    last = np.uintp(2 * reach + 1)
+    for k in range(last + most):
+        store(profile, k * ALL + at, load_whole(pixels, first + k * line))
+    # every lane goes up by so many rows as it is over: by sixteen where it is, by eight, ...
+    leap = FARTHEST_LEAP
+    while leap > 0:
+        if leap <= most:
+            goes = over >= np.float32(leap)
+            for k in range(last + min(leap - ONE, most - leap)):
+                there = load(profile, (k + leap) * ALL + at)
+                store(profile, k * ALL + at, where(goes, there, load(profile, k * ALL + at)))
+            over = where(goes, over - np.float32(leap), over)
+        leap >>= ONE
 
 
 @vector_kernel
@@ -237,20 +245,27 @@ def count_clipped(block: Singles, profile: Singles, saturated: np.float32, at: n
     zero, one, level = all_lanes(np.float32(0)), all_lanes(np.float32(1)), all_lanes(saturated)
     first, last = load(block, FIRST + at), load(block, LAST + at)
     clipped = zero
-    k, end = rows_used(block, profile, at)
+    begin, end = rows_used(block, profile, at)
+    brightest, k = zero, begin
     while k <= end:
-        x = all_lanes(np.float32(k))
-        counts = (load(profile, k * ALL + at) >= level) & (x >= first) & (x <= last)
-        clipped = clipped + where(counts, one, zero)
+        pixel = load(profile, k * ALL + at)
+        brightest = where(pixel > brightest, pixel, brightest)
         k += ONE
+    if highest(brightest) >= saturated:
+        k = begin
+        while k <= end:
+            x = all_lanes(np.float32(k))
+            counts = (load(profile, k * ALL + at) >= level) & (x >= first) & (x <= last)
+            clipped = clipped + where(counts, one, zero)
+            k += ONE
     store(block, CLIPPED + at, clipped)
 
 
 @vector_kernel
 def rows_used(block: Singles, profile: Singles, at: np.uintp) -> tuple[np.uintp, np.uintp]:
     """First row of a profile that the fit of any of the lanes from ``at`` on takes, and last."""
-    first, last = block[FIRST + at], block[LAST + at]
-    for i in range(at, at + WIDTH):
-        first, last = min(first, block[FIRST + i]), max(last, block[LAST + i])
+    zero = all_lanes(np.float32(0))
+    first = -highest(zero - load(block, FIRST + at))
+    last = highest(load(block, LAST + at))
     end = min(np.uintp(max(last, np.float32(0))), np.uintp(len(profile)) // ALL - ONE)
     return np.uintp(max(first, np.float32(0))), end

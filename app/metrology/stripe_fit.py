@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from app.metrology.compiled import vector_kernel
 from app.metrology.grey_lanes import Grey
-from app.metrology.lanes import WIDTH, load, store
+from app.metrology.lanes import WIDTH, highest, load, store
 from app.metrology.stripe_block import (
     CHI2,
     CLIPPED,
@@ -134,10 +134,7 @@ def settle(
     for _ in range(steps):
         normal_equations(block, profile, noise, saturated, at)
         step(block, at)
-        farthest = np.float32(0)
-        for i in range(at, at + WIDTH):
-            farthest = max(farthest, block[MOVED + i])
-        if farthest < SETTLED:
+        if highest(load(block, MOVED + at)) < SETTLED:
             return
     for i in range(at, at + WIDTH):
         unsettled = block[MOVED + i] >= SETTLED
@@ -145,29 +142,37 @@ def settle(
 
 
 @vector_kernel
-def usual_width(
+def sample(
     pixels: Grey,
     width: int,
     columns: NDArray[np.int32],
     rows: NDArray[np.int32],
+    number: int,
+    blocks: int,
+    reach: int,
     saturated: np.float32,
     raw: Grey,
     block: Singles,
     profile: Singles,
-) -> np.float32:
-    """The median standard deviation of some of the peaks, by their width at half height."""
+) -> None:
+    """Starts a block on some of the peaks, evenly taken: the ``number``-th of so many blocks."""
     n = len(columns)
-    taken = min(n, LANES)
-    some_columns, some_rows = np.empty(taken, np.int32), np.empty(taken, np.int32)
-    for i in range(taken):
-        some_columns[i], some_rows[i] = columns[i * n // taken], rows[i * n // taken]
-    gather(pixels, width, some_columns, some_rows, USUAL_REACH, raw, profile)
-    start(block, profile, USUAL_REACH, saturated)
+    some_columns, some_rows = np.empty(LANES, np.int32), np.empty(LANES, np.int32)
+    for i in range(LANES):
+        one = (i * blocks + number) * n // (blocks * LANES)
+        some_columns[i], some_rows[i] = columns[one], rows[one]
+    gather(pixels, width, some_columns, some_rows, reach, raw, profile)
+    start(block, profile, reach, saturated)
+
+
+@vector_kernel
+def usual_width(block: Singles) -> np.float32:
+    """The median standard deviation of a block's peaks, by their width at half height."""
     found = 0
-    widths = np.empty(taken, np.float32)
-    for i in range(taken):
-        if block[STATE + np.uintp(i)] == PEAK:
-            widths[found] = block[S + np.uintp(i)]
+    widths = np.empty(LANES, np.float32)
+    for i in range(np.uintp(LANES)):
+        if block[STATE + i] == PEAK:
+            widths[found] = block[S + i]
             found += 1
     return np.float32(np.sort(widths[:found])[found // 2]) if found else np.float32(1)
 

@@ -17,11 +17,13 @@ from app.metrology.stripe_fit import (
     FIT_ROWS,
     PIXELS,
     SIGMA,
+    USUAL_REACH,
     VARIANCE,
     fit_peaks,
+    sample,
     usual_width,
 )
-from app.metrology.stripe_noise import FIRST_GAIN, tell_noise
+from app.metrology.stripe_noise import BLOCKS, FIRST_GAIN, tell_noise
 from app.metrology.stripe_peaks import list_peaks
 from app.metrology.stripe_scatter import speckle_variance
 from app.metrology.stripe_search import CORE_ROWS
@@ -110,11 +112,25 @@ def measure(
     noise = told[:3]
     known = noise[0] > 0
     if not known:
-        told[3] = usual_width(pixels, width, columns, rows, level, raw, blocks[0], profiles[0])
+        taken = min(-(-n // LANES), BLOCKS)
+        sample(
+            pixels,
+            width,
+            columns,
+            rows,
+            0,
+            taken,
+            USUAL_REACH,
+            level,
+            raw,
+            blocks[0],
+            profiles[0],
+        )
+        told[3] = usual_width(blocks[0])
         noise[0], noise[1], noise[2] = read, FIRST_GAIN * saturated, 0.0
     reach = min(int(np.ceil(REACH_SIGMAS * told[3] + REACH_MORE)), WIDEST_REACH)
     if not known:
-        tell_noise(pixels, width, columns, rows, reach, level, raw, blocks, profiles, noise)
+        tell_noise(pixels, width, columns, rows, reach, taken, level, raw, blocks, profiles, noise)
     fit_peaks(
         pixels, width, columns, rows, reach, noise, level, STEPS, raw, blocks[0], profiles[0], fits
     )

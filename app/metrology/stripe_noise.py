@@ -34,18 +34,17 @@ from app.metrology.stripe_block import (
     C,
     S,
     Singles,
-    gather,
     rows_used,
     set_windows,
-    start,
 )
-from app.metrology.stripe_fit import SETTLED, invert, step
+from app.metrology.stripe_fit import SETTLED, USUAL_REACH, invert, sample, step
 from app.metrology.stripe_normal import bell, normal_equations
 
 # Pieces of rows, evenly over the image, whose neighbours are compared, and their length.
 PIECES, PIECE_PX = 32, 192
-# Levels by which neighbours may differ; what differs by more is told as this.
-LEVELS = 4096
+# Levels by which neighbours may differ; what differs by more is told as the last. They are
+# counted in so many lists in turn, since a count waits for the one before it.
+LEVELS, LISTS = 4096, 4
 # Peaks, taken evenly, whose fits tell how the noise grows with the signal, in blocks.
 BLOCKS = 2
 # A residual beyond so many variances is no noise, once the noise is roughly known.
@@ -76,19 +75,19 @@ class Noise:
 
 
 @kernel
-def read_noise(image: Grey, counts: NDArray[np.int64]) -> float:
+def read_noise(image: Grey, counts: NDArray[np.int32]) -> float:
     """Variance of a dark pixel in grey levels squared, from differences of neighbours.
 
     Most of an image is unlit, so the bulk of the differences is noise; what exceeds
     three times their median is scene and is cut off. Rounding adds 1/12 at least.
 
     Args:
-        counts: (LEVELS,) room to work in.
+        counts: (LISTS, LEVELS or fewer) room to work in.
     """
     height, width = image.shape
     pieces = min(PIECES, height)
     length = min(PIECE_PX, width - 1)
-    most = len(counts) - 1
+    most = counts.shape[1] - 1
     counts[:] = 0
     for piece in range(pieces):
         row = image[(2 * piece + 1) * height // (2 * pieces)]
@@ -97,15 +96,16 @@ def read_noise(image: Grey, counts: NDArray[np.int64]) -> float:
         part = row[first : first + length + 1]
         for i in range(length):
             difference = abs(np.int64(part[i]) - np.int64(part[i + 1]))
-            counts[min(int(difference), most)] += 1
+            counts[i % LISTS, min(difference, most)] += 1
     half, seen, median = pieces * length / 2, 0, 0
-    while seen + counts[median] < half:
-        seen += counts[median]
+    while seen + counts[:, median].sum() < half:
+        seen += counts[:, median].sum()
         median += 1
     kept, total = 0, 0
     for level in range(min(4 * median + 3, most)):
-        kept += counts[level]
-        total += counts[level] * level * level
+        alike = counts[:, level].sum()
+        kept += alike
+        total += alike * level * level
     return max(total / max(kept, 1) / 2, 1 / 12)
 
 
@@ -219,6 +219,7 @@ def tell_noise(
     columns: NDArray[np.int32],
     rows: NDArray[np.int32],
     reach: int,
+    taken: int,
     saturated: np.float32,
     raw: Grey,
     blocks: Singles,
@@ -229,26 +230,24 @@ def tell_noise(
 
     Args:
         pixels, columns, rows, reach, saturated: see ``stripe_fit.fit_peaks``.
-        blocks, profiles: (BLOCKS, ...) room to work in.
+        taken: how many blocks are used.
+        blocks, profiles: (BLOCKS, ...) room to work in; the first block is begun already, on
+            ``USUAL_REACH`` rows.
         noise: (3,) the read noise, and a first guess of the others; filled.
     """
-    n = len(columns)
-    taken = min((n + LANES - 1) // LANES, BLOCKS)
-    some_columns, some_rows = np.empty(LANES, np.int32), np.empty(LANES, np.int32)
-    used = LANES * (2 * reach + 1)
     for b in range(taken):
-        for i in range(LANES):
-            one = (b * LANES + i) * n // (taken * LANES)
-            some_columns[i], some_rows[i] = columns[one], rows[one]
-        block, profile = blocks[b], profiles[b][:used]
-        gather(pixels, width, some_columns, some_rows, reach, raw, profile)
-        start(block, profile, reach, saturated)
-        set_windows(block, profile, reach, saturated)
+        # the first has room enough for all but the broadest
+        far = max(reach, USUAL_REACH) if b == 0 else reach
+        block, profile = blocks[b], profiles[b]
+        if b > 0 or far > USUAL_REACH:
+            sample(pixels, width, columns, rows, b, taken, far, saturated, raw, block, profile)
+        set_windows(block, profile[: LANES * (2 * far + 1)], far, saturated)
     sums = np.empty(6 * LANES, np.float32)
     for outlying in (np.inf, OUTLYING, OUTLYING):
         sums[:] = 0
         for b in range(taken):
-            block, profile = blocks[b], profiles[b][:used]
+            far = max(reach, USUAL_REACH) if b == 0 else reach
+            block, profile = blocks[b], profiles[b][: LANES * (2 * far + 1)]
             for lane in range(0, LANES, int(WIDTH)):
                 at = np.uintp(lane)
                 normal_equations(block, profile, noise, saturated, at)

@@ -7,9 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.grey_lanes import Grey
-from app.metrology.stripe_block import BLOCK_ROWS, LANES, WIDEST_REACH
+from app.metrology.stripe_block import BLOCK_ROWS, LANES, PROFILE_ROWS
 from app.metrology.stripe_fit import FIT_ROWS
-from app.metrology.stripe_noise import BLOCKS, LEVELS
+from app.metrology.stripe_noise import BLOCKS, LEVELS, LISTS
 from app.metrology.stripe_search import PADDING, RING, STRIP_ROWS
 
 ALIGNED_BYTES = 64
@@ -24,7 +24,7 @@ class Room:
     def __init__(self, key: Key) -> None:
         (height, width), kind = key
         strips, padded = -(-height // STRIP_ROWS) + 2, -(-width // PADDING) * PADDING
-        pixels = (2 * WIDEST_REACH + 1) * LANES
+        pixels = PROFILE_ROWS * LANES
         self.key = key
         grey = kind.type
         self.ring = cast(Grey, _aligned((RING + 2, padded), grey))
@@ -37,7 +37,7 @@ class Room:
         self.profiles = _aligned((BLOCKS, pixels), np.float32)
         self.fits = _aligned((FIT_ROWS, padded), np.float32)
         self.peaks = np.zeros((5, width))
-        self.counts = np.zeros(LEVELS, np.int64)
+        self.counts = np.zeros((LISTS, min(LEVELS, np.iinfo(kind).max + 1)), np.int32)
 
 
 # Rooms that nobody works in, by images' size and type: taking one from a deque and putting
