@@ -18,7 +18,7 @@ from app.api.denied import Denied
 from app.api.rights import ROUTES, WEBSOCKET, Right, Rule, allowed
 from app.metrology.refusal import Refusal
 from app.station.lease import Person
-from app.store.sign_ins import IDLE, Visitor
+from app.store.sign_ins import LONGEST, Visitor
 
 log = logging.getLogger(__name__)
 POLICY_VIOLATION, SIGNED_OUT = 1008, 4401
@@ -182,7 +182,7 @@ def known_as(connection: HTTPConnection) -> str:
 
 def set_cookie(response: Response, connection: HTTPConnection, token: str, wall: bool) -> None:
     """Signs this browser in with a token; no script can read it, no other page send it."""
-    lasts_s = A_YEAR_S if wall else int(IDLE.total_seconds())
+    lasts_s = A_YEAR_S if wall else int(LONGEST.total_seconds())
     _set(response, connection, cookie_name(connection), token, lasts_s)
 
 

@@ -1,6 +1,8 @@
 """What administrators do: accounts, wall screens, and the audit log."""
 
-from fastapi import APIRouter, Request
+from typing import Annotated
+
+from fastapi import APIRouter, Query, Request
 from starlette.status import HTTP_204_NO_CONTENT
 
 from app.api.access import TheVisitor
@@ -76,9 +78,11 @@ def remove_wall(wall_id: str, context: TheContext) -> None:
 
 
 @router.get("/audit")
-def audit(context: TheContext) -> list[AuditEntry]:
-    """The last entries of the audit log, newest first."""
-    return context.store.audit.newest(AUDIT_SHOWN)
+def audit(
+    context: TheContext, words: Annotated[str, Query(max_length=100)] = ""
+) -> list[AuditEntry]:
+    """The last entries of the audit log that have all the words, newest first."""
+    return context.store.audit.newest(AUDIT_SHOWN, words)
 
 
 def _account(context: Context, name: str) -> Account:

@@ -6,6 +6,11 @@ from app.files.moments import utc_now
 from app.store.database import Database
 
 LONGEST = 200
+HAS_WORD = "instr(line,lower(?))"
+ALL = (
+    "SELECT *, lower(at || ' ' || who || ' ' || address || ' ' || act || ' ' || outcome) AS line"
+    " FROM audit"
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,9 +42,12 @@ class AuditLog:
                 (utc_now(), who, address, act[:LONGEST], outcome[:LONGEST]),
             )
 
-    def newest(self, count: int) -> list[AuditEntry]:
-        """The last entries, newest first."""
-        rows = self._database.read("SELECT * FROM audit ORDER BY number DESC LIMIT ?", count)
+    def newest(self, count: int, words: str = "") -> list[AuditEntry]:
+        """The last entries that have all the words, newest first."""
+        sought = words.split()
+        having = " AND ".join([HAS_WORD] * len(sought)) or "TRUE"
+        query = f"SELECT * FROM ({ALL}) WHERE {having} ORDER BY number DESC LIMIT ?"
+        rows = self._database.read(query, *sought, count)
         return [
             AuditEntry(
                 row["number"], row["at"], row["who"], row["address"], row["act"], row["outcome"]

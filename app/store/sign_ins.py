@@ -21,6 +21,8 @@ from app.store.database import Database
 log = logging.getLogger(__name__)
 IDLE = timedelta(hours=14)
 """A person's browser that was not used for so long must sign in again: longer than a shift."""
+LONGEST = timedelta(days=7)
+"""So long after signing in a person signs in again, used or not: a page may be left open."""
 SEEN_EVERY = timedelta(minutes=1)
 TOKEN_BYTES = 32
 ID_DIGITS = 12
@@ -70,7 +72,7 @@ class SignInStore:
         """Whose cookie or wall link it is; None for one that is not good (any more)."""
         digest = _digest(token)
         rows = self._database.read(
-            "SELECT sign_in.seen_at, account.name, account.role FROM sign_in"
+            "SELECT sign_in.begun_at, sign_in.seen_at, account.name, account.role FROM sign_in"
             " JOIN account ON account.name = sign_in.account WHERE token = ?",
             digest,
         )
@@ -82,8 +84,9 @@ class SignInStore:
         return None
 
     def _person(self, digest: str, row: sqlite3.Row) -> Visitor | None:
-        idle = datetime.now(UTC) - datetime.fromisoformat(row["seen_at"])
-        if idle > IDLE:
+        now = datetime.now(UTC)
+        idle = now - datetime.fromisoformat(row["seen_at"])
+        if idle > IDLE or now - datetime.fromisoformat(row["begun_at"]) > LONGEST:
             self._end("token = ?", digest)
             return None
         if abs(idle) > SEEN_EVERY:  # or the clock was set back

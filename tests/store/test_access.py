@@ -79,17 +79,48 @@ def test_sign_ins_end_with_time_and_with_the_account(
     store.accounts.add("Anna", Role.operator, PASSWORD)
     again = store.sign_ins.begin("Anna", "a browser")
     assert store.sign_ins.visitor(again) is not None
-    later = datetime.now(UTC) + sign_ins.IDLE + timedelta(seconds=1)
+    with monkeypatch.context() as patch:
+        patch.setattr(sign_ins, "datetime", moment(sign_ins.IDLE + timedelta(seconds=1)))
+        assert store.sign_ins.visitor(again) is None
+    assert store.sign_ins.visitor(again) is None
 
-    class Later(datetime):
+
+def moment(ahead: timedelta) -> type[datetime]:
+    """A clock that is ahead."""
+
+    class Ahead(datetime):
         @classmethod
         def now(cls, tz: object = None) -> datetime:  # type: ignore[override]
-            return later
+            return datetime.now(UTC) + ahead
 
-    monkeypatch.setattr(sign_ins, "datetime", Later)
-    assert store.sign_ins.visitor(again) is None
-    monkeypatch.undo()
-    assert store.sign_ins.visitor(again) is None
+    return Ahead
+
+
+def test_a_page_left_open_is_signed_out_at_last(
+    store: Store, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    store.accounts.add("Anna", Role.operator, PASSWORD)
+    cookie = store.sign_ins.begin("Anna", "a browser")
+    hour = timedelta(hours=1)
+    for hours in range(1, int(sign_ins.LONGEST / hour) + 1):
+        ahead = hours * hour - timedelta(minutes=1)
+        monkeypatch.setattr(sign_ins, "datetime", moment(ahead))
+        seen = (datetime.now(UTC) + ahead).isoformat()
+        monkeypatch.setattr(sign_ins, "utc_now", lambda seen=seen: seen)
+        assert store.sign_ins.visitor(cookie) is not None, hours
+    monkeypatch.setattr(sign_ins, "datetime", moment(sign_ins.LONGEST + timedelta(minutes=1)))
+    assert store.sign_ins.visitor(cookie) is None
+
+
+def test_the_audit_log_is_searched_by_words(store: Store) -> None:
+    store.audit.note("Anna", "10.0.0.1", "pressed Stop")
+    store.audit.note("Ben", "10.0.0.2", "pressed Stop")
+    store.audit.note("Ben", "10.0.0.2", "wrote 100% of it")
+    found = [(entry.who, entry.act) for entry in store.audit.newest(10, " STOP ben")]
+    assert found == [("Ben", "pressed Stop")]
+    assert [entry.who for entry in store.audit.newest(10, "%")] == ["Ben"]
+    assert store.audit.newest(10, "anna 10.0.0.2") == []
+    assert len(store.audit.newest(2, "10.0.0")) == 2
 
 
 def test_the_audit_log_is_only_ever_added_to(store: Store) -> None:

@@ -1,17 +1,24 @@
+import { useState } from "react";
+
 import type { AuditEntry } from "../api/accessTypes";
 import { moment } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
+import { TextField } from "../parts/TextField";
+import { useSettled } from "../parts/useSettled";
 import { said, t } from "../state/language";
 import styles from "./Access.module.css";
 import { useReread } from "./useReread";
 
 /** Who did what, the newest first. */
 export function AuditList() {
-  const { list, reread } = useReread<AuditEntry>("/api/audit");
+  const [words, setWords] = useState("");
+  const settled = useSettled(words);
+  const { list, reread } = useReread<AuditEntry>(`/api/audit?words=${encodeURIComponent(settled)}`);
   return (
     <section className={styles.section} aria-label={t("Audit log")}>
-      <div className={styles.head}>
-        <h2 className={styles.title}>{t("Who did what")}</h2>
+      <h2 className={styles.title}>{t("Who did what")}</h2>
+      <div className={styles.line}>
+        <TextField label={t("Words in it")} value={words} maxLength={100} onText={setWords} />
         <PressButton free kind="quiet" onPress={reread}>
           {t("Read again")}
         </PressButton>
@@ -27,6 +34,11 @@ export function AuditList() {
             </tr>
           </thead>
           <tbody>
+            {list?.length === 0 && (
+              <tr>
+                <td colSpan={4}>{t("Nothing that was done is like that.")}</td>
+              </tr>
+            )}
             {list?.map((entry) => (
               <tr key={entry.number} data-refused={entry.outcome !== "done" || undefined}>
                 <td>{moment(entry.at)}</td>

@@ -1,11 +1,11 @@
-import { useCallback, useEffect, useState } from "react";
+import { useState } from "react";
 
-import { tell } from "../api/commands";
-import { get } from "../api/http";
+import { useReread } from "../access/useReread";
 import type { LogLine } from "../api/watchTypes";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
 import { TextField } from "../parts/TextField";
+import { useSettled } from "../parts/useSettled";
 import { t, words } from "../state/language";
 import styles from "./Health.module.css";
 
@@ -15,24 +15,13 @@ const LEVELS = [
   { level: "error", label: words("Errors") },
 ] as const;
 const QUALITY = { info: "neutral", warning: "attention", error: "bad" } as const;
-const TYPED_MS = 300;
 
 /** The station's log, the newest line first. */
 export function LogList() {
   const [level, setLevel] = useState<LogLine["level"]>("info");
   const [words, setWords] = useState("");
-  const [lines, setLines] = useState<LogLine[] | null>(null);
-  const read = useCallback(async () => {
-    try {
-      setLines(await get<LogLine[]>(`/api/logs?level=${level}&words=${encodeURIComponent(words)}`));
-    } catch (error) {
-      tell(error, t("the log could not be read"));
-    }
-  }, [level, words]);
-  useEffect(() => {
-    const timer = setTimeout(() => void read(), TYPED_MS);
-    return () => clearTimeout(timer);
-  }, [read]);
+  const settled = useSettled(words);
+  const { list: lines, reread } = useReread<LogLine>(`/api/logs?level=${level}&words=${encodeURIComponent(settled)}`);
   return (
     <section className={styles.section} aria-label={t("Log")}>
       <h2 className={styles.title}>{t("Log")}</h2>
@@ -45,7 +34,7 @@ export function LogList() {
           ))}
         </div>
         <TextField label={t("Words in it")} value={words} maxLength={100} onText={setWords} />
-        <PressButton free kind="quiet" onPress={read}>
+        <PressButton free kind="quiet" onPress={reread}>
           {t("Read again")}
         </PressButton>
       </div>

@@ -1,0 +1,13 @@
+import { useEffect, useState } from "react";
+
+const TYPED_MS = 300;
+
+/** What is typed, once typing has paused: nothing is asked of the station at each key. */
+export function useSettled(typed: string): string {
+  const [settled, setSettled] = useState(typed);
+  useEffect(() => {
+    const timer = setTimeout(() => setSettled(typed), TYPED_MS);
+    return () => clearTimeout(timer);
+  }, [typed]);
+  return settled;
+}
