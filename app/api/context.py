@@ -1,6 +1,7 @@
 """What the routes work with: the parts of the one station."""
 
-from dataclasses import asdict, dataclass
+import asyncio
+from dataclasses import asdict, dataclass, field
 from typing import Annotated, cast
 
 from fastapi import Depends
@@ -49,6 +50,8 @@ class Context:
     entrance: Entrance
     watch: Watch
     due: DueLimits = DUE
+    printer: asyncio.Lock = field(default_factory=asyncio.Lock)
+    """Reports are made in turn: many at once would keep Stop waiting."""
 
     def scan_state(self, state: RoomScanState | None = None) -> ScanState:
         """The scan as the browser shows it."""

@@ -4,7 +4,8 @@ A report is made of its folder each time it is asked for: nothing of it is kept,
 what ``crenel report`` makes of the folder.
 """
 
-from collections.abc import Iterable
+import asyncio
+from collections.abc import Callable, Iterable
 from pathlib import Path as Folder
 from typing import Annotated, Literal
 
@@ -25,53 +26,59 @@ MEDIA: dict[Form, str] = {"html": "text/html; charset=utf-8", "pdf": "applicatio
 
 
 @router.get("/calibrations/{record_id}/report.{form}")
-def of_calibration(
+async def of_calibration(
     record_id: RecordId, form: Form, context: TheContext, lang: Language = "en"
 ) -> Response:
     """The report on an accepted calibration."""
-    record = context.store.calibrations.get(record_id)
-    if record is None:
-        raise NotFound(f"There is no calibration {record_id}.")
-    return _report(record.file.parent, form, lang)
+    return await _report(context, lambda: _calibration(context, record_id), form, lang)
 
 
 @router.get("/arm/checks/{record_id}/report.{form}")
-def of_check(
+async def of_check(
     record_id: RecordId, form: Form, context: TheContext, lang: Language = "en"
 ) -> Response:
     """The report on a finished check of the arm."""
-    missing = f"There is no check of the arm {record_id}."
-    folder = _session(context, context.arm_guide.past.checks(), record_id, missing)
-    return _report(folder, form, lang)
+    past, missing = context.arm_guide.past, f"There is no check of the arm {record_id}."
+    return await _report(
+        context, lambda: _session(context, past.checks(), record_id, missing), form, lang
+    )
 
 
 @router.get("/arm/tips/{record_id}/report.{form}")
-def of_tip(record_id: RecordId, form: Form, context: TheContext, lang: Language = "en") -> Response:
+async def of_tip(
+    record_id: RecordId, form: Form, context: TheContext, lang: Language = "en"
+) -> Response:
     """The report on a finished check of the tip."""
-    missing = f"There is no check of the tip {record_id}."
-    folder = _session(context, context.arm_guide.past.tip_checks(), record_id, missing)
-    return _report(folder, form, lang)
+    past, missing = context.arm_guide.past, f"There is no check of the tip {record_id}."
+    return await _report(
+        context, lambda: _session(context, past.tip_checks(), record_id, missing), form, lang
+    )
 
 
 @router.get("/arm/identifications/{record_id}/report.{form}")
-def of_identification(
+async def of_identification(
     record_id: RecordId, form: Form, context: TheContext, lang: Language = "en"
 ) -> Response:
     """The report on an identification of the arm."""
-    missing = f"There is no identification of the arm {record_id}."
-    folder = _session(context, context.arm_guide.past.identifications(), record_id, missing)
-    return _report(folder, form, lang)
+    past, missing = context.arm_guide.past, f"There is no identification of the arm {record_id}."
+    return await _report(
+        context, lambda: _session(context, past.identifications(), record_id, missing), form, lang
+    )
 
 
 @router.get("/verifications/{record_id}/report.{form}")
-def of_verification(
+async def of_verification(
     record_id: RecordId, form: Form, context: TheContext, lang: Language = "en"
 ) -> Response:
     """The report on a verification."""
-    folder = _verification(context, record_id)
-    if not folder.is_dir():
-        raise NotFound(f"There is no verification {record_id}.")
-    return _report(folder, form, lang)
+    return await _report(context, lambda: _verification(context, record_id), form, lang)
+
+
+def _calibration(context: Context, record_id: str) -> Folder:
+    record = context.store.calibrations.get(record_id)
+    if record is None:
+        raise NotFound(f"There is no calibration {record_id}.")
+    return record.file.parent
 
 
 def _session(
@@ -84,10 +91,20 @@ def _session(
 
 
 def _verification(context: Context, record_id: str) -> Folder:
-    return context.store.folder / "verifications" / record_id
+    folder = context.store.folder / "verifications" / record_id
+    if not folder.is_dir():
+        raise NotFound(f"There is no verification {record_id}.")
+    return folder
 
 
-def _report(folder: Folder, form: Form, language: str) -> Response:
-    content = report_as(folder, f".{form}", language)
-    named = {"Content-Disposition": f'inline; filename="report-{folder.name}.{form}"'}
+async def _report(
+    context: Context, find: Callable[[], Folder], form: Form, language: str
+) -> Response:
+    def make() -> tuple[str, bytes]:
+        folder = find()
+        return folder.name, report_as(folder, f".{form}", language)
+
+    async with context.printer:
+        name, content = await asyncio.to_thread(make)
+    named = {"Content-Disposition": f'inline; filename="report-{name}.{form}"'}
     return Response(content, media_type=MEDIA[form], headers=named)

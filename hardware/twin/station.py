@@ -75,6 +75,8 @@ class TwinConfig:
     """By how much the arm's stamps are later than the camera's."""
     detector: Detector = field(default_factory=Detector)
     light: Light = field(default_factory=Light)
+    laser_switch: bool = True
+    """Whether the station can switch the laser, or only whoever stands at the sensor."""
 
 
 PARTS_MM = {
@@ -181,7 +183,7 @@ class Twin:
             width_px=optics.width_px,
             height_px=optics.height_px,
             exposure_range_us=EXPOSURE_RANGE_US,
-            has_laser_switch=True,
+            has_laser_switch=self.config.laser_switch,
         )
         early_ns = round(1e6 * self.config.arm_delay_ms)
         return TwinSensor(self.studio, info, self.config.frames_hz, self.config.seed, early_ns)

@@ -3,15 +3,17 @@
 import contextlib
 import http.client
 import socket
+import threading
 import time
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 
 import httpx
 import pytest
 
 from app import serving
 from app.api import client as client_room
-from app.api import guard
+from app.api import guard, reports
 from app.api.guard import LARGEST_BODY, Guard
 from app.metrology.refusal import Refusal
 from tests.api.conftest import Server
@@ -253,3 +255,24 @@ def test_the_built_client_is_served_with_every_address(
     for path in ("/assets/gone.js", "/gone.svg", "/..%2foutside.txt", "/%2e%2e/outside.txt"):
         assert http.get(path).status_code == 404
     assert http.head("/").status_code == 200
+
+
+def test_many_reports_keep_nobody_from_stop(
+    server: Server, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    printed = threading.Event()
+
+    def slow(*_: object) -> bytes:
+        printed.wait(60.0)
+        return b"%PDF"
+
+    monkeypatch.setattr(reports, "_verification", lambda *_: server.data)
+    monkeypatch.setattr(reports, "report_as", slow)
+    with ThreadPoolExecutor(60) as many:
+        asked = [many.submit(server.http.get, "/api/verifications/1/report.pdf") for _ in range(60)]
+        try:
+            for _ in range(5):
+                assert server.http.post("/api/stop", timeout=20.0).status_code == 204
+        finally:
+            printed.set()
+        assert {one.result().status_code for one in asked} == {200}

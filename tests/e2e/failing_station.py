@@ -1,4 +1,7 @@
-"""A simulated station whose camera goes, or comes back, with each SIGUSR1; takes the folder."""
+"""A simulated station whose camera goes, or comes back, with each SIGUSR1; takes the folder.
+
+Its laser is switched at the sensor, not from here, as with a plain GigE camera.
+"""
 
 import signal
 import sys
@@ -7,12 +10,12 @@ from pathlib import Path
 from app.demonstration import parts_of
 from app.main import _run
 from app.serving import listen
-from hardware.twin.station import Twin
+from hardware.twin.station import Twin, TwinConfig
 
 
 def serve(data: Path) -> None:
     listening = listen("127.0.0.1", 0, 1)
-    with Twin() as twin:
+    with Twin(TwinConfig(laser_switch=False)) as twin:
 
         def turn(*_: object) -> None:
             twin.faults.camera_lost = not twin.faults.camera_lost

@@ -22,6 +22,14 @@ CanvasRenderingContext2D.prototype.drawImage = function (...given) {
 """
 """When pictures were drawn, in ms of the clock that the tests have too."""
 
+SEEN = """button => {
+  const { left, right, top, bottom } = button.getBoundingClientRect();
+  return [left + 6, (left + right) / 2, right - 6]
+    .map(x => document.elementFromPoint(x, (top + bottom) / 2))
+    .filter(seen => !button.contains(seen))
+    .map(seen => seen?.outerHTML ?? "outside");
+}"""
+
 
 @pytest.fixture(scope="module")
 def station(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Demo]:
@@ -66,3 +74,22 @@ def test_the_picture_comes_back_by_itself(
     page.close()
     with capsys.disabled():
         print(f"\nlive picture: {', '.join(told)} the camera is back")
+
+
+@pytest.mark.parametrize("language", ["en", "de"])
+@pytest.mark.parametrize("width", [320, 390])
+def test_stop_is_whole_on_a_phone(
+    browser: Browser, station: Demo, pictures: Path, language: str, width: int
+) -> None:
+    page = browser.new_page(viewport={"width": width, "height": 760}, has_touch=True)
+    page.goto(station.link.replace("#", f"?lang={language}#"))
+    page.get_by_role("main").wait_for()
+    stop = page.get_by_role("button", name="STOP")
+    expect(stop).to_be_in_viewport(ratio=1)
+    # nothing lies over it, from edge to edge
+    assert page.evaluate(SEEN, stop.element_handle()) == []
+    page.screenshot(path=pictures / f"stop-{language}-{width}.png")
+    with page.expect_response("**/api/stop") as answered:
+        stop.tap()
+    assert answered.value.status == 204
+    page.close()
