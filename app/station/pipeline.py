@@ -41,7 +41,9 @@ CORES = os.cpu_count() or 1
 # Frames are worked on so many at a time, where they come faster than the wait for more.
 BATCH_FRAMES = 16
 GATHER_S = 0.01
-TAP_FRAMES = 128
+# Frames wait to be worked on in so much memory, whatever else the machine is busy with.
+WAITING_BYTES = 1 << 28
+FEWEST_WAITING, MOST_WAITING = 32, 1024
 POINTS_QUEUE = 64
 POLL_S = 0.1
 RATE_WINDOW_S = 1.0
@@ -113,7 +115,7 @@ class ScanPipeline:
         self._delay_ns = settings.delay_ns(calibration.arm_serial, calibration.sensor_serial)
         joint_names = tuple(joint.name for joint in calibration.arm.joints)
         self._recorder = Recorder(folder / "scan.mcap", joint_names, self._told(), arm)
-        self._tap = sensor.frames.tap(TAP_FRAMES)
+        self._tap = sensor.frames.tap(_waiting(sensor))
         self._threads = [
             threading.Thread(target=self._take_all, name="scan-take", daemon=True),
             threading.Thread(target=self._record_all, name="scan-record", daemon=True),
@@ -342,3 +344,12 @@ class ScanPipeline:
 
 def _failed(error: Exception) -> Refusal:
     return Refusal("failed", "the scan stopped", f"{error}", "start it again")
+
+
+def _waiting(sensor: SensorSide) -> int:
+    """How many of its frames may wait, of up to 16 bits."""
+    info = sensor.info
+    if info is None:
+        return FEWEST_WAITING
+    frame_bytes = 2 * info.width_px * info.height_px
+    return min(max(WAITING_BYTES // frame_bytes, FEWEST_WAITING), MOST_WAITING)

@@ -23,8 +23,9 @@ SENSOR_MM = (0.0, -100.0, 200.0)
 """Where the camera sits on the flange; it looks at the flange's own place."""
 POOL = 96
 STRIPE_SD_PX, READ_NOISE, ELECTRONS_PER_LEVEL = 2.0, 2.0, 40.0
-RING_FRAMES, RING_SAMPLES = 64, 4096
-"""What the devices keep for a reader that is late; what is older is lost."""
+RING_FRAMES, RING_SAMPLES = 128, 4096
+"""What the devices keep for a reader that is late; what is older is lost. Of frames 0.2 s, as
+many buffers as one gives the driver of so fast a camera."""
 TOGETHER_S = 0.004
 """Readings of the arm that come in one packet."""
 
