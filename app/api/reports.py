@@ -5,7 +5,7 @@ what ``crenel report`` makes of the folder.
 """
 
 import asyncio
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Sequence
 from pathlib import Path as Folder
 from typing import Annotated, Literal
 
@@ -19,6 +19,7 @@ from app.report.reports import report_as
 
 router = APIRouter(prefix="/api")
 Form = Literal["html", "pdf"]
+OfArm = Literal["checks", "tips", "identifications"]
 RecordId = Annotated[str, Path(max_length=128, pattern=r"^[0-9A-Za-z-]+$")]
 Language = Annotated[str, Query(pattern="^[a-z]{2}$")]
 Finished = ArmCheckSummary | TipCheckSummary | IdentificationSummary
@@ -33,37 +34,12 @@ async def of_calibration(
     return await _report(context, lambda: _calibration(context, record_id), form, lang)
 
 
-@router.get("/arm/checks/{record_id}/report.{form}")
-async def of_check(
-    record_id: RecordId, form: Form, context: TheContext, lang: Language = "en"
+@router.get("/arm/{kind}/{record_id}/report.{form}")
+async def of_arm(
+    kind: OfArm, record_id: RecordId, form: Form, context: TheContext, lang: Language = "en"
 ) -> Response:
-    """The report on a finished check of the arm."""
-    past, missing = context.arm_guide.past, f"There is no check of the arm {record_id}."
-    return await _report(
-        context, lambda: _session(context, past.checks(), record_id, missing), form, lang
-    )
-
-
-@router.get("/arm/tips/{record_id}/report.{form}")
-async def of_tip(
-    record_id: RecordId, form: Form, context: TheContext, lang: Language = "en"
-) -> Response:
-    """The report on a finished check of the tip."""
-    past, missing = context.arm_guide.past, f"There is no check of the tip {record_id}."
-    return await _report(
-        context, lambda: _session(context, past.tip_checks(), record_id, missing), form, lang
-    )
-
-
-@router.get("/arm/identifications/{record_id}/report.{form}")
-async def of_identification(
-    record_id: RecordId, form: Form, context: TheContext, lang: Language = "en"
-) -> Response:
-    """The report on an identification of the arm."""
-    past, missing = context.arm_guide.past, f"There is no identification of the arm {record_id}."
-    return await _report(
-        context, lambda: _session(context, past.identifications(), record_id, missing), form, lang
-    )
+    """The report on a finished check of the arm or its tip, or on its identification."""
+    return await _report(context, lambda: _session(context, kind, record_id), form, lang)
 
 
 @router.get("/verifications/{record_id}/report.{form}")
@@ -81,11 +57,23 @@ def _calibration(context: Context, record_id: str) -> Folder:
     return record.file.parent
 
 
-def _session(
-    context: Context, finished: Iterable[Finished], record_id: str, missing: str
-) -> Folder:
-    """Of a finished session; what is ``missing`` is said where there is none of that number."""
-    if all(one.id != record_id for one in finished):
+def _session(context: Context, kind: OfArm, record_id: str) -> Folder:
+    """Of a finished session.
+
+    Raises:
+        NotFound: none of this kind has this number.
+    """
+    past = context.arm_guide.past
+    finished: dict[OfArm, tuple[Sequence[Finished], str]] = {
+        "checks": (past.checks(), f"There is no check of the arm {record_id}."),
+        "tips": (past.tip_checks(), f"There is no check of the tip {record_id}."),
+        "identifications": (
+            past.identifications(),
+            f"There is no identification of the arm {record_id}.",
+        ),
+    }
+    ended, missing = finished[kind]
+    if all(one.id != record_id for one in ended):
         raise NotFound(missing)
     return context.store.folder / "sessions" / record_id
 
