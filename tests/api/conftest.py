@@ -7,6 +7,7 @@ import uuid
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import httpx
 import pytest
@@ -22,6 +23,15 @@ from hardware.twin.station import Twin, TwinConfig
 from tests.entering import cookie, enter
 from tests.loops import loops
 from tests.said import Heard
+
+
+def done(command: Callable[[], httpx.Response]) -> dict[str, Any]:
+    """The answer to a command that must be done; on a busy machine a device may be late for it."""
+    deadline = time.monotonic() + 20.0
+    while (answer := command()).status_code != 200:
+        assert time.monotonic() < deadline, answer.text
+        time.sleep(0.1)
+    return dict(answer.json())
 
 
 @dataclass
@@ -66,12 +76,8 @@ class Server:
         return self.http.post("/api/flow/command", json=body)
 
     def do(self, name: str, **args: object) -> dict[str, object]:
-        """A command that must be done; on a busy machine a device may be late for it."""
-        deadline = time.monotonic() + 20.0
-        while (answer := self.command(name, **args)).status_code != 200:
-            assert time.monotonic() < deadline, answer.text
-            time.sleep(0.1)
-        return dict(answer.json())
+        """A command that must be done; the view after it."""
+        return done(lambda: self.command(name, **args))
 
     def wait(self, ready: Callable[[dict[str, object]], bool], timeout_s: float = 90.0) -> None:
         """Until the flow's view is as wanted."""

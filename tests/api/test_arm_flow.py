@@ -12,7 +12,7 @@ from app.files.arm import ArmFile, read_arm
 from app.files.arm_identification import read_observations
 from app.files.articulation import check_table
 from app.metrology.arm_model.articulation import ArticulationLimits
-from tests.api.conftest import Server
+from tests.api.conftest import Server, done
 from tests.metrology.arm_sessions import volumetric_error_um
 
 View = dict[str, Any]
@@ -28,9 +28,7 @@ def command(server: Server, name: str, **args: object) -> httpx.Response:
 
 
 def do(server: Server, name: str, **args: object) -> View:
-    answer = command(server, name, **args)
-    assert answer.status_code == 200, answer.text
-    return dict(answer.json())
+    return done(lambda: command(server, name, **args))
 
 
 def wait(server: Server, ready: Callable[[View], bool], timeout_s: float = 240.0) -> View:

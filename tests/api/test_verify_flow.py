@@ -26,7 +26,7 @@ from app.store.store import Store
 from hardware.clock import now_ns
 from hardware.interfaces import Button
 from tests.api.calibrated import use_truth
-from tests.api.conftest import Server
+from tests.api.conftest import Server, done
 
 View = dict[str, Any]
 
@@ -50,12 +50,8 @@ class Desk:
         return self.server.http.post("/api/verify/command", json=body)
 
     def do(self, name: str, **args: object) -> View:
-        """A command that must be done; on a busy machine a device may be late for it."""
-        deadline = time.monotonic() + 20.0
-        while (answer := self.command(name, **args)).status_code != 200:
-            assert time.monotonic() < deadline, answer.text
-            time.sleep(0.1)
-        return dict(answer.json())
+        """A command that must be done; the view after it."""
+        return done(lambda: self.command(name, **args))
 
     def wait(self, ready: Callable[[View], bool], timeout_s: float = 60.0) -> View:
         deadline = time.monotonic() + timeout_s
