@@ -13,6 +13,7 @@ from app.guide.arm.view import (
     IdentificationSummary,
     TipCheckSummary,
 )
+from app.guide.deeds import deed_of
 
 router = APIRouter(prefix="/api/arm")
 
@@ -54,5 +55,5 @@ def start(asked: ArmStart, context: TheContext) -> Response:
 @router.post("/command", response_model=ArmView)
 def act(asked: FlowCommand, request: Request, context: TheContext) -> Response:
     """One of the view's actions; once for each key, and only on the present view."""
-    request.state.detail = asked.name
+    request.state.detail = deed_of(asked.name)
     return _answer(command(context.arm_guide, asked.name, asked.args, asked.rev, asked.key))

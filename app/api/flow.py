@@ -10,6 +10,7 @@ from app.api.context import TheContext
 from app.api.problems import NotFound
 from app.api.schema import FlowCommand
 from app.guide.commands import command
+from app.guide.deeds import deed_of
 from app.guide.view import FlowView
 
 router = APIRouter(prefix="/api/flow")
@@ -34,7 +35,7 @@ def start(context: TheContext) -> Response:
 @router.post("/command", response_model=FlowView)
 def act(asked: FlowCommand, request: Request, context: TheContext) -> Response:
     """One of the view's actions; once for each key, and only on the present view."""
-    request.state.detail = asked.name
+    request.state.detail = deed_of(asked.name)
     return _answer(command(context.guide, asked.name, asked.args, asked.rev, asked.key))
 
 

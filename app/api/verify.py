@@ -14,6 +14,7 @@ from app.api.verify_schema import StudyState, VerificationSummary
 from app.files.gauge_cloud import MAP
 from app.files.verification import STUDY, VERIFICATION
 from app.files.verification_study import Source, StudyFile, study_verification
+from app.guide.deeds import deed_of
 from app.guide.verify.commands import command
 from app.guide.verify.view import VerifyView
 from app.metrology.refusal import Refusal
@@ -44,7 +45,7 @@ def start(context: TheContext) -> Response:
 @router.post("/verify/command", response_model=VerifyView)
 def act(asked: FlowCommand, request: Request, context: TheContext, visitor: TheVisitor) -> Response:
     """One of the view's actions; once for each key, and only on the present view."""
-    request.state.detail = asked.name
+    request.state.detail = deed_of(asked.name)
     guide, temperatures = context.verify_guide, context.store.temperatures
     return _answer(
         command(guide, asked.name, asked.args, asked.rev, asked.key, visitor.name, temperatures)

@@ -188,6 +188,9 @@ def _section(section: Section, say: Say) -> list[Flowable]:
     headed = [Spacer(1, 14), title, Spacer(1, 4)]
     if section.together:
         return [KeepTogether([*headed, *parts])]
+    if section.blocks and isinstance(section.blocks[0], Pictures):
+        # a row of pictures is higher than the least room, and a title stays with what it names
+        return [KeepTogether([*headed, *parts[:1]]), *parts[1:]]
     return [CondPageBreak(LEAST_ROOM), *headed, *parts]
 
 

@@ -44,6 +44,8 @@ QUALITIES: dict[str, Quality] = {
     "uncertain": "attention",
     "none": "neutral",
 }
+TICK_ROOM = 7.0
+"""Between the numbers at a plot's side, so that none is written over another."""
 DECISIONS = {"pass": "pass", "fail": "fail", "uncertain": "undecided", "none": "no limit"}
 
 
@@ -257,8 +259,12 @@ def _plot(sheet: VerificationFile, name: str, title: str) -> tuple[Figure, str]:
 
     figure.line((left, y(0.0)), (left + width, y(0.0)), stroke=FAINT, width=0.6)
     figure.words((left - 4, y(0.0) + 2.5), "0", 7, FAINT, "end")
-    for value in {min(known), max(known)}:
-        figure.words((left - 4, y(value) + 2.5), f"{value:.0f}", 7, FAINT, "end")
+    told = [0.0]
+    for value in (max(known, key=abs), min(known, key=abs)):
+        # what would stand in another's place is read from the table
+        if all(abs(y(value) - y(other)) >= TICK_ROOM for other in told):
+            figure.words((left - 4, y(value) + 2.5), f"{value:.0f}", 7, FAINT, "end")
+            told.append(value)
     step = width / len(values)
     for i, value in enumerate(values):
         x = left + (i + 0.5) * step

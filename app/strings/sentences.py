@@ -88,12 +88,17 @@ class Sentences:
         yield from self._parts(text)
 
     def _either_case(self, text: str) -> Iterator[Said]:
-        yield from self._one(text)
         small = text[:1] == text[:1].lower()
         other = (text[:1].upper() if small else text[:1].lower()) + text[1:]
+        # a name known whole is not put together of its words: "Contact points" is no "{n} points"
+        whole = text not in self._strings and other in self._strings
+        if not whole:
+            yield from self._one(text)
         if other != text:
             for said in self._one(other):
                 yield said if small else replace(said, text=said.text[:1].upper() + said.text[1:])
+        if whole:
+            yield from self._one(text)
 
     def _one(self, text: str) -> Iterator[Said]:
         if text in self._strings:

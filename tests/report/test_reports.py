@@ -26,9 +26,11 @@ from app.files.verification import VerificationFile, write_verification
 from app.metrology.arm_model.observations import Observations, Seat, Sphere
 from app.metrology.refusal import Refusal
 from app.report.calibration import calibration_report
-from app.report.figure import magnification
+from app.report.content import Pictures, Report, Section, Text, Verdict
+from app.report.figure import Figure, magnification
 from app.report.language import said_by
 from app.report.page import page
+from app.report.paper import paper
 from app.report.reports import report_as, report_of
 from app.report.words import moment, tied
 from app.strings.sentences import sentences_of
@@ -311,3 +313,15 @@ def test_words_are_printed_as_read() -> None:
     assert tied("-3 µm at 20261121-2026") == "−3\u00a0µm at 20261121-2026"
     assert moment("2026-11-21T12:00:00+02:00") == "2026-11-21 10:00 UTC"
     assert moment("yesterday") == "yesterday"
+
+
+@pytest.mark.parametrize("lines", range(24, 40, 2))
+def test_a_title_is_not_left_behind_by_its_pictures(lines: int) -> None:
+    """A row of pictures that finds no room below takes its title along to the next page."""
+    picture = (Figure(100, 60, "A picture"), "What it shows")
+    filling = Section("Before", [Text("A line.")] * lines, together=False)
+    pictures = Section("Pictures", [Pictures([picture])], together=False)
+    report = Report("Report", "1", "Room", "", Verdict("good", "Good", ""), [filling, pictures])
+    document = pypdfium2.PdfDocument(paper(report))
+    pages = [sheet.get_textpage().get_text_range() for sheet in document]
+    assert next("What it shows" in page for page in pages if "Pictures" in page)

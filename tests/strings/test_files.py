@@ -101,3 +101,10 @@ STRINGS = {
 )
 def test_a_sentence_is_said_by_the_way_that_leaves_least(said: str, wanted: str) -> None:
     assert Sentences(STRINGS).said(said) == wanted
+
+
+def test_a_name_known_whole_is_not_put_together_of_its_words() -> None:
+    strings = {"{n} points": "{n} Punkte", "contact": "Kontakt", "contact points": "Antastpunkte"}
+    sentences = Sentences(strings)
+    assert sentences.said("Contact points") == "Antastpunkte"
+    assert sentences.said("9 points") == "9 Punkte"

@@ -31,6 +31,8 @@ export function TimeChart({ points, unit, label, onPoint }: TimeChartProps) {
   const step = (WIDTH - 2 * EDGE) / Math.max(points.length - 1, 1);
   const x = (i: number) => (points.length === 1 ? WIDTH / 2 : EDGE + i * step);
   const y = (value: number) => HEIGHT - (HEIGHT * value) / top;
+  /* A limit is its own point's, and holds half-way to the next. */
+  const reach = points.length === 1 ? 30 : step / 2;
   const first = points[0];
   const last = points[points.length - 1];
   const line = points.flatMap(({ value }, i) => (value === null ? [] : [`${x(i)},${y(value)}`]));
@@ -50,8 +52,8 @@ export function TimeChart({ points, unit, label, onPoint }: TimeChartProps) {
               {limit !== null && (
                 <line
                   className={styles.limit}
-                  x1={x(i) - Math.min(step, 60) / 2}
-                  x2={x(i) + Math.min(step, 60) / 2}
+                  x1={x(i) - reach}
+                  x2={x(i) + reach}
                   y1={y(limit)}
                   y2={y(limit)}
                 />

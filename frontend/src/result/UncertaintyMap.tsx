@@ -87,6 +87,7 @@ function Field({ cells, words, width_px, height_px }: FieldProps) {
     SCALE[Math.min(SCALE.length - 1, Math.max(0, Math.floor(((value - low) / (high - low || 1)) * SCALE.length)))];
   const wide = step(cells.map((cell) => cell.u));
   const tall = step(cells.map((cell) => cell.v));
+  const bare = Math.max(...cells.map((cell) => cell.v)) + tall / 2 < height_px || Math.min(...cells.map((cell) => cell.v)) - tall / 2 > 0;
   const worst = cells.reduce((a, b) => (b.inside && (!a.inside || b.um > a.um) ? b : a));
   return (
     <figure className={styles.map}>
@@ -105,7 +106,7 @@ function Field({ cells, words, width_px, height_px }: FieldProps) {
           <rect width={width_px} height={height_px} />
         </clipPath>
         <rect width={width_px} height={height_px} className={styles.empty} />
-        <g clipPath="url(#frame)">
+        <g clipPath="url(#frame)" shapeRendering="crispEdges">
           {cells.map(({ u, v, um, inside: covered }) => (
             <g key={`${u} ${v}`}>
               <rect x={u - wide / 2} y={v - tall / 2} width={wide + 1} height={tall + 1} fill={colour(um)}>
@@ -136,6 +137,7 @@ function Field({ cells, words, width_px, height_px }: FieldProps) {
         <span>{measured(high, "µm", 1)}</span>
         <span className={styles.words}>
           {words} {t("Hatched: beyond the depths that the stripe covered. Named: the largest within them.")}
+          {bare && ` ${t("Grey: further beyond them; nothing is claimed there.")}`}
         </span>
       </figcaption>
     </figure>

@@ -92,14 +92,17 @@ export class Sentences {
   }
 
   private *eitherCase(text: string): Generator<Said> {
-    yield* this.one(text);
     const first = text.charAt(0);
     const small = first === first.toLowerCase();
     const other = (small ? first.toUpperCase() : first.toLowerCase()) + text.slice(1);
+    /* A name known whole is not put together of its words: "Contact points" is no "{n} points". */
+    const whole = this.strings[text] === undefined && this.strings[other] !== undefined;
+    if (!whole) yield* this.one(text);
     if (other === text) return;
     for (const { text: said, left } of this.one(other)) {
       yield { text: small ? said : said.charAt(0).toUpperCase() + said.slice(1), left };
     }
+    if (whole) yield* this.one(text);
   }
 
   private *one(text: string): Generator<Said> {

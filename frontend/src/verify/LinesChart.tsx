@@ -68,10 +68,13 @@ export function LinesChart({ title, unit, lines, labels, limit = null, both = fa
           )}
         </svg>
       </div>
-      <div className={styles.labels} aria-hidden="true" style={labels.length === 1 ? { justifyContent: "center" } : undefined}>
-        {labels.map((label) => (
-          <span key={label}>{label}</span>
-        ))}
+      <div className={styles.axis} aria-hidden="true">
+        <span>{t("Cloud")}</span>
+        <div className={styles.labels} style={labels.length === 1 ? { justifyContent: "center" } : undefined}>
+          {labels.map((label) => (
+            <span key={label}>{label}</span>
+          ))}
+        </div>
       </div>
     </figure>
   );

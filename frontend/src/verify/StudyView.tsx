@@ -94,7 +94,7 @@ function Charts({ study, newer, begin }: { study: StudyFile; newer: boolean; beg
   const measures = MEASURES[study.shape];
   const lines = (measure: Measure) =>
     study.calibrations.map((name, c) => ({
-      name,
+      name: said(name),
       colour: colour(c),
       values: study.rows.filter((row) => row.calibration === c).sort((a, b) => a.cloud - b.cloud).map(measure.of),
     }));
@@ -110,7 +110,7 @@ function Charts({ study, newer, begin }: { study: StudyFile; newer: boolean; beg
         {study.calibrations.map((name, c) => (
           <li key={name}>
             <span className={styles.swatch} style={{ background: colour(c) }} />
-            {name}
+            {said(name)}
           </li>
         ))}
       </ul>
@@ -124,7 +124,7 @@ function Charts({ study, newer, begin }: { study: StudyFile; newer: boolean; beg
               key={measure.title}
               title={t("{figure}: range over the clouds", { figure: t(measure.title) })}
               unit={measure.unit}
-              bars={study.between_clouds.map((range) => ({ name: study.calibrations[range.of] ?? "", value: k ? range.second : range.first, colour: colour(range.of) }))}
+              bars={study.between_clouds.map((range) => ({ name: said(study.calibrations[range.of] ?? ""), value: k ? range.second : range.first, colour: colour(range.of) }))}
             />
           ))}
         {study.between_calibrations.length > 0 &&

@@ -1,0 +1,18 @@
+"""Who did what is told in words, not by the commands' own names."""
+
+from app.guide import commands, permissions
+from app.guide.arm import commands as arm_commands
+from app.guide.arm import rules as arm_rules
+from app.guide.deeds import DEEDS, deed_of
+from app.guide.verify import commands as verify_commands
+from app.guide.verify import rules as verify_rules
+
+
+def test_every_command_of_every_flow_has_its_words() -> None:
+    acts = (commands.ACTS, arm_commands.ACTS, verify_commands.ACTS)
+    allowed = (permissions.ONLY_IN, arm_rules.ONLY_IN, verify_rules.ONLY_IN)
+    assert {name for names in (*acts, *allowed) for name in names} == DEEDS.keys()
+
+
+def test_what_no_flow_knows_stays_as_it_was_sent() -> None:
+    assert deed_of("dance") == "dance"
