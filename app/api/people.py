@@ -12,6 +12,8 @@ from app.api.schema import AccountChange, AccountSummary, NewAccount, NewWall, W
 from app.api.session import ROLE_NAMES
 from app.store.accounts import Account, Role
 from app.store.audit import AuditEntry
+from app.strings.files import ENGLISH, languages
+from app.strings.sentences import sentences_of
 
 router = APIRouter(prefix="/api")
 AUDIT_SHOWN = 500
@@ -79,10 +81,16 @@ def remove_wall(wall_id: str, context: TheContext) -> None:
 
 @router.get("/audit")
 def audit(
-    context: TheContext, words: Annotated[str, Query(max_length=100)] = ""
+    context: TheContext,
+    words: Annotated[str, Query(max_length=100)] = "",
+    lang: Annotated[str, Query(pattern="^[a-z]{2}$")] = ENGLISH,
 ) -> list[AuditEntry]:
-    """The last entries of the audit log that have all the words, newest first."""
-    return context.store.audit.newest(AUDIT_SHOWN, words)
+    """The last entries of the audit log that have all the words, newest first.
+
+    They are sought as written, and as the reader's language has them.
+    """
+    say = sentences_of(lang).said if lang in languages()[1:] else None
+    return context.store.audit.newest(AUDIT_SHOWN, words, say)
 
 
 def _account(context: Context, name: str) -> Account:

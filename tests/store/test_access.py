@@ -13,6 +13,7 @@ from app.store import sign_ins
 from app.store.accounts import Role
 from app.store.database import FIRST, KNOWN_BROWSERS, SCHEMA_VERSION, SCHEMAS, Database
 from app.store.store import Store
+from app.strings.sentences import sentences_of
 
 PASSWORD = "three unrelated words"
 
@@ -121,6 +122,17 @@ def test_the_audit_log_is_searched_by_words(store: Store) -> None:
     assert [entry.who for entry in store.audit.newest(10, "%")] == ["Ben"]
     assert store.audit.newest(10, "anna 10.0.0.2") == []
     assert len(store.audit.newest(2, "10.0.0")) == 2
+
+
+def test_the_audit_log_is_searched_in_the_readers_language_too(store: Store) -> None:
+    store.audit.note("Anna", "10.0.0.1", "pressed Stop")
+    store.audit.note("Ben", "10.0.0.2", "calibration: took a point", "Control is with Anna.")
+    say = sentences_of("de").said
+    found = [entry.who for entry in store.audit.newest(10, "punkt kalibrierung", say)]
+    assert found == ["Ben"]
+    assert [entry.who for entry in store.audit.newest(1, "anna", say)] == ["Ben"]
+    assert [entry.who for entry in store.audit.newest(10, "pressed", say)] == ["Anna"]
+    assert len(store.audit.newest(10, "", say)) == 2
 
 
 def test_the_audit_log_is_only_ever_added_to(store: Store) -> None:

@@ -32,6 +32,7 @@ ROOMS_ALLOWED = {
     "app.report": {"app.report", "app.strings", "app.files", "app.metrology"},
     "app.api": {
         "app.report",
+        "app.strings",
         "app.api",
         "app.store",
         "app.supervise",

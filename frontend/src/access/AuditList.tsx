@@ -5,7 +5,7 @@ import { moment } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
 import { TextField } from "../parts/TextField";
 import { useSettled } from "../parts/useSettled";
-import { said, t } from "../state/language";
+import { said, t, useLanguage } from "../state/language";
 import styles from "./Access.module.css";
 import { useReread } from "./useReread";
 
@@ -13,7 +13,8 @@ import { useReread } from "./useReread";
 export function AuditList() {
   const [words, setWords] = useState("");
   const settled = useSettled(words);
-  const { list, reread } = useReread<AuditEntry>(`/api/audit?words=${encodeURIComponent(settled)}`);
+  const language = useLanguage();
+  const { list, reread } = useReread<AuditEntry>(`/api/audit?words=${encodeURIComponent(settled)}&lang=${language}`);
   return (
     <section className={styles.section} aria-label={t("Audit log")}>
       <h2 className={styles.title}>{t("Who did what")}</h2>
