@@ -44,6 +44,8 @@ QUALITIES: dict[str, Quality] = {
     "uncertain": "attention",
     "none": "neutral",
 }
+LABELS = 192.0
+"""Wide enough for the longest name of a figure, in every language."""
 TICK_ROOM = 7.0
 """Between the numbers at a plot's side, so that none is written over another."""
 DECISIONS = {"pass": "pass", "fail": "fail", "uncertain": "undecided", "none": "no limit"}
@@ -157,7 +159,7 @@ def _against(sheet: VerificationFile) -> tuple[Figure, str]:
     """Each figure in shares of its limit, with its uncertainty and each cloud's own value."""
     shown = [figure for figure in sheet.figures if figure.limit is not None]
     figure = Figure(520, 24.0 * max(len(shown), 1) + 26, "The figures against their limits")
-    left, width = 150.0, 300.0
+    left, width = LABELS, 270.0
     reach = max((_reach(one) for one in shown), default=1.0)
     scale = width / (2 * max(1.2, 1.05 * reach))
     zero = left + width / 2

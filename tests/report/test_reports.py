@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pypdfium2
 import pytest
+from reportlab.pdfbase.pdfmetrics import stringWidth
 from typer.testing import CliRunner
 
 from app.cli import cli
@@ -32,7 +33,9 @@ from app.report.language import said_by
 from app.report.page import page
 from app.report.paper import paper
 from app.report.reports import report_as, report_of
+from app.report.verification import LABELS
 from app.report.words import moment, tied
+from app.strings.files import languages
 from app.strings.sentences import sentences_of
 from hardware.twin.arm_sessions import ArmSessionPlan, render_arm_session
 from hardware.twin.session import SessionPlan, render_session
@@ -325,3 +328,10 @@ def test_a_title_is_not_left_behind_by_its_pictures(lines: int) -> None:
     document = pypdfium2.PdfDocument(paper(report))
     pages = [sheet.get_textpage().get_text_range() for sheet in document]
     assert next("What it shows" in page for page in pages if "Pictures" in page)
+
+
+@pytest.mark.parametrize("language", languages())
+def test_the_longest_name_of_a_figure_is_whole_in_every_language(language: str) -> None:
+    longest = sentences_of(language).said("Distance between the clouds' centres")
+    # the report's own face is wider than the one that is measured with here
+    assert 1.08 * stringWidth(longest, "Helvetica", 7.5) < LABELS - 8
