@@ -15,6 +15,8 @@ from numba.core.cgutils import ir  # type: ignore[attr-defined]
 from numba.extending import intrinsic, models, register_model
 from numpy.typing import NDArray
 
+from app.metrology.vectors import picked, place, spread
+
 GREYS = 64
 
 
@@ -116,20 +118,14 @@ def _over(builder: Any, a: Any, b: Any) -> Any:
     return builder.icmp_unsigned(">", a, b)
 
 
-def _place(context: Any, builder: Any, vector: Any, kind: Any, array: Any, index: Any) -> Any:
-    """Where a vector begins in an array."""
-    data = context.make_array(kind)(context, builder, array).data
-    return builder.bitcast(builder.gep(data, [index]), vector.as_pointer())
-
-
 def _load_greys(context: Any, array: Any, index: Any) -> Any:
     """The sixty-four grey levels of an array from ``index`` on."""
     greys = _GREYS[array.dtype]
 
     def lowered(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         vector = context.get_value_type(greys)
-        place = _place(context, builder, vector, signature.args[0], *arguments)
-        return builder.load(place, align=1)
+        begin = place(context, builder, vector, signature.args[0], *arguments)
+        return builder.load(begin, align=1)
 
     return greys(array, types.uintp), lowered
 
@@ -139,8 +135,8 @@ def _store_greys(context: Any, array: Any, index: Any, value: Any) -> Any:
 
     def lowered(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         levels = arguments[2]
-        place = _place(context, builder, levels.type, signature.args[0], *arguments[:2])
-        builder.store(levels, place, align=1)
+        begin = place(context, builder, levels.type, signature.args[0], *arguments[:2])
+        builder.store(levels, begin, align=1)
         return context.get_dummy_value()
 
     return types.void(array, types.uintp, _GREYS[array.dtype]), lowered
@@ -151,21 +147,14 @@ def _all_greys(context: Any, value: Any) -> Any:
     greys = _GREYS[value]
 
     def lowered(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        vector, first = context.get_value_type(greys), ir.IntType(32)
-        empty = ir.Constant(vector, ir.Undefined)
-        one = builder.insert_element(empty, arguments[0], ir.Constant(first, 0))
-        return builder.shuffle_vector(one, empty, _same(0, ir.VectorType(first, GREYS)))
+        return spread(builder, arguments[0], context.get_value_type(greys))
 
     return greys(value), lowered
 
 
 def _pick(context: Any, which: Any, one: Any, other: Any) -> Any:
     """``one`` where the answer is yes, ``other`` elsewhere."""
-
-    def lowered(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        return builder.select(*arguments)
-
-    return one(which, one, other), lowered
+    return one(which, one, other), picked
 
 
 def _bits(context: Any, which: Any) -> Any:

@@ -17,6 +17,8 @@ from numba.core.typing.templates import ConcreteTemplate, infer_global, signatur
 from numba.extending import intrinsic, lower_builtin, models, register_model
 from numpy.typing import NDArray
 
+from app.metrology.vectors import picked, place, spread
+
 WIDTH = np.uintp(16)
 _FAST = ("contract", "nsz")
 
@@ -72,12 +74,7 @@ class _MaskModel(models.PrimitiveModel):
 
 def _spread(builder: Any, value: Any) -> Any:
     """Lanes as they are; a number in all lanes."""
-    if value.type == _LANES_IR:
-        return value
-    empty = ir.Constant(_LANES_IR, ir.Undefined)
-    first = builder.insert_element(empty, value, ir.Constant(_PLACE, 0))
-    nowhere = ir.Constant(ir.VectorType(_PLACE, int(WIDTH)), [0] * int(WIDTH))
-    return builder.shuffle_vector(first, empty, nowhere)
+    return value if value.type == _LANES_IR else spread(builder, value, _LANES_IR)
 
 
 def _offer(function: Callable[..., Any], result: Any, generate: Callable[..., Any]) -> None:
@@ -115,16 +112,12 @@ def _both(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
     return builder.and_(*arguments)
 
 
-def _address(context: Any, builder: Any, kind: Any, array: Any, index: Any) -> Any:
-    data = context.make_array(kind)(context, builder, array).data
-    return builder.bitcast(builder.gep(data, [index]), _LANES_IR.as_pointer())
-
-
 def _load(context: Any, array: Any, index: Any) -> Any:
     """The sixteen numbers of an array of single precision from ``index`` on."""
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        return builder.load(_address(context, builder, signature.args[0], *arguments), align=4)
+        begin = place(context, builder, _LANES_IR, signature.args[0], *arguments)
+        return builder.load(begin, align=4)
 
     return _LANES(array, types.uintp), generate
 
@@ -133,10 +126,9 @@ def _load_whole(context: Any, array: Any, index: Any) -> Any:
     """The sixteen whole numbers of an array from ``index`` on, none below zero."""
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        data = context.make_array(signature.args[0])(context, builder, arguments[0]).data
-        kind = ir.VectorType(data.type.pointee, int(WIDTH))
-        place = builder.bitcast(builder.gep(data, [arguments[1]]), kind.as_pointer())
-        return builder.uitofp(builder.load(place, align=1), _LANES_IR)
+        whole = ir.VectorType(context.get_data_type(signature.args[0].dtype), int(WIDTH))
+        begin = place(context, builder, whole, signature.args[0], *arguments)
+        return builder.uitofp(builder.load(begin, align=1), _LANES_IR)
 
     return _LANES(array, types.uintp), generate
 
@@ -145,8 +137,8 @@ def _store(context: Any, array: Any, index: Any, value: Any) -> Any:
     """Puts sixteen numbers into an array of single precision from ``index`` on."""
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        place = _address(context, builder, signature.args[0], *arguments[:2])
-        builder.store(arguments[2], place, align=4)
+        begin = place(context, builder, _LANES_IR, signature.args[0], *arguments[:2])
+        builder.store(arguments[2], begin, align=4)
         return context.get_dummy_value()
 
     return types.void(array, types.uintp, _LANES), generate
@@ -163,11 +155,7 @@ def _all_lanes(context: Any, value: Any) -> Any:
 
 def _where(context: Any, which: Any, one: Any, other: Any) -> Any:
     """``one`` in the lanes where the mask says yes, ``other`` elsewhere."""
-
-    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        return builder.select(*arguments)
-
-    return _LANES(_MASK, _LANES, _LANES), generate
+    return _LANES(_MASK, _LANES, _LANES), picked
 
 
 def _highest(context: Any, lanes: Any) -> Any:

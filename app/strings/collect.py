@@ -33,6 +33,7 @@ SILENT = (
     "app/metrology/chessboard",
     "app/metrology/grey_lanes.py",
     "app/metrology/lanes.py",
+    "app/metrology/vectors.py",
 )
 """Files of these rooms whose words are for machines."""
 MOST_FORMS = 16
