@@ -212,6 +212,12 @@ def non_negative(sums: Singles, noise: Singles) -> None:
     noise[1], noise[2] = gain, contrast
 
 
+@kernel
+def rows_about(number: int, reach: int) -> int:
+    """Rows about its peaks that a block has: the first was begun with enough for most widths."""
+    return max(reach, USUAL_REACH) if number == 0 else reach
+
+
 @vector_kernel
 def tell_noise(
     pixels: Grey,
@@ -236,8 +242,7 @@ def tell_noise(
         noise: (3,) the read noise, and a first guess of the others; filled.
     """
     for b in range(taken):
-        # the first has room enough for all but the broadest
-        far = max(reach, USUAL_REACH) if b == 0 else reach
+        far = rows_about(b, reach)
         block, profile = blocks[b], profiles[b]
         if b > 0 or far > USUAL_REACH:
             sample(pixels, width, columns, rows, b, taken, far, saturated, raw, block, profile)
@@ -246,8 +251,8 @@ def tell_noise(
     for outlying in (np.inf, OUTLYING, OUTLYING):
         sums[:] = 0
         for b in range(taken):
-            far = max(reach, USUAL_REACH) if b == 0 else reach
-            block, profile = blocks[b], profiles[b][: LANES * (2 * far + 1)]
+            used = LANES * (2 * rows_about(b, reach) + 1)
+            block, profile = blocks[b], profiles[b][:used]
             for lane in range(0, LANES, int(WIDTH)):
                 at = np.uintp(lane)
                 normal_equations(block, profile, noise, saturated, at)
