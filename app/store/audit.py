@@ -1,7 +1,8 @@
 """Who did what: an append-only log."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import islice
 from sqlite3 import Row
 
 from app.files.moments import utc_now
@@ -9,11 +10,8 @@ from app.store.database import Database
 
 Say = Callable[[str], str]
 LONGEST = 200
-HAS_WORD = "instr(line,lower(?))"
-ALL = (
-    "SELECT *, lower(at || ' ' || who || ' ' || address || ' ' || act || ' ' || outcome) AS line"
-    " FROM audit"
-)
+ALL = -1
+"""As SQLite has no limit."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,28 +43,25 @@ class AuditLog:
                 (utc_now(), who, address, act[:LONGEST], outcome[:LONGEST]),
             )
 
-    def newest(self, count: int, words: str = "", say: Say | None = None) -> list[AuditEntry]:
+    def newest(self, count: int, words: str = "", say: Say = str) -> list[AuditEntry]:
         """The last entries that have all the words, newest first.
 
         Args:
             say: what is written into another language; the words may be of that, too.
         """
-        sought = words.split()
-        if say and sought:
-            return self._as_said(count, sought, say)
-        having = " AND ".join([HAS_WORD] * len(sought)) or "TRUE"
-        query = f"SELECT * FROM ({ALL}) WHERE {having} ORDER BY number DESC LIMIT ?"
-        return [_entry(row) for row in self._database.read(query, *sought, count)]
+        wanted = words.lower().split()
+        rows = self._database.read(
+            "SELECT * FROM audit ORDER BY number DESC LIMIT ?", ALL if wanted else count
+        )
+        found = (one for one in map(_entry, rows) if not wanted or _has(one, wanted, say))
+        return list(islice(found, count))
 
-    def _as_said(self, count: int, sought: list[str], say: Say) -> list[AuditEntry]:
-        wanted, found = [word.lower() for word in sought], list[AuditEntry]()
-        for row in self._database.read(f"{ALL} ORDER BY number DESC"):
-            line = f"{row['line']} {say(row['act'])} {say(row['outcome'])}".lower()
-            if all(word in line for word in wanted):
-                found.append(_entry(row))
-                if len(found) == count:
-                    break
-        return found
+
+def _has(entry: AuditEntry, wanted: Sequence[str], say: Say) -> bool:
+    """Whether all the words, in small letters, stand in an entry."""
+    told = (entry.at, entry.who, entry.address, entry.act, entry.outcome)
+    line = " ".join((*told, say(entry.act), say(entry.outcome))).lower()
+    return all(word in line for word in wanted)
 
 
 def _entry(row: Row) -> AuditEntry:
