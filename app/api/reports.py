@@ -64,16 +64,16 @@ def _session(context: Context, kind: OfArm, record_id: str) -> Folder:
         NotFound: none of this kind has this number.
     """
     past = context.arm_guide.past
-    finished: dict[OfArm, tuple[Sequence[Finished], str]] = {
-        "checks": (past.checks(), f"There is no check of the arm {record_id}."),
-        "tips": (past.tip_checks(), f"There is no check of the tip {record_id}."),
+    finished: dict[OfArm, tuple[Callable[[], Sequence[Finished]], str]] = {
+        "checks": (past.checks, f"There is no check of the arm {record_id}."),
+        "tips": (past.tip_checks, f"There is no check of the tip {record_id}."),
         "identifications": (
-            past.identifications(),
+            past.identifications,
             f"There is no identification of the arm {record_id}.",
         ),
     }
-    ended, missing = finished[kind]
-    if all(one.id != record_id for one in ended):
+    all_of_kind, missing = finished[kind]
+    if all(one.id != record_id for one in all_of_kind()):
         raise NotFound(missing)
     return context.store.folder / "sessions" / record_id
 
