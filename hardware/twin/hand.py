@@ -12,18 +12,18 @@ import numpy as np
 
 from hardware.clock import now_ns
 from hardware.interfaces import Button
-from hardware.twin.contact import contact_pose, contact_spot, outward, reachable_faces
+from hardware.twin.contact import contact_spot, outward, reachable_faces
 from hardware.twin.kinematics import (
     ArmModel,
     Floats,
     UnreachableError,
     flange_pose,
-    reach,
     rotation_about,
     translation,
 )
-from hardware.twin.motion import HALT_S, JointPath, Motion, path_over, reaching_path, smooth
+from hardware.twin.motion import HALT_S, JointPath, Motion
 from hardware.twin.passing import SECONDS, passing_poses
+from hardware.twin.sweeping import sweep_poses, sweeps_of
 from hardware.twin.swinging import (
     BALL_MM,
     BAR_MM,
@@ -37,17 +37,15 @@ from hardware.twin.swinging import (
     way_onto_ball,
     way_onto_plate,
 )
-from hardware.twin.world import Ball, Box, Comb, Scene, Shell, Thing
+from hardware.twin.ways import Ways
+from hardware.twin.world import Ball, Box, Comb, Scene
 
 LEAD_NS = 4_000_000
 CLEAR_MM = 3.0
 """From here the tip goes straight to the face, and back."""
 SETTLE_S, PRESS_S = 0.36, 0.05
 APPROACH_S, RETRACT_S = 0.09, 0.06
-HAND_MM_S, HAND_RAD_S = 260.0, 2.2
-SCAN_MM_S = 16.0
 TRIES = 12
-SWAY_RAD = 0.1
 GAUGE = "gauge"
 """Instead of a face's name, after a gauge was touched."""
 WAYS = 8
@@ -72,14 +70,6 @@ class _CancelledError(Exception):
     """The move under way was cancelled."""
 
 
-@dataclass(frozen=True)
-class _Sweep:
-    """One pass of the sensor over a part: sensor poses in the part's frame, from and to."""
-
-    start: Floats
-    end: Floats
-
-
 class Hand:
     """Moves one station's arm.
 
@@ -101,12 +91,12 @@ class Hand:
     ) -> None:
         self._arm, self._motion, self._scene, self._press = arm, motion, scene, press
         self._T_sensor_flange = np.linalg.inv(T_flange_sensor)
-        self._contact_sd_mm, self._pace = contact_sd_mm, pace
+        self._contact_sd_mm = contact_sd_mm
         self._rng = np.random.default_rng(seed)
+        self.ways = Ways(arm, motion, pace, contact_sd_mm, self._rng)
         self._moving = threading.Lock()
         self._cancelled = threading.Event()
         self._touched: str | None = None
-        self._flange_x = flange_pose(arm, motion.at(now_ns()))[:3, 0]
         self._state = HandState()
         block = scene.thing("block")
         assert isinstance(block.shape, Comb)
@@ -114,7 +104,7 @@ class Hand:
         self.faces = reachable_faces(self._block, arm.tip_diameter_mm / 2)
         """Faces that ``touch`` takes."""
         self.parts = tuple(
-            thing.name for thing in scene.things if _sweeps(thing) and thing.name != "block"
+            thing.name for thing in scene.things if sweeps_of(thing) and thing.name != "block"
         )
         """Parts that ``scan_part`` takes."""
 
@@ -150,17 +140,14 @@ class Hand:
             away = self._T_arm_block[:3, :3] @ outward(face)
             deep = self._block.crest_z_mm - self._block.floor_z_mm if face == "floor" else 0.0
             clear = (CLEAR_MM + deep) * away
-            to_spot, contact = self._path_to_touch(face, spot, clear)
+            left = None if self._touched == GAUGE else self._touched
+            to_spot, contact = self.ways.to_touch(self._T_arm_block, face, spot, clear, left)
             self._run(to_spot, 0.0, 0.4)
             slower = 1.5 if face == "floor" else 1.0
-            self._run(self._straight(contact, slower * APPROACH_S), 0.4, 0.5)
-            self._pause(SETTLE_S)
-            pressed_ns = now_ns()
-            self._press(Button.PRIMARY, True, pressed_ns)
-            self._press(Button.PRIMARY, False, pressed_ns + round(PRESS_S * 0.8e9))
-            self._pause(PRESS_S)
+            self._run(self.ways.straight(contact, slower * APPROACH_S), 0.4, 0.5)
+            self._press_primary()
             lifted = translation(*clear.tolist()) @ contact
-            self._run(self._straight(lifted, slower * RETRACT_S), 0.9, 1.0)
+            self._run(self.ways.straight(lifted, slower * RETRACT_S), 0.9, 1.0)
             self._touched = face
             return True
         return False
@@ -175,7 +162,7 @@ class Hand:
                 for axis in "xyz":
                     T = T @ rotation_about(axis, float(self._rng.normal(0.0, 0.015)))
                 try:
-                    path = self._path_to(T @ self._T_sensor_flange, 60.0)
+                    path = self.ways.to(T @ self._T_sensor_flange, 60.0)
                 except UnreachableError:
                     continue
                 self._run(path, 0.0, 1.0, trembles=True)
@@ -186,8 +173,8 @@ class Hand:
     def hold_at(self, q_rad: Sequence[float]) -> bool:
         """Holds the arm at joint angles, as well as a hand can; False when cancelled."""
         with self._move("going to the next pose"):
-            self._run(self._turned_to(np.asarray(q_rad, dtype=np.float64)), 0.0, 0.9)
-            self._run(self._turned_to(self._now()), 0.9, 1.0, trembles=True)
+            self._run(self.ways.turned_to(np.asarray(q_rad, dtype=np.float64)), 0.0, 0.9)
+            self._run(self.ways.turned_to(self.ways.now()), 0.9, 1.0, trembles=True)
             return True
         return False
 
@@ -197,12 +184,13 @@ class Hand:
             raise KeyError(f"there is no part {name!r}; there are {', '.join(self.parts)}")
         thing = self._scene.thing(name)
         with self._move(f"scanning the {name}"):
-            sweeps = _sweeps(thing)
+            sweeps = sweeps_of(thing)
             for i, sweep in enumerate(sweeps):
                 begin, share = i / len(sweeps), 1 / len(sweeps)
                 start = thing.T_arm_obj @ sweep.start @ self._T_sensor_flange
-                self._run(self._path_to(start, 50.0), begin, begin + 0.25 * share)
-                path = self._swept(thing.T_arm_obj, sweep)
+                self._run(self.ways.to(start, 50.0), begin, begin + 0.25 * share)
+                poses = sweep_poses(thing.T_arm_obj, sweep) @ self._T_sensor_flange
+                path = self.ways.over(poses, sweep.seconds)
                 self._run(path, begin + 0.25 * share, begin + share)
             return True
         return False
@@ -214,8 +202,8 @@ class Hand:
         with self._move("passing over the plate"):
             poses = passing_poses(plate.T_arm_obj, 0.7 * plate.shape.high_mm[1])
             poses = poses @ self._T_sensor_flange
-            self._run(self._path_to(poses[0], 50.0), 0.0, 0.2)
-            self._run(path_over(self._arm, poses, self._now(), SECONDS / self._pace), 0.2, 1.0)
+            self._run(self.ways.to(poses[0], 50.0), 0.0, 0.2)
+            self._run(self.ways.over(poses, SECONDS), 0.2, 1.0)
             return True
         return False
 
@@ -252,13 +240,11 @@ class Hand:
             else:
                 low, high = np.array(shape.low_mm), np.array(shape.high_mm)
                 spot = plate_spot(low, high, index, self._rng)
-                self._tap(lambda q: way_onto_plate(self._arm, T, spot, self._gap(), q, self._rng))
+                self._tap(
+                    lambda q: way_onto_plate(self._arm, T, spot, self.ways.gap_mm(), q, self._rng)
+                )
             return True
         return False
-
-    def _gap(self) -> float:
-        """From the tip's centre to what it touches, with the error of this contact."""
-        return self._arm.tip_diameter_mm / 2 + float(self._rng.normal(0.0, self._contact_sd_mm))
 
     def _onto_ball(
         self,
@@ -269,35 +255,33 @@ class Hand:
         lowest: float = -0.1,
         ways: int = 1,
     ) -> JointPath:
-        reach_mm = radius_mm + self._gap()
+        reach_mm = radius_mm + self.ways.gap_mm()
         return way_onto_ball(self._arm, centre, reach_mm, index, q, self._rng, lowest, ways)
 
     def _tap(self, way: Callable[[Floats], JointPath]) -> None:
         """Goes the way onto something from where the arm is, presses, and goes back off."""
-        onto = way(self._now())
-        up = translation(0.0, 0.0, LIFT_MM) @ flange_pose(self._arm, self._now())
+        onto = self.ways.paced(way(self.ways.now()))
+        up = translation(0.0, 0.0, LIFT_MM) @ flange_pose(self._arm, self.ways.now())
         if self._touched != GAUGE:
             with suppress(UnreachableError):
-                self._run(self._straight(up, LIFT_S), 0.0, 0.1)
-        self._run(self._turned_to(onto.q_rad[0]), 0.1, 0.5)
-        self._run(JointPath(onto.times_s / self._pace, onto.q_rad), 0.5, 0.6)
-        self._pause(SETTLE_S)
-        pressed_ns = now_ns()
-        self._press(Button.PRIMARY, True, pressed_ns)
-        self._press(Button.PRIMARY, False, pressed_ns + round(PRESS_S * 0.8e9))
-        self._pause(PRESS_S)
-        self._run(JointPath(onto.times_s / self._pace, onto.q_rad[::-1].copy()), 0.9, 1.0)
+                self._run(self.ways.straight(up, LIFT_S), 0.0, 0.1)
+        self._run(self.ways.turned_to(onto.q_rad[0]), 0.1, 0.5)
+        self._run(onto, 0.5, 0.6)
+        self._press_primary()
+        self._run(JointPath(onto.times_s, onto.q_rad[::-1].copy()), 0.9, 1.0)
         self._touched = GAUGE
 
     def _go_into(self, name: str, centre_mm: Floats, posture: int) -> bool:
         with self._move(f"going to {name}"):
             limits = self._arm.limits_rad
-            start = 0.8 * self._rng.uniform(limits[:, 0], limits[:, 1]) if posture else self._now()
-            into = way_into_seat(self._arm, centre_mm, start, self._rng, self._pace)
-            up = translation(0.0, 0.0, LIFT_MM) @ flange_pose(self._arm, self._now())
+            start = (
+                0.8 * self._rng.uniform(limits[:, 0], limits[:, 1]) if posture else self.ways.now()
+            )
+            into = way_into_seat(self._arm, centre_mm, start, self._rng, self.ways.pace)
+            up = translation(0.0, 0.0, LIFT_MM) @ flange_pose(self._arm, self.ways.now())
             with suppress(UnreachableError):
-                self._run(self._straight(up, LIFT_S), 0.0, 0.1)
-            self._run(self._turned_to(into.q_rad[0]), 0.1, 0.8)
+                self._run(self.ways.straight(up, LIFT_S), 0.0, 0.1)
+            self._run(self.ways.turned_to(into.q_rad[0]), 0.1, 0.8)
             self._run(into, 0.8, 1.0)
             self._touched = None
             return True
@@ -306,8 +290,8 @@ class Hand:
     def swing_in_seat(self) -> bool:
         """Swings the arm about the tip where it is; False when cancelled."""
         with self._move("swinging the arm"):
-            path = swing_path(self._arm, self._now(), self._rng, self._contact_sd_mm / 4)
-            self._run(JointPath(path.times_s / self._pace, path.q_rad), 0.0, 1.0)
+            path = swing_path(self._arm, self.ways.now(), self._rng, self._contact_sd_mm / 4)
+            self._run(self.ways.paced(path), 0.0, 1.0)
             return True
         return False
 
@@ -325,85 +309,6 @@ class Hand:
             finally:
                 self._state = HandState()
 
-    def _now(self) -> Floats:
-        return self._motion.at(now_ns())
-
-    def _path_to_touch(self, face: str, spot: Floats, clear: Floats) -> tuple[JointPath, Floats]:
-        """The way to a place in front of the contact, and the flange's pose in contact."""
-        q, tip = self._now(), np.array(self._arm.tip_mm)
-        up = self._T_arm_block[:3, 2]
-        if self._touched == face:
-            lifts = (0.3 * clear, 0.3 * clear)
-        else:
-            leave = np.zeros(3)
-            if self._touched not in (None, GAUGE):
-                leave = 20.0 * (self._T_arm_block[:3, :3] @ outward(self._touched))
-            lifts = (30.0 * up + leave, 30.0 * up + 5.0 * clear)
-        gap = self._arm.tip_diameter_mm / 2 + float(self._rng.normal(0.0, self._contact_sd_mm))
-        best: tuple[JointPath, Floats] | None = None
-        for _ in range(TRIES):
-            contact = contact_pose(
-                self._arm, self._T_arm_block, face, spot, gap, self._rng, self._flange_x, SWAY_RAD
-            )
-            before = translation(*clear.tolist()) @ contact
-            wanted_s = self._seconds(q, before, tip)
-            try:
-                path = reaching_path(self._arm, q, before, tip, lifts, wanted_s)
-                path_over(self._arm, np.stack([before, contact]), path.q_rad[-1], 1.0)
-            except UnreachableError:
-                continue
-            if best is None or path.duration_s < best[0].duration_s:
-                best = path, contact
-            if path.duration_s < 1.2 * wanted_s:
-                break
-        return best or (self._detour(q, before), contact)
-
-    def _path_to(self, target: Floats, lift_mm: float) -> JointPath:
-        q, tip = self._now(), np.array(self._arm.tip_mm)
-        up = np.array([0.0, 0.0, lift_mm])
-        try:
-            return reaching_path(self._arm, q, target, tip, (up, up), self._seconds(q, target, tip))
-        except UnreachableError:
-            return self._detour(q, target)
-
-    def _detour(self, q: Floats, target: Floats) -> JointPath:
-        """Straight in the joints, where the arm cannot follow a straight way in space."""
-        return self._turned_to(reach(self._arm, target, q, self._rng))
-
-    def _turned_to(self, goal: Floats) -> JointPath:
-        """Straight in the joints from where they are."""
-        q = self._now()
-        share = smooth(np.linspace(0.0, 1.0, 24))[:, None]
-        seconds = 2.0 * float(np.max(np.abs(goal - q))) / HAND_RAD_S / self._pace
-        return JointPath(np.linspace(0.0, max(seconds, 0.3), 24), q + share * (goal - q))
-
-    def _straight(self, target: Floats, seconds: float) -> JointPath:
-        q = self._now()
-        zero = np.zeros(3)
-        tip = np.array(self._arm.tip_mm)
-        return reaching_path(self._arm, q, target, tip, (zero, zero), seconds / self._pace)
-
-    def _swept(self, T_arm_part: Floats, sweep: _Sweep) -> JointPath:
-        """A pass at even speed, with a short run-up and run-out."""
-        speed = np.minimum(1.0, np.minimum(np.arange(1, 61), np.arange(60, 0, -1)) / 6.0)
-        share = np.concatenate([[0.0], np.cumsum(speed)]) / speed.sum()
-        poses = []
-        for s in share:
-            T = sweep.start.copy()
-            T[:3, 3] = (1 - s) * sweep.start[:3, 3] + s * sweep.end[:3, 3]
-            poses.append(T_arm_part @ T @ self._T_sensor_flange)
-        length = float(np.linalg.norm(sweep.end[:3, 3] - sweep.start[:3, 3]))
-        return path_over(self._arm, np.stack(poses), self._now(), length / SCAN_MM_S / self._pace)
-
-    def _seconds(self, q: Floats, target: Floats, tool: Floats) -> float:
-        """How long a hand takes from here to a flange pose."""
-        start = flange_pose(self._arm, q)
-        way = target[:3, :3] @ tool + target[:3, 3] - start[:3, :3] @ tool - start[:3, 3]
-        turn = start[:3, :3].T @ target[:3, :3]
-        angle = float(np.arccos(np.clip((np.trace(turn) - 1) / 2, -1.0, 1.0)))
-        seconds = 0.08 + float(np.linalg.norm(way)) / HAND_MM_S + 0.4 * angle / HAND_RAD_S
-        return max(seconds, 0.16) / self._pace
-
     def _run(self, path: JointPath, begin: float, end: float, trembles: bool = False) -> None:
         """Plays a path and waits for its end, telling progress from ``begin`` to ``end``."""
         if self._cancelled.is_set():
@@ -416,30 +321,14 @@ class Hand:
             if self._cancelled.wait(min(left_s, 0.05)):
                 raise _CancelledError
 
+    def _press_primary(self) -> None:
+        """Once the tip rests."""
+        self._pause(SETTLE_S)
+        pressed_ns = now_ns()
+        self._press(Button.PRIMARY, True, pressed_ns)
+        self._press(Button.PRIMARY, False, pressed_ns + round(PRESS_S * 0.8e9))
+        self._pause(PRESS_S)
+
     def _pause(self, seconds: float) -> None:
         if self._cancelled.wait(seconds):
             raise _CancelledError
-
-
-def _sweeps(thing: Thing) -> list[_Sweep]:
-    """How a part is scanned; empty for what is no part."""
-    shape = thing.shape
-
-    def across(half_y: float, z: float, tilt_rad: float = 0.0, x: float = 0.0) -> _Sweep:
-        turn = rotation_about("x", tilt_rad)
-        ends = [translation(x, y, z) @ turn for y in (-half_y, half_y)]
-        return _Sweep(*ends)
-
-    def back(sweep: _Sweep) -> _Sweep:
-        return _Sweep(sweep.end, sweep.start)
-
-    if isinstance(shape, Ball):
-        top, r = 0.75 * shape.radius_mm, 1.05 * shape.radius_mm
-        return [across(r, top), back(across(r, top, 0.3)), across(r, top, -0.3)]
-    if isinstance(shape, Shell):
-        z, half = 0.6 * shape.height_mm, 1.02 * shape.half_depth_mm
-        return [across(half, z), back(across(half, z, 0.2)), across(half, z, -0.2)]
-    if isinstance(shape, Box) and thing.name == "plate":
-        half = 0.9 * shape.high_mm[1]
-        return [across(half, 0.0), back(across(half, 4.0))]
-    return []

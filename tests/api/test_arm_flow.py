@@ -131,7 +131,7 @@ def test_stop_ends_the_hand(server: Server, session: Callable[[str], View]) -> N
 def test_a_ball_bar_and_a_sphere_are_taken_by_the_hand(
     server: Server, session: Callable[[str], View], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(server.twin.hand, "_pace", 12.0)
+    monkeypatch.setattr(server.twin.hand.ways, "pace", 12.0)
     view = session("identify")
     chosen = do(server, "choose_artefact", kind="sphere")
     assert chosen["artefact"] == {
@@ -167,7 +167,7 @@ def test_a_ball_bar_and_a_sphere_are_taken_by_the_hand(
 def test_several_seats_identify_the_arm_and_the_old_one_is_kept(
     server: Server, session: Callable[[str], View], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(server.twin.hand, "_pace", 12.0)
+    monkeypatch.setattr(server.twin.hand.ways, "pace", 12.0)
     session("identify")
     assert command(server, "fit").status_code == 422
     # where a busy machine swings the arm too little, the fit is refused, and asks for more
@@ -214,7 +214,7 @@ def fitted_after(server: Server, places: int) -> View:
 def test_a_tip_is_checked_on_a_sphere_and_home_knows_of_it(
     server: Server, session: Callable[[str], View], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(server.twin.hand, "_pace", 12.0)
+    monkeypatch.setattr(server.twin.hand.ways, "pace", 12.0)
     before = len(server.http.get("/api/arm/tips").json())
     view = session("tip")
     assert view["artefact"]["size_mm"] == server.twin.hand.ball_mm
