@@ -9,20 +9,16 @@ from pathlib import Path
 
 import numpy as np
 
+from app.files.belonging import check_content, check_serials, check_station
 from app.files.calibration import Calibration
 from app.files.cloud_points import Points
 from app.files.clouds import cloud_writer
 from app.files.frame_points import Placing, placed
 from app.files.joint_track import JointTrack
 from app.files.progress import Progress, no_progress
+from app.files.rebuild_words import clock_words, left_out, no_joints_around
 from app.files.recorded_joints import JointReader
-from app.files.recording import (
-    IMAGE_TOPIC,
-    JOINTS_TOPIC,
-    STRIPE_TOPIC,
-    Recording,
-    open_recording,
-)
+from app.files.recording import Recording, open_recording
 from app.files.recording_clock import ClockReport, ClockWatch
 from app.files.recording_stream import Block, Frame, blocks
 from app.metrology.arm import Arm, flange_poses
@@ -287,102 +283,22 @@ class _Job:
         said = [self._recording.cut] if self._recording.cut else []
         start_ns, unplaced = self._recording.first_ns or 0, self._unplaced_ns
         if unplaced:
-            first_ns, last_ns = self._track.first_ns or 0, self._track.last_ns or 0
-            at_ns = [stamp_ns + self._delay_ns for stamp_ns in unplaced]
-            beyond = sum(not first_ns <= one <= last_ns for one in at_ns)
-            said.append(
-                f"{len(unplaced)} of {self._numbered} frames left out: no joints around their "
-                f"stamps, the first {(unplaced[0] - start_ns) / 1e9:.3f} s from the start; "
-                f"{beyond} before the first or after the last sample, {len(unplaced) - beyond} "
-                "in gaps"
-            )
+            said.append(left_out(unplaced, self._numbered, self._track, self._delay_ns, start_ns))
         if self._joints.unusable:
             said.append(f"{self._joints.unusable} joint samples left out: not numbers")
-        for title, one, clock in (
-            ("joint samples", "joints'", joints),
-            ("frames", "frames'", frames),
-        ):
-            if clock.holes:
-                said.append(
-                    f"about {clock.missing} {title} are missing in {clock.holes} places, the "
-                    f"longest {clock.longest_ns / 1e6:.1f} ms, "
-                    f"{(clock.longest_at_ns - start_ns) / 1e9:.3f} s from the start"
-                )
-            if clock.jumps:
-                said.append(
-                    f"the {one} clock jumps {clock.jumps} times, first to "
-                    f"{(clock.first_jump_at_ns - start_ns) / 1e9:.3f} s from the start; points "
-                    "near a jump may be out of place"
-                )
-        return said
+        said += clock_words("joint samples", "joints'", joints, start_ns)
+        return said + clock_words("frames", "frames'", frames, start_ns)
 
     def _refuse_nothing(self) -> None:
         if self._points:
             return
-        named = check_foreign(self._recording)
-        if not self._numbered:
-            raise Refusal("recording-without-frames", f"{named}: no frames")
-        if not len(self._track):
-            raise Refusal("recording-without-joints", f"{named}: no joint angles")
+        named = check_content(self._recording, self._numbered, len(self._track))
         if self._unplaced_ns:
-            raise self._no_joints_around(named)
+            start_ns = self._recording.first_ns or 0
+            raise no_joints_around(named, self._unplaced_ns, self._track, start_ns)
         raise Refusal(
             "recording-without-stripes",
             f"{named}: no laser stripe in front of the sensor in any frame of {self._numbered}",
             "the laser was off, too weak, or the part out of range",
             "Scan again",
-        )
-
-    def _no_joints_around(self, named: str) -> Refusal:
-        start_ns, track = self._recording.first_ns or 0, self._track
-
-        def span(first_ns: int, last_ns: int) -> str:
-            return f"from {(first_ns - start_ns) / 1e9:.3f} to {(last_ns - start_ns) / 1e9:.3f} s"
-
-        return Refusal(
-            "no-joints-around-frames",
-            f"{named}: no joints around any frame's stamp",
-            f"frames {span(self._unplaced_ns[0], self._unplaced_ns[-1])}, joint samples "
-            f"{span(track.first_ns or 0, track.last_ns or 0)}, of which neighbours up to "
-            f"{track.gap_limit_ns / 1e6:.0f} ms apart are used",
-            "Scan again, with arm and camera on one clock",
-        )
-
-
-def check_foreign(recording: Recording) -> str:
-    """What a recording that was read is called; refuses one that holds nothing of a scan."""
-    topics = recording.topics
-    if not recording.cut and not {JOINTS_TOPIC, IMAGE_TOPIC, STRIPE_TOPIC} & topics:
-        raise Refusal(
-            "recording-foreign",
-            f"{recording.path} holds {', '.join(sorted(topics)) or 'no topics'}",
-            f"a scan has {JOINTS_TOPIC} and {IMAGE_TOPIC} or {STRIPE_TOPIC}",
-        )
-    return recording.cut or str(recording.path)
-
-
-def check_station(recording: Recording, calibration: Calibration, arm: Arm) -> None:
-    """Refuses a recording of another sensor than the calibration's, or of another arm."""
-    serials = calibration.serial_numbers
-    for device, recorded, known in (
-        ("sensor", recording.station.get("sensor_serial", ""), serials.sensor),
-        ("arm", recording.station.get("arm_serial", ""), arm.serial_number),
-    ):
-        if recorded and known and recorded != known:
-            raise Refusal(
-                f"{device}-of-another-serial",
-                f"{recording.path} was taken with {device} {recorded}",
-                f"the {'calibration' if device == 'sensor' else 'arm.json'} is for {known}",
-                "Give the files that belong together",
-            )
-
-
-def check_serials(calibration: Calibration, arm: Arm) -> None:
-    known = calibration.serial_numbers.arm
-    if known and arm.serial_number and known != arm.serial_number:
-        raise Refusal(
-            "arm-of-another-serial",
-            f"the arm model is of arm {arm.serial_number}",
-            f"the calibration is for arm {known}",
-            "Give the files that belong together",
         )

@@ -8,6 +8,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from app.files.belonging import check_content, check_serials, check_station
 from app.files.calibration import Calibration
 from app.files.cloud_points import Points
 from app.files.documents import Document, NotNegative, Number
@@ -15,7 +16,6 @@ from app.files.failures import refusals_naming
 from app.files.frame_points import Placing, placed
 from app.files.joint_track import JointTrack
 from app.files.progress import Progress, no_progress
-from app.files.rebuild import check_foreign, check_serials, check_station
 from app.files.recorded_joints import JointReader
 from app.files.recording import Recording, open_recording
 from app.files.recording_stream import Block, blocks
@@ -171,11 +171,7 @@ class _Reading:
         self._stamps_ns += [frame.stamp_ns for frame in frames]
 
     def passed(self) -> PlanePass:
-        named = check_foreign(self._recording)
-        if not self._stamps_ns:
-            raise Refusal("recording-without-frames", f"{named}: no frames")
-        if not len(self._track):
-            raise Refusal("recording-without-joints", f"{named}: no joint angles")
+        check_content(self._recording, len(self._stamps_ns), len(self._track))
         points, stamps_ns = np.concatenate(self._points), np.array(self._stamps_ns)
         order = np.argsort(stamps_ns, kind="stable")
         place = np.argsort(order)[points["frame"]]
