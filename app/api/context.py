@@ -21,8 +21,8 @@ from app.station.lease import Lease
 from app.station.operator_settings import OperatorSettings
 from app.station.preview import Preview
 from app.station.rig import Rig
+from app.station.scan_state import ScanState as RoomScanState
 from app.station.scanner import Scanner
-from app.station.scanner import ScanState as RoomScanState
 from app.station.scene import Scene
 from app.station.viewing import Viewing
 from app.store.store import Store

@@ -20,7 +20,7 @@ from app.api.schema import Beat, LiveRequest, PreviewRequest
 from app.api.session import you
 from app.station.bus import Event, Subscription, Updates
 from app.station.preview import PreviewImage
-from app.station.scanner import ScanState
+from app.station.scan_state import ScanState
 from app.store.sign_ins import Visitor
 
 router = APIRouter()

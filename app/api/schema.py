@@ -9,7 +9,7 @@ from app.guide import due
 from app.guide.view import FlowView
 from app.metrology.measured_shape import ShapeName
 from app.metrology.stripe import Choice
-from app.station import scanner
+from app.station import scan_state
 from app.station.findings import Finding, Quality
 from app.station.painter import Measure
 
@@ -117,7 +117,7 @@ class Problem:
 
 
 @dataclass(frozen=True)
-class ScanState(scanner.ScanState):
+class ScanState(scan_state.ScanState):
     """The station's scan state, and whether the twin's hand is at it."""
 
     hand_running: bool

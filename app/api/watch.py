@@ -16,7 +16,7 @@ from app.station.host import WallClock
 from app.station.jobs import Jobs
 from app.station.log_book import LogBook
 from app.station.losses import LossWindow
-from app.station.scanner import ScanResult
+from app.station.scan_state import ScanResult
 from app.station.temperature import TemperatureWatch, Thermometer
 from app.station.watchdog import LoopWatchdog
 from app.store.backup import BackupMade, backup, last_backup, stamped_name

@@ -37,7 +37,8 @@ from app.station.operator_settings import OperatorSettings
 from app.station.pipeline import ScanCalibration
 from app.station.preview import Preview
 from app.station.rig import Rig
-from app.station.scanner import Scanner, ScanResult
+from app.station.scan_state import ScanResult
+from app.station.scanner import Scanner
 from app.station.scene import Scene
 from app.station.viewing import Viewing
 from app.store.calibrations import CalibrationRecord

@@ -32,7 +32,7 @@ from app.station.findings import Finding
 from app.station.jobs import Jobs
 from app.station.preview import Preview
 from app.station.rig import Rig
-from app.station.scanner import ScanState
+from app.station.scan_state import ScanState
 from app.station.scene import Scene
 
 KIND = "calibration"

@@ -1,89 +1,27 @@
 """Starting, watching and stopping a scan."""
 
-import contextlib
-import shutil
 import threading
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Literal
 
-from app.files.failures import files_refused, refusal_of
 from app.files.scan_settings import AUTOMATIC, ScanSettings
 from app.metrology.refusal import Refusal
 from app.station.bus import Bus
 from app.station.distance import Distance, distance_of
-from app.station.findings import Finding, capital
+from app.station.findings import capital
 from app.station.pipeline import ScanCalibration, ScanPipeline
 from app.station.rig import Rig
+from app.station.scan_folders import ScanFolders, made
+from app.station.scan_state import NOTHING, ScanLoad, ScanResult, ScanState, State
 from app.station.scan_words import blocked, findings_of
 from app.station.scene import Scene
 
 # The drawn arm moves ten times a second, the numbers change five times.
 WATCH_S = 0.1
 PUBLISH_TICKS = 2
-# A scan does not start with less, and stops before the disk is so full that it
-# could not complete its files.
-START_FREE_BYTES = 500_000_000
-STOP_FREE_BYTES = 100_000_000
-
-State = Literal["idle", "running", "stopping", "blocked"]
-
-
-@dataclass(frozen=True)
-class ScanState:
-    """A scan as the browser shows it; the numbers of the last one stay until the next."""
-
-    state: State
-    why_not: str
-    scan_id: str | None
-    points: int
-    points_shown: int
-    rate_points_s: float
-    frames: int
-    lost_frames: int
-    frames_without_joints: int
-    seconds: float
-    blur_mm: float | None
-    """The way of the surface under the stripe during the newest exposure."""
-    step_mm: float | None
-    """From one stripe to the next: the points' spacing along the pass."""
-    blur_limit_mm: float | None
-    frames_too_fast: int
-    pictures: int
-    """Recorded beside their stripes."""
-    findings: tuple[Finding, ...]
-
-
-NOTHING = ScanState("idle", "", None, 0, 0, 0.0, 0, 0, 0, 0.0, None, None, None, 0, 0, ())
-
-
-@dataclass(frozen=True)
-class ScanResult:
-    """A finished scan; its folder holds ``scan.mcap`` and mostly ``cloud.ply``."""
-
-    id: str
-    name: str
-    folder: Path
-    started_at: str
-    points: int
-    frames: int
-    seconds: float
-    calibration_id: str
-    lost_frames: int = 0
-
-
-@dataclass(frozen=True)
-class ScanLoad:
-    """What a scan asks of the machine."""
-
-    backlog: float
-    """How full its fullest queue is, 0 to 1."""
-    bytes_written: int
-    """Of the recording."""
-    seconds: float
 
 
 @dataclass
@@ -117,7 +55,7 @@ class Scanner:
         self._bus = bus
         self._rig = rig
         self._scene = scene
-        self._scans_dir = scans_dir
+        self._folders = ScanFolders(scans_dir)
         self._lock = threading.RLock()
         self._calibration: ScanCalibration | None = None
         self._settings = AUTOMATIC
@@ -198,13 +136,13 @@ class Scanner:
                 scan running, or no room on the disk.
         """
         with self._lock:
-            refusal = self.why_not() or self._no_room(START_FREE_BYTES)
+            refusal = self.why_not() or self._folders.no_room_to_start()
             if refusal is not None:
                 raise refusal
             calibration = self._calibration
             assert calibration is not None
             started = datetime.now(UTC)
-            folder = self._new_folder(started) if into is None else _made(into)
+            folder = self._folders.new(started) if into is None else made(into)
             scan_id = folder.name if into is None else f"{into.parent.name}-{into.name}"
             self._scene.begin(scan_id)
             info = self._rig.sensor.info
@@ -303,31 +241,6 @@ class Scanner:
         scan = self._scan
         return scan is not None and (scan.ended_s is None or scan.stopping)
 
-    def _no_room(self, needed: int) -> Refusal | None:
-        try:
-            self._scans_dir.mkdir(parents=True, exist_ok=True)
-            free = shutil.disk_usage(self._scans_dir).free
-        except OSError as error:
-            return refusal_of(error, self._scans_dir)
-        if free >= needed:
-            return None
-        return Refusal(
-            "disk-full",
-            f"only {free / 1e9:.2f} GB are free on the disk of {self._scans_dir}",
-            f"a scan needs {needed / 1e9:.1f} GB",
-            "free some space",
-        )
-
-    def _new_folder(self, started: datetime) -> Path:
-        stem = f"{started:%Y%m%d-%H%M%S}"
-        names = (stem if n == 1 else f"{stem}-{n}" for n in range(1, 1000))
-        with files_refused(self._scans_dir):
-            for name in names:
-                with contextlib.suppress(FileExistsError):
-                    (self._scans_dir / name).mkdir()
-                    return self._scans_dir / name
-        raise Refusal("folder-taken", f"no free name for a scan in {self._scans_dir}")
-
     def _result(self, scan: _Running) -> ScanResult:
         counts = scan.pipeline.counts
         return ScanResult(
@@ -360,7 +273,7 @@ class Scanner:
     def _stop_when_full(self) -> None:
         scan = self._scan
         if scan is not None and scan.ended_s is None:
-            scan.pipeline.failure = scan.pipeline.failure or self._no_room(STOP_FREE_BYTES)
+            scan.pipeline.failure = scan.pipeline.failure or self._folders.no_room_to_go_on()
             if scan.pipeline.trouble is not None:
                 self.stop()
 
@@ -370,9 +283,3 @@ class Scanner:
         if state != self._published:
             self._published = state
             self._bus.publish("scan", state)
-
-
-def _made(folder: Path) -> Path:
-    with files_refused(folder):
-        folder.mkdir(parents=True)
-    return folder

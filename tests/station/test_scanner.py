@@ -18,12 +18,13 @@ from app.metrology.camera import Camera
 from app.metrology.frames import rigid, rotation_from_vector
 from app.metrology.laser_plane import LaserPlane
 from app.metrology.refusal import Refusal
-from app.station import scanner as scanning
+from app.station import scan_folders
 from app.station.bus import Bus
 from app.station.findings import capital
 from app.station.pipeline import ScanCalibration
 from app.station.rig import Rig
-from app.station.scanner import Scanner, ScanResult, ScanState
+from app.station.scan_state import ScanResult, ScanState
+from app.station.scanner import Scanner
 from app.station.scene import Scene
 from tests.station.conftest import HEIGHT, REST_RAD, WIDTH, Bench, six_axis_arm, until
 
@@ -238,7 +239,7 @@ def test_a_full_disk_stops_the_scan_with_an_alarm_and_the_station_lives(
 def test_too_little_room_refuses_before_anything_moves(
     scanner: Scanner, bench: Bench, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    monkeypatch.setattr(scanning, "START_FREE_BYTES", shutil.disk_usage(tmp_path).total)
+    monkeypatch.setattr(scan_folders, "START_FREE_BYTES", shutil.disk_usage(tmp_path).total)
     with pytest.raises(Refusal) as refused:
         scanner.start("no room")
     assert refused.value.code == "disk-full"
