@@ -73,7 +73,8 @@ def extraction(
 ) -> None:
     """Stripe extraction: speed and error over the Cramér-Rao bound, beside OpenCV and numpy."""
     from app.bench import real_lines
-    from app.bench.extraction import COLUMNS, run, table
+    from app.bench.extraction import run
+    from app.bench.extraction_table import COLUMNS, table
 
     of_real = [row for folder in real or () for row in real_lines.run(folder)]
     with progress_bar("Measuring", not as_json) as tell:

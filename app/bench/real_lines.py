@@ -5,13 +5,15 @@ left of the middle one, divided by the share of its own noise that the trend lea
 the noise. A picture's figure is the rms of these, a folder's the median of its pictures.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 import cv2
 import numpy as np
 
-from app.bench.extraction import Grey, Line, Measured, blurred_parabola, centroid, crenel_line
+from app.bench.extraction_table import Measured
+from app.bench.stripe_frames import Grey
+from app.bench.stripe_methods import METHODS, Line, Method
 from app.files.failures import files_refused
 from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
@@ -19,13 +21,12 @@ from app.metrology.stripe import extract_stripe
 
 WINDOW = 41
 SUFFIXES = (".png", ".tif", ".tiff", ".bmp", ".pgm")
-Method = Callable[[Grey], Line]
 
 
 def run(folder: Path) -> list[Measured]:
     """The row of a folder of pictures; raises ``Refusal`` where it holds none with a line."""
     pictures = [_turned(picture) for picture in _pictures(folder)]
-    cells = [_cell(pictures, method) for method in (crenel_line, blurred_parabola, centroid)]
+    cells = [_cell(pictures, method) for method in METHODS]
     return [Measured(f"local noise of the line, {folder.name} ({len(pictures)} pictures)", *cells)]
 
 

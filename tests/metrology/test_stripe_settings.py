@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from app.bench.extraction import crenel_line, judged, spoiled, taken
+from app.bench.extraction import judged
+from app.bench.stripe_frames import spoiled, taken
+from app.bench.stripe_methods import crenel_line
 from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import Choice, Stripe, StripeSettings, extract_stripe
