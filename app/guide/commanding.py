@@ -12,7 +12,9 @@ AT_ANY_REV = ("stop_hand",)
 """Stopping must not wait for a fresh view."""
 
 
-def start_job(guide: GuidedSession[Any, Any], title: str, work: Callable[[Progress], None]) -> None:
+def start_job(
+    guide: GuidedSession[Any, Any, Any], title: str, work: Callable[[Progress], None]
+) -> None:
     """Starts a session's work in the background; why it failed is shown in the session."""
 
     def done(job: Job[None]) -> None:
@@ -23,7 +25,7 @@ def start_job(guide: GuidedSession[Any, Any], title: str, work: Callable[[Progre
     guide.station.jobs.start(title, work, done)
 
 
-def start_hand(guide: GuidedSession[Any, Any], work: Callable[[Progress], None]) -> None:
+def start_hand(guide: GuidedSession[Any, Any, Any], work: Callable[[Progress], None]) -> None:
     """Sets the hand to work; raises ``Refusal`` while another job runs."""
     guide.hand_running = True
     try:
@@ -33,7 +35,7 @@ def start_hand(guide: GuidedSession[Any, Any], work: Callable[[Progress], None])
         raise
 
 
-def stop_hand(guide: GuidedSession[Any, Any]) -> None:
+def stop_hand(guide: GuidedSession[Any, Any, Any]) -> None:
     """Ends the hand's work of this session early; idempotent."""
     if guide.hand_running and guide.station.hand is not None:
         guide.hand_running = False

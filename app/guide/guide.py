@@ -1,7 +1,7 @@
 """Walks the operator through the calibration: journal, station and view, brought together."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -16,12 +16,12 @@ from app.guide.live import ConnectedArm, ConnectedSensor, Live
 from app.guide.outcome import Outcome, from_payload
 from app.guide.permissions import why_not
 from app.guide.seen_poses import SeenPoses
-from app.guide.session import GuidedSession, new_session_id
+from app.guide.session import Flow, GuidedSession, new_session_id
 from app.guide.session_folder import SessionFolder
 from app.guide.sheets import CHOOSING, Sheets, best_guess
 from app.guide.signing import UNSIGNED, Signing
 from app.guide.state import ENDS, FIELDS, KINDS, CalibrationState, after
-from app.guide.view import Busy, CalibrationResult, FlowView
+from app.guide.view import CalibrationResult, FlowView
 from app.metrology.adjustment.block_start import SeenPose
 from app.metrology.adjustment.pose_advice import Hold
 from app.metrology.arm import flange_pose
@@ -36,6 +36,7 @@ from app.station.scan_state import ScanState
 from app.station.scene import Scene
 
 KIND = "calibration"
+FLOW = Flow(KIND, "flow", CalibrationState(), after, view_of, why_not)
 
 
 class StaleCommand(Exception):
@@ -58,7 +59,7 @@ class Station:
     hand: Hand | None
 
 
-class Guide(GuidedSession[CalibrationState, FlowView]):
+class Guide(GuidedSession[CalibrationState, Live, FlowView]):
     """The one calibration session of a station: its journal, and what is shown of it.
 
     ``on_closed`` is called after a session was accepted or abandoned.
@@ -76,7 +77,7 @@ class Guide(GuidedSession[CalibrationState, FlowView]):
         limits: Limits = LIMITS,
         signing: Signing = UNSIGNED,
     ) -> None:
-        super().__init__(station, journal, KIND, "flow", CalibrationState(), after)
+        super().__init__(station, journal, FLOW)
         self.signing = signing
         self.limits = limits
         """What a calibration's verdict goes by."""
@@ -86,11 +87,19 @@ class Guide(GuidedSession[CalibrationState, FlowView]):
         """What the last check of the tip says."""
         self._data_folder = data_folder
         self._on_closed = on_closed
-        self.sheets = Sheets(self._folder_of(self.state.session_id or "none"), limits)
+        self._sheets: Sheets | None = None
         self._outcome: tuple[Mapping[str, object] | None, Outcome | None] = (None, None)
         self._captured: dict[int, tuple[Mapping[str, object], Outcome]] = {}
         self._advised: tuple[Mapping[str, object] | None, Advice | None] = (None, None)
         self._bring_station_in_line()
+
+    @property
+    def sheets(self) -> Sheets:
+        """What the present session chooses from, and chose."""
+        path = self._data_folder / "sessions" / (self.state.session_id or "none")
+        if self._sheets is None or self._sheets.folder.path != path:
+            self._sheets = Sheets(SessionFolder(path), self.limits)
+        return self._sheets
 
     @property
     def folder(self) -> SessionFolder:
@@ -103,16 +112,10 @@ class Guide(GuidedSession[CalibrationState, FlowView]):
 
     # -- what is shown -------------------------------------------------------
 
-    def view(self) -> FlowView:
-        """The flow as of now."""
-        with self.lock:
-            return view_of(self.state, self.live())
-
     def live(self) -> Live:
         """The station as the flow sees it."""
         rig, state = self.station.rig, self.state
         preview = self.station.preview.latest()
-        job = self.station.jobs.current
         return Live(
             rev=self.rev,
             arm_link=rig.arm.link(),
@@ -133,7 +136,7 @@ class Guide(GuidedSession[CalibrationState, FlowView]):
             scanning=self._scanning(),
             tip=self.tip() if state.step == "setup" else None,
             has_hand=self.station.hand is not None,
-            busy=Busy(job.text or job.title, job.fraction) if job is not None else None,
+            busy=self.busy,
             hand_running=self.hand_running,
             trouble=self._trouble,
         )
@@ -216,21 +219,13 @@ class Guide(GuidedSession[CalibrationState, FlowView]):
             choices = best_guess(
                 library, self.state, self._connected_arm(), self._connected_sensor()
             )
-        session_id, sheets = new_session_id(), self.sheets
+        session_id = new_session_id()
         with self.beginning():
-            self.sheets = Sheets(self._folder_of(session_id), self.limits)
-            try:
-                self.state = CalibrationState(session_id=session_id, choices=choices)
-                if step == "touch":
-                    self.folder.keep_sheets(library, self.state)
-                self._journal.begin_session(session_id, KIND)
-                self.append("started", {"choices": choices, "step": step}, key)
-            except BaseException:
-                self.sheets = sheets
-                raise
-
-    def _folder_of(self, session_id: str) -> SessionFolder:
-        return SessionFolder(self._data_folder / "sessions" / session_id)
+            self.state = CalibrationState(session_id=session_id, choices=choices)
+            if step == "touch":
+                self.folder.keep_sheets(library, self.state)
+            self._journal.begin_session(session_id, KIND)
+            self.append("started", {"choices": choices, "step": step}, key)
 
     # -- changes -------------------------------------------------------------
 
@@ -294,10 +289,6 @@ class Guide(GuidedSession[CalibrationState, FlowView]):
     @property
     def rev(self) -> int:
         return self._journal.last_number()
-
-    def why_not(self, name: str, args: Mapping[str, object], by_hand: bool) -> str | None:
-        live = self.live()
-        return why_not(self.state, replace(live, busy=None) if by_hand else live, name, args)
 
     def stale(self) -> Exception:
         return StaleCommand(self.view())

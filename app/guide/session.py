@@ -5,12 +5,14 @@ import threading
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime
-from typing import Generic, Protocol, TypeVar
+from typing import Any, ClassVar, Generic, Protocol, TypeVar
 
 from app.guide.hand import Hand
 from app.guide.journal import Journal, Row, fold
 from app.guide.touching import sentence
+from app.guide.view import Busy
 from app.metrology.refusal import Refusal
 from app.station.bus import Bus
 from app.station.findings import Finding
@@ -38,9 +40,36 @@ class SessionState(Protocol):
         """True in some way once the session is over."""
 
 
+class SessionLive(Protocol):
+    """The station as a flow sees it: a dataclass that tells, besides other things, what is busy."""
+
+    __dataclass_fields__: ClassVar[dict[str, Any]]
+
+    @property
+    def busy(self) -> Busy | None: ...
+
+
 STALE = "stale-view"
 State = TypeVar("State", bound=SessionState)
+Live = TypeVar("Live", bound=SessionLive)
 View = TypeVar("View")
+
+
+@dataclass(frozen=True)
+class Flow(Generic[State, Live, View]):
+    """What is known of a kind of session without a station: pure functions of its state."""
+
+    kind: str
+    """Of the sessions in the journal."""
+    topic: str
+    """Under which the view is published."""
+    empty: State
+    """Before the first row."""
+    after: Callable[[State, Row], State]
+    """What a row makes of a state."""
+    view_of: Callable[[State, Live], View]
+    why_not: Callable[[State, Live, str, Mapping[str, object]], str]
+    """Why a command cannot be done; empty when it can."""
 
 
 def new_session_id() -> str:
@@ -48,55 +77,56 @@ def new_session_id() -> str:
     return f"{datetime.now(UTC):%Y%m%d-%H%M%S}-{secrets.token_hex(2)}"
 
 
-class GuidedSession(ABC, Generic[State, View]):
-    """The latest session of a kind. All methods may be called from any thread.
-
-    Args:
-        kind: of the sessions in the journal.
-        topic: under which the view is published.
-        empty, step: the state before the first row, and what a row makes of a state.
-    """
+class GuidedSession(ABC, Generic[State, Live, View]):
+    """The latest session of a kind. All methods may be called from any thread."""
 
     station: Machinery
 
-    def __init__(
-        self,
-        station: Machinery,
-        journal: Journal,
-        kind: str,
-        topic: str,
-        empty: State,
-        step: Callable[[State, Row], State],
-    ) -> None:
+    def __init__(self, station: Machinery, journal: Journal, flow: Flow[State, Live, View]) -> None:
         self.lock = threading.RLock()
         self.changed = threading.Condition(self.lock)
         self.hand_running = False
         self.declined = 0
         """Counts what was asked for and declined."""
         self.station = station
-        self._journal, self._topic = journal, topic
+        self._journal, self._flow = journal, flow
         self._trouble: Finding | None = None
         self._published: View | None = None
-        session = journal.latest_session(kind)
-        self.state = empty if session is None else fold(journal.rows(session.id), empty, step)
+        session = journal.latest_session(flow.kind)
+        rows = [] if session is None else journal.rows(session.id)
+        self.state = fold(rows, flow.empty, flow.after)
 
     @property
     def running(self) -> bool:
         """Whether a session is open."""
         return bool(self.state.session_id) and not self.state.ended
 
+    @property
+    def busy(self) -> Busy | None:
+        """The work that is under way."""
+        job = self.station.jobs.current
+        return Busy(job.text or job.title, job.fraction) if job is not None else None
+
     @abstractmethod
+    def live(self) -> Live:
+        """The station as the flow sees it."""
+
     def view(self) -> View:
         """The session as of now."""
+        with self.lock:
+            return self._flow.view_of(self.state, self.live())
 
     @property
     @abstractmethod
     def rev(self) -> int:
         """What the view's revision is now."""
 
-    @abstractmethod
-    def why_not(self, name: str, args: Mapping[str, object], by_hand: bool) -> str | None:
+    def why_not(self, name: str, args: Mapping[str, object], by_hand: bool) -> str:
         """Why a command cannot be done now; ``by_hand``: the hand's own work is no hindrance."""
+        live = self.live()
+        return self._flow.why_not(
+            self.state, replace(live, busy=None) if by_hand else live, name, args
+        )
 
     def refuse_unless_possible(
         self, name: str, args: Mapping[str, object], rev: int | None, by_hand: bool = False
@@ -135,7 +165,7 @@ class GuidedSession(ABC, Generic[State, View]):
             view = self.view()
             if view != self._published:
                 self._published = view
-                self.station.bus.publish(self._topic, view)
+                self.station.bus.publish(self._flow.topic, view)
             return view
 
     def knows_key(self, key: str) -> bool:

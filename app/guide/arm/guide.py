@@ -2,7 +2,7 @@
 
 import time
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from app.files.arm import read_arm
@@ -19,16 +19,16 @@ from app.guide.arm.taken import observations_of
 from app.guide.arm.view import ArmView
 from app.guide.hand import Hand
 from app.guide.library import Library, read_library
-from app.guide.session import GuidedSession, new_session_id
+from app.guide.session import Flow, GuidedSession, new_session_id
 from app.guide.signing import UNSIGNED, Signing
 from app.guide.verify.gauges import read_gauges
-from app.guide.view import Busy
 from app.metrology.arm import Arm
 from app.metrology.refusal import Refusal
 from app.station.bus import Bus
 from app.station.jobs import Jobs
 from app.station.rig import Rig
 
+FLOW = Flow(KIND, "arm", ArmState(), after, view_of, why_not)
 FRESH_S = 2.0
 """Arms that were added to the data folder are seen after this time."""
 
@@ -43,7 +43,7 @@ class ArmStation:
     hand: Hand | None
 
 
-class ArmGuide(GuidedSession[ArmState, ArmView]):
+class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
     """The latest check, tip check or identification."""
 
     station: ArmStation
@@ -55,7 +55,7 @@ class ArmGuide(GuidedSession[ArmState, ArmView]):
         data_folder: Path,
         signing: Signing = UNSIGNED,
     ) -> None:
-        super().__init__(station, journal, KIND, "arm", ArmState(), after)
+        super().__init__(station, journal, FLOW)
         self.signing = signing
         self.data_folder = data_folder
         self.past = ArmPast(journal)
@@ -71,11 +71,6 @@ class ArmGuide(GuidedSession[ArmState, ArmView]):
 
     # -- what is shown -------------------------------------------------------
 
-    def view(self) -> ArmView:
-        """The session as of now."""
-        with self.lock:
-            return view_of(self.state, self.live())
-
     def refresh(self) -> ArmView:
         """Takes the points that have come, and publishes the view if it changed."""
         with self.lock:
@@ -84,7 +79,7 @@ class ArmGuide(GuidedSession[ArmState, ArmView]):
 
     def live(self) -> ArmLive:
         """The station as the session sees it."""
-        side, job = self.station.rig.arm, self.station.jobs.current
+        side = self.station.rig.arm
         newest = side.latest() if self.running else None
         return ArmLive(
             library=self.library(),
@@ -95,7 +90,7 @@ class ArmGuide(GuidedSession[ArmState, ArmView]):
             left_mm=self._left_mm,
             has_hand=self.station.hand is not None,
             hand_running=self.hand_running,
-            busy=Busy(job.text or job.title, job.fraction) if job is not None else None,
+            busy=self.busy,
             trouble=self._trouble,
         )
 
@@ -192,10 +187,6 @@ class ArmGuide(GuidedSession[ArmState, ArmView]):
     @property
     def rev(self) -> int:
         return self.state.rev
-
-    def why_not(self, name: str, args: Mapping[str, object], by_hand: bool) -> str | None:
-        live = self.live()
-        return why_not(self.state, replace(live, busy=None) if by_hand else live, name, args)
 
     # -- seats ---------------------------------------------------------------
 

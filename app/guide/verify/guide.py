@@ -2,7 +2,7 @@
 
 import time
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
 
@@ -19,7 +19,7 @@ from app.files.verification import GAUGE, TOUCHES
 from app.files.verification_figures import Touched, errors_of, figures_of, verdict_of
 from app.guide.hand import Hand
 from app.guide.journal import Journal, Row
-from app.guide.session import GuidedSession, new_session_id
+from app.guide.session import Flow, GuidedSession, new_session_id
 from app.guide.session_folder import CALIBRATION
 from app.guide.signing import UNSIGNED, Signing
 from app.guide.touching import sentence
@@ -29,7 +29,6 @@ from app.guide.verify.live import Gauges, Judged, VerifyLive
 from app.guide.verify.rules import why_not
 from app.guide.verify.state import ENDS, Cloud, VerifyState, after
 from app.guide.verify.view import VerifyView
-from app.guide.view import Busy
 from app.metrology.arm import Arm, tip_centres
 from app.metrology.refusal import Refusal
 from app.metrology.touched_gauge import touched_plane, touched_sphere
@@ -40,6 +39,7 @@ from app.station.scanner import Scanner
 from app.station.scene import Scene
 
 KIND = "verify"
+FLOW = Flow(KIND, "verify", VerifyState(), after, view_of, why_not)
 FRESH_S = 2.0
 """Gauges that were added to the data folder are seen after this time."""
 SAME_PLACE_MM = 0.3
@@ -89,7 +89,7 @@ class Verifications(Protocol):
     ) -> Row: ...
 
 
-class VerifyGuide(GuidedSession[VerifyState, VerifyView]):
+class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
     """The latest verification."""
 
     station: VerifyStation
@@ -104,7 +104,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyView]):
         limits: VerificationLimits = DEFAULT_LIMITS,
         signing: Signing = UNSIGNED,
     ) -> None:
-        super().__init__(station, journal, KIND, "verify", VerifyState(), after)
+        super().__init__(station, journal, FLOW)
         self.signing = signing
         self.calibrations, self.verifications = calibrations, verifications
         self._data_folder, self._limits = data_folder, limits
@@ -123,15 +123,10 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyView]):
 
     # -- what is shown -------------------------------------------------------
 
-    def view(self) -> VerifyView:
-        """The session as of now."""
-        with self.lock:
-            return view_of(self.state, self.live())
-
     def live(self) -> VerifyLive:
         """The station as the session sees it."""
         station, state = self.station, self.state
-        side, job, active = station.rig.arm, station.jobs.current, self.calibrations.active()
+        side, active = station.rig.arm, self.calibrations.active()
         gauges, (gauge, arm) = self.gauges(), self.sheets()
         touched, judged = self._results(gauge, arm)
         blocked = station.scanner.why_not() if state.step == "scan" else None
@@ -151,7 +146,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyView]):
             scan_points=station.scanner.state().points if state.open_cloud else 0,
             has_hand=station.hand is not None,
             hand_running=self.hand_running,
-            busy=Busy(job.text or job.title, job.fraction) if job is not None else None,
+            busy=self.busy,
             trouble=self._trouble,
         )
 
@@ -284,10 +279,6 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyView]):
     @property
     def rev(self) -> int:
         return self.state.rev
-
-    def why_not(self, name: str, args: Mapping[str, object], by_hand: bool) -> str | None:
-        live = self.live()
-        return why_not(self.state, replace(live, busy=None) if by_hand else live, name, args)
 
     def touch(self, until_ns: int | None, key: str | None) -> None:
         """Takes the place that the tip touches, or touched at ``until_ns``.
