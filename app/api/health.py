@@ -15,6 +15,8 @@ from app.metrology.refusal import Refusal
 from app.station.health import Health
 from app.station.log_book import Level, LogLine
 from app.store.backup import BackupMade
+from app.strings.files import ENGLISH
+from app.strings.sentences import saying
 
 router = APIRouter(prefix="/api")
 LINES = 300
@@ -51,9 +53,13 @@ def logs(
     context: TheContext,
     level: Level = "info",
     words: Annotated[str, Query(max_length=100)] = "",
+    lang: Annotated[str, Query(pattern="^[a-z]{2}$")] = ENGLISH,
 ) -> list[LogLine]:
-    """The newest lines of a level or above that contain all the words, newest first."""
-    return context.watch.logs.read(level, words, LINES)
+    """The newest lines of a level or above that contain all the words, newest first.
+
+    They are sought as written, and as the reader's language has them.
+    """
+    return context.watch.logs.read(level, words, LINES, saying(lang))
 
 
 @router.get("/support.zip")

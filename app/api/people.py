@@ -12,8 +12,8 @@ from app.api.schema import AccountChange, AccountSummary, NewAccount, NewWall, W
 from app.api.session import ROLE_NAMES
 from app.store.accounts import Account, Role
 from app.store.audit import AuditEntry
-from app.strings.files import ENGLISH, languages
-from app.strings.sentences import sentences_of
+from app.strings.files import ENGLISH
+from app.strings.sentences import saying
 
 router = APIRouter(prefix="/api")
 AUDIT_SHOWN = 500
@@ -89,8 +89,7 @@ def audit(
 
     They are sought as written, and as the reader's language has them.
     """
-    say = sentences_of(lang).said if lang in languages()[1:] else str
-    return context.store.audit.newest(AUDIT_SHOWN, words, say)
+    return context.store.audit.newest(AUDIT_SHOWN, words, saying(lang) or str)
 
 
 def _account(context: Context, name: str) -> Account:

@@ -8,11 +8,13 @@ import json
 import logging
 import logging.handlers
 import queue
+import re
 import sys
 from collections import deque
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
+from itertools import islice
 from pathlib import Path
 from typing import Literal
 
@@ -24,6 +26,11 @@ LONGEST_TEXT = 4000
 TOLD = ("app", "hardware")
 """Loggers that are heard from ``info`` on; all others from ``warning`` on."""
 
+NUMBER = re.compile(r"\d+")
+MOST_RETOLD = 1000
+"""Sentences of a log that are put into another language for one search of it."""
+
+Say = Callable[[str], str]
 Level = Literal["info", "warning", "error"]
 LEVELS: dict[Level, int] = {
     "info": logging.INFO,
@@ -101,19 +108,18 @@ class LogBook:
         numbered = [self.folder / f"{FILE}.{number}" for number in range(1, FILES)]
         return [path for path in (self.folder / FILE, *numbered) if path.is_file()]
 
-    def read(self, level: Level, words: str, count: int) -> list[LogLine]:
-        """The newest lines of a level or above that contain the words, newest first."""
-        found: list[LogLine] = []
+    def read(self, level: Level, words: str, count: int, say: Say | None = None) -> list[LogLine]:
+        """The newest lines of a level or above that contain the words, newest first.
+
+        Args:
+            say: what is written into another language; the words may be of that, too.
+        """
         wanted = words.lower().split()
         # most lines are passed over without being parsed; these signs are spelled otherwise in JSON
-        plain = [word for word in wanted if not set(word) & {'"', "\\"}]
-        for line in self._newest_first(plain):
-            hay = f"{line.text} {line.logger} {line.thread} {line.trace}".lower()
-            if LEVELS[line.level] >= LEVELS[level] and all(word in hay for word in wanted):
-                found.append(line)
-                if len(found) == count:
-                    break
-        return found
+        plain = [word for word in wanted if say is None and not set(word) & {'"', "\\"}]
+        sought = _Sought(wanted, say)
+        high = (one for one in self._newest_first(plain) if LEVELS[one.level] >= LEVELS[level])
+        return list(islice(filter(sought.is_in, high), count))
 
     def _newest_first(self, words: list[str]) -> Iterator[LogLine]:
         for path in self.files():
@@ -126,6 +132,30 @@ class LogBook:
                 line = _parsed(text) if all(word in low for word in words) else None
                 if line is not None:
                     yield line
+
+
+class _Sought:
+    """Words, in small letters, that lines are sought by."""
+
+    def __init__(self, words: Sequence[str], say: Say | None) -> None:
+        self._words, self._say = words, say
+        self._retold: dict[str, str] = {}
+
+    def is_in(self, line: LogLine) -> bool:
+        """Whether all of them stand in a line, as it was written or as it is said."""
+        hay = f"{line.text} {line.logger} {line.thread} {line.trace}".lower()
+        missing = [word for word in self._words if word not in hay]
+        if not missing or self._say is None:
+            return not missing
+        said = self._said(line.text, self._say)
+        return all(word in said for word in missing)
+
+    def _said(self, text: str, say: Say) -> str:
+        """Lines that differ in their numbers only are put into the language once."""
+        alike = NUMBER.sub("#", text)
+        if alike not in self._retold and len(self._retold) < MOST_RETOLD:
+            self._retold[alike] = say(alike).lower()
+        return self._retold.get(alike, "")
 
 
 class _Handler(logging.handlers.QueueHandler):

@@ -5,11 +5,11 @@ leaves least in English; what a place caught is looked up in turn. What is not k
 """
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 
-from app.strings.files import ENGLISH, strings_of
+from app.strings.files import ENGLISH, languages, strings_of
 
 PLACE = re.compile(r"\{(\w+)\}")
 SENTENCE_END = re.compile(r"(?<=[.?]) (?=[A-Z])")
@@ -140,6 +140,11 @@ def sentences_of(language: str) -> Sentences:
         FileNotFoundError: there is no such language.
     """
     return Sentences({} if language == ENGLISH else strings_of(language))
+
+
+def saying(language: str) -> Callable[[str], str] | None:
+    """What puts texts into a language; None for English, and where there is none such."""
+    return sentences_of(language).said if language in languages()[1:] else None
 
 
 def _together(text: str, parts: Sequence[Said]) -> Said:

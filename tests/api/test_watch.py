@@ -177,6 +177,12 @@ def test_the_log_is_for_operators(server: Server) -> None:
     assert (line["level"], line["logger"]) == ("warning", "app.test")
     assert server.http.get("/api/logs", params={"level": "error", "words": "gearbox"}).json() == []
     assert server.http.get("/api/logs", params={"level": "loud"}).status_code == 422
+    logging.getLogger("app.test").warning("there is no such file")
+    german = {"words": "Datei strange", "lang": "de"}
+    assert server.http.get("/api/logs", params=german).json() == []
+    german["words"] = "DATEI app.test"
+    until(lambda: server.http.get("/api/logs", params=german).json())
+    assert server.http.get("/api/logs", params={**german, "lang": "en"}).json() == []
     with as_role(server, Role.viewer) as viewer:
         assert viewer.get("/api/logs").status_code == 403
         assert viewer.get("/api/support.zip").status_code == 403

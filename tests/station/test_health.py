@@ -83,6 +83,29 @@ def test_what_is_logged_is_read_by_level_and_words(book: LogBook) -> None:
         assert set(json.loads(text)) >= {"at", "level", "logger", "thread", "text"}
 
 
+def test_the_log_is_searched_in_the_readers_language_too(book: LogBook) -> None:
+    log = logging.getLogger("app.test_health")
+    german = {"point #": "Punkt #", "the arm came back": "der Messarm ist zurück"}
+    asked = []
+
+    def say(text: str) -> str:
+        asked.append(text)
+        return german.get(text, text)
+
+    log.info("the arm came back")
+    for number in range(20):
+        log.info("point %d", number)
+    written(book, 21)
+    assert [line.text for line in book.read("info", "MESSARM zurück", 10, say)] == [
+        "the arm came back"
+    ]
+    assert [line.text for line in book.read("info", "punkt 17", 10, say)] == ["point 17"]
+    assert [line.text for line in book.read("info", "point 17", 10, say)] == ["point 17"]
+    assert book.read("info", "punkt", 10) == []
+    assert book.read("warning", "punkt", 10, say) == []
+    assert asked.count("point #") == 3, "once for each search, however many points there are"
+
+
 def written(book: LogBook, count: int) -> None:
     deadline = time.monotonic() + 5.0
     while len(book.read("info", "", 1000)) < count:

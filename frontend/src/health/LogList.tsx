@@ -6,7 +6,7 @@ import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
 import { TextField } from "../parts/TextField";
 import { useSettled } from "../parts/useSettled";
-import { t, words } from "../state/language";
+import { t, useLanguage, words } from "../state/language";
 import styles from "./Health.module.css";
 
 const LEVELS = [
@@ -21,7 +21,9 @@ export function LogList() {
   const [level, setLevel] = useState<LogLine["level"]>("info");
   const [words, setWords] = useState("");
   const settled = useSettled(words);
-  const { list: lines, reread } = useReread<LogLine>(`/api/logs?level=${level}&words=${encodeURIComponent(settled)}`);
+  const language = useLanguage();
+  const query = `level=${level}&words=${encodeURIComponent(settled)}&lang=${language}`;
+  const { list: lines, reread } = useReread<LogLine>(`/api/logs?${query}`);
   return (
     <section className={styles.section} aria-label={t("Log")}>
       <h2 className={styles.title}>{t("Log")}</h2>
