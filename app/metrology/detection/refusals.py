@@ -75,15 +75,19 @@ def mismatch(block: Crenellated, why: str) -> Refusal:
 def contradicted(
     block: Crenellated, against: Objection, findings: list[PictureFinding], blur_px: float
 ) -> Refusal:
-    """The refusal for a block that a placing shows, but for what is objected to that."""
+    """The refusal for a block that a placing shows, but for what is objected to that.
+
+    ``blur_px``: the blur at the block's own edges; a picture that was found soft is softer
+    elsewhere.
+    """
     if against.alone:
         return unclear(
             block,
             f"{against.text}, and nothing else bears that out: a shadow, a highlight or something"
             " before it may look like that",
         )
-    width_px = EDGE_WIDTH * blur_px
     soft = next((one for one in findings if one.code in ("image-soft", "image-blurred")), None)
+    width_px = EDGE_WIDTH * max(blur_px, soft.value if soft is not None else 0.0)
     if soft is not None and against.off_px < width_px:
         return Refusal(
             "object-unclear",
