@@ -9,7 +9,7 @@ from app.files.arm_check import ARM_CHECK, ArmCheckFile
 from app.files.arm_identification import ARM, ARTICULATION, read_seats
 from app.metrology.arm import Arm, tip_centres
 from app.metrology.frames import Floats
-from app.report.content import Facts, Pictures, Report, Section, Signatures, Table, Text, Verdict
+from app.report.content import Facts, Pictures, Report, Section, Table, Text, Verdict, signatures
 from app.report.figure import BLUE, FAINT, LINE, RED, SOFT, Dot, Figure, Shape
 from app.report.traced import inputs_section
 from app.report.words import (
@@ -48,10 +48,7 @@ def arm_check_report(folder: Path) -> Report:
     sections = [
         Section("What was checked", [Facts(_facts(check, arm))]),
         Section("Results", [_table(check), *_rule()]),
-        Section(
-            "Signatures",
-            [Signatures([("Operator", check.operator), ("Approved", ""), ("Date", "")])],
-        ),
+        signatures(check.operator),
         Section("The tip's places", [Pictures([_places(arm, seat.q_rad, check.limit_um)])]),
         Section("How the arm swung", [_swing(arm, seat.q_rad)]),
         inputs_section(folder, check.inputs, ARM_CHECK),

@@ -20,10 +20,10 @@ from app.report.content import (
     Pictures,
     Report,
     Section,
-    Signatures,
     Table,
     Text,
     Verdict,
+    signatures,
 )
 from app.report.figure import Figure
 from app.report.traced import inputs_section
@@ -68,7 +68,7 @@ def calibration_report(folder: Path) -> Report:
     sections = [
         _what(sheet, session, accepted),
         _results(sheet, accepted),
-        _signed(sheet, accepted),
+        signatures(_operator(sheet, accepted)),
         _findings(sheet),
         *_pictures(sheet, session, accepted),
         _tables(sheet),
@@ -328,8 +328,3 @@ def _parameters(sheet: CalibrationFile) -> Section:
     probe = Table(("x", "y", "z", "Origin, mm"), rows, (1, 1, 1, 1), 0)
     words = Text("Probe matrix: the sensor's frame in that of the arm's last joint.")
     return Section("Parameters", [Facts(facts), Text(""), words, probe])
-
-
-def _signed(sheet: CalibrationFile, accepted: Acceptance | None) -> Section:
-    lines = [("Operator", _operator(sheet, accepted)), ("Approved", ""), ("Date", "")]
-    return Section("Signatures", [Signatures(lines)])

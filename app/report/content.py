@@ -81,6 +81,12 @@ class Section:
     together: bool = True
 
 
+def signatures(operator: str) -> Section:
+    """The lines that every report is signed on."""
+    lines = [("Operator", operator), ("Approved", ""), ("Date", "")]
+    return Section("Signatures", [Signatures(lines)])
+
+
 @dataclass(frozen=True)
 class Report:
     """One report; ``number`` is the session's."""

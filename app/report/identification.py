@@ -16,10 +16,10 @@ from app.report.content import (
     Pictures,
     Report,
     Section,
-    Signatures,
     Table,
     Text,
     Verdict,
+    signatures,
 )
 from app.report.figure import BLUE, FAINT, GROUND, INK, SOFT, Figure
 from app.report.traced import inputs_section
@@ -61,10 +61,7 @@ def identification_report(folder: Path) -> Report:
         sections=[
             Section("What was identified", [Facts(_facts(folder, sheet, found))]),
             Section("Results", [_results(found), *_told(found)]),
-            Section(
-                "Signatures",
-                [Signatures([("Operator", found.operator), ("Approved", ""), ("Date", "")])],
-            ),
+            signatures(found.operator),
             Section("Before and after", [Pictures([_before_and_after(_pairs(found))])]),
             Section("The arm's parameters", _parameters(found), together=False),
             inputs_section(folder, inputs, IDENTIFIED),

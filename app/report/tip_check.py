@@ -10,7 +10,7 @@ from app.files.tip_check import TIP_CHECK, TipCheckFile
 from app.metrology.arm import tip_centres
 from app.metrology.frames import Floats
 from app.metrology.touched_gauge import sphere_through
-from app.report.content import Facts, Pictures, Report, Section, Signatures, Table, Text, Verdict
+from app.report.content import Facts, Pictures, Report, Section, Table, Text, Verdict, signatures
 from app.report.figure import BLUE, FAINT, LINE, RED, SOFT, Dot, Figure, Shape
 from app.report.traced import inputs_section
 from app.report.verification import QUALITIES, WORDS
@@ -35,7 +35,6 @@ def tip_check_report(folder: Path) -> Report:
     arm = read_arm(folder / ARM)
     tips = tip_centres(arm, read_spheres(folder / SPHERES, arm)[-1].q_rad)
     word = WORDS.get(check.decision, "No limit was set")
-    signatures = Signatures([("Operator", check.operator), ("Approved", ""), ("Date", "")])
     return Report(
         title="Tip check",
         number=folder.resolve().name,
@@ -45,7 +44,7 @@ def tip_check_report(folder: Path) -> Report:
         sections=[
             Section("What was checked", [Facts(_facts(check))]),
             Section("Results", [_table(check), *_rule()]),
-            Section("Signatures", [signatures]),
+            signatures(check.operator),
             Section("The touches", [Pictures([_touches(tips, check.limit_um)])]),
             inputs_section(folder, check.inputs, TIP_CHECK),
         ],

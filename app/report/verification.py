@@ -19,10 +19,10 @@ from app.report.content import (
     Quality,
     Report,
     Section,
-    Signatures,
     Table,
     Text,
     Verdict,
+    signatures,
 )
 from app.report.figure import BLUE, FAINT, GROUND, INK, LINE, ORANGE, RED, SOFT, Dot, Figure, Shape
 from app.report.gauge_figure import deviations
@@ -61,11 +61,10 @@ def verification_report(folder: Path) -> Report:
     result = sheet.verdict.result
     reasons = [Finding(QUALITIES[figure.decision], _reason(figure)) for figure in sheet.figures]
     notes = [Finding("neutral", note) for note in sheet.notes]
-    signatures = Signatures([("Operator", sheet.operator), ("Approved", ""), ("Date", "")])
     sections = [
         Section("What was verified", [Facts(_facts(sheet))]),
         Section("Results", [_results(sheet), *_rule()]),
-        Section("Signatures", [signatures]),
+        signatures(sheet.operator),
         Section("Reasons", [Findings([*reasons, *notes])], together=False),
         Section("Against the limits", [Pictures([_against(sheet)])]),
         *_clouds(sheet),
