@@ -286,8 +286,8 @@ class _Job:
             said.append(left_out(unplaced, self._numbered, self._track, self._delay_ns, start_ns))
         if self._joints.unusable:
             said.append(f"{self._joints.unusable} joint samples left out: not numbers")
-        said += clock_words("joint samples", "joints'", joints, start_ns)
-        return said + clock_words("frames", "frames'", frames, start_ns)
+        said += clock_words("joint samples", joints, start_ns)
+        return said + clock_words("frames", frames, start_ns)
 
     def _refuse_nothing(self) -> None:
         if self._points:

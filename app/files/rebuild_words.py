@@ -21,7 +21,7 @@ def left_out(
     )
 
 
-def clock_words(title: str, whose: str, clock: ClockReport, start_ns: int) -> list[str]:
+def clock_words(title: str, clock: ClockReport, start_ns: int) -> list[str]:
     """Of holes in a stream, and of jumps of its clock."""
     said = []
     if clock.holes:
@@ -32,7 +32,7 @@ def clock_words(title: str, whose: str, clock: ClockReport, start_ns: int) -> li
         )
     if clock.jumps:
         said.append(
-            f"the {whose} clock jumps {clock.jumps} times, first to "
+            f"the clock of the {title} jumps {clock.jumps} times, first to "
             f"{(clock.first_jump_at_ns - start_ns) / 1e9:.3f} s from the start; points "
             "near a jump may be out of place"
         )

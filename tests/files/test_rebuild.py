@@ -248,7 +248,7 @@ def test_holes_and_jumps_of_the_clocks_are_said(tmp_path: Path) -> None:
     assert "7 of 57 frames left out" in said
     assert "0 before the first or after the last sample, 7 in gaps" in said
     assert "about 3 frames are missing in 1 places, the longest 32.0 ms, 0.172 s" in said
-    assert "the joints' clock jumps 1 times, first to 0.100 s" in said
+    assert "the clock of the joint samples jumps 1 times, first to 0.100 s" in said
 
 
 def test_a_steady_recording_has_no_warnings(tmp_path: Path) -> None:
