@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Literal
 
-from app.station.findings import Finding, Quality
+from app.station.findings import Finding, Quality, signed
 
 CheckName = Literal["calibration", "verification", "tip", "arm"]
 Page = Literal["home", "calibrate", "verify", "scan", "arm", "records"]
@@ -120,7 +120,7 @@ def _calibration(known: Known, now: datetime, limits: DueLimits) -> Validity:
         return line("due", text, found.at, "Calibrate again")
     text = f"{found.text}, {ago(old)} old; due after {limits.calibration_days:g} days."
     if warmer is not None:
-        text = f"{text[:-1]}, or beyond {limits.temperature_c:g} °C (now {warmer:+.1f} °C)."
+        text = f"{text[:-1]}, or beyond {limits.temperature_c:g} °C (now {signed(warmer, 1)} °C)."
     return line("valid", text, found.at, "Calibrate again")
 
 

@@ -14,7 +14,7 @@ from app.metrology.contacts import what_is_missing
 from app.metrology.crenellated import FACES, Crenellated
 from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
-from app.station.findings import Finding
+from app.station.findings import Finding, signed
 
 WANTED = 9
 """Points on each of three faces. Three fix a plane without telling anything of its
@@ -209,8 +209,8 @@ def _vec(point: Floats) -> Vec3:
 
 
 def signed_um(value: float) -> str:
-    """With its sign always, and a true minus."""
-    return f"{value:+.0f} µm".replace("-", "−")
+    """With its sign."""
+    return f"{signed(value)} µm"
 
 
 def sentence(text: str) -> str:

@@ -20,3 +20,15 @@ class Finding:
 def capital(text: str) -> str:
     """With a capital letter, as a sentence begins."""
     return text[:1].upper() + text[1:]
+
+
+def figures(value: float, decimals: int = 0) -> str:
+    """A number with a true minus sign, and none where nothing is left of it."""
+    text = f"{abs(value):.{decimals}f}"
+    return f"−{text}" if value < 0 and float(text) else text
+
+
+def signed(value: float, decimals: int = 0) -> str:
+    """With its sign always, but for nothing."""
+    text = figures(value, decimals)
+    return f"+{text}" if value > 0 and float(text) else text

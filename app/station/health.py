@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from app.station.device_state import DeviceState
-from app.station.findings import Quality
+from app.station.findings import Quality, figures, signed
 from app.station.host import Memory
 from app.station.losses import Losses
 from app.station.temperature import Temperature
@@ -118,7 +118,7 @@ def clock(jumps: int, last_jump_s: float, ahead_days: float) -> HealthItem:
             "clock",
             "Clock",
             "attention",
-            f"The clock was set {_times(jumps)} since the start, last by {last_jump_s:+.0f} s.",
+            f"The clock was set {_times(jumps)} since the start, last by {signed(last_jump_s)} s.",
             why,
             "Let it be kept by a time server, which moves it gently.",
         )
@@ -252,7 +252,7 @@ def room(now: Temperature, change_c: float | None) -> HealthItem:
         return HealthItem("room", "Temperature", "neutral", "Not read yet.", why, "")
     if now.celsius is None:
         return HealthItem("room", "Temperature", "attention", now.trouble, why, "Check the sensor.")
-    what = f"{now.celsius:.1f} °C"
+    what = f"{figures(now.celsius, 1)} °C"
     if change_c is None:
         return HealthItem("room", "Temperature", "good", f"{what}.", why, "")
     moved = abs(change_c) > TEMPERATURE_CHANGE_C
@@ -260,7 +260,7 @@ def room(now: Temperature, change_c: float | None) -> HealthItem:
         "room",
         "Temperature",
         "attention" if moved else "good",
-        f"{what}, {change_c:+.1f} °C since the calibration.",
+        f"{what}, {signed(change_c, 1)} °C since the calibration.",
         why,
         "Verify against a gauge, or calibrate again." if moved else "",
     )

@@ -46,6 +46,7 @@ def test_where_all_is_in_order_the_next_step_is_to_scan() -> None:
     assert after(ALL).page == "scan"
     assert "2 days old" in lines(ALL)["calibration"].text
     assert "+0.4 °C" in lines(ALL)["calibration"].text
+    assert "−0.8 °C" in lines(replace(ALL, warmer_c=-0.8))["calibration"].text
 
 
 def test_a_newcomer_is_led_from_calibrating_over_verifying_to_scanning() -> None:

@@ -165,7 +165,11 @@ def test_thermometers(tmp_path: Path) -> None:
     assert watch.now.celsius is None
     assert health.room(watch.now, None).quality == "attention"
     assert 20 < RoomThermometer().read_c() < 23
-    assert health.room(Temperature(21.0), -2.5).quality == "attention"
+    colder = health.room(Temperature(-4.0), -2.5)
+    assert (colder.quality, colder.what) == (
+        "attention",
+        "−4.0 °C, −2.5 °C since the calibration.",
+    )
     assert health.room(Temperature(21.0), 0.3).quality == "good"
     nothing = TemperatureWatch(None, kept.append)
     nothing.read()
