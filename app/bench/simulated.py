@@ -36,7 +36,7 @@ from hardware.twin.session import Rig, SessionPlan, draw_rig, sensor_over
 # How far a start may be off: focal length (share), mounting and place (mm, rad).
 START_FOCAL, START_MM, START_RAD = 0.01, 0.5, 0.004
 TRIES = 30
-USUAL = Scales(links_rad=4e-6, links_mm=0.004, noise=1.0, touch_mm=0.004)
+USUAL = Scales(links_rad=7.5e-6, links_mm=0.003, noise=1.0, touch_mm=0.004)
 
 
 @dataclass(frozen=True)

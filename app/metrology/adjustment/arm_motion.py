@@ -13,7 +13,7 @@ from app.metrology.adjustment.twists import carried
 from app.metrology.arm import Arm, link_transforms
 from app.metrology.frames import Floats
 
-# A robot's error in turning, times this length, is as large as its error in place.
+# An error in turning, of a robot or of a link, times this length, is as large as one in place.
 LEVER_MM = 400.0
 # Encoders are never better than this, whatever their sheet says.
 LEAST_ENCODER_RAD = 1e-6

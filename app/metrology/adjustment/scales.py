@@ -9,10 +9,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from app.metrology.adjustment.arm_motion import LEVER_MM
 from app.metrology.frames import Floats
 
-# What is usual where nothing tells; counted like one observation, so that it settles.
-USUAL_LINKS_RAD, USUAL_LINKS_MM, USUAL_TOUCH_MM = 3e-6, 0.004, 0.003
+# What is usual where nothing tells; counted like one observation, so that it settles. Links
+# as those of an arm whose tip is off by some 20 µm rms: a link's turn moves the next about as
+# far as its shift does.
+USUAL_LINKS_MM, USUAL_TOUCH_MM = 0.003, 0.003
+USUAL_LINKS_RAD = USUAL_LINKS_MM / LEVER_MM
 USUAL_COUNT = 1.0
 # What is usual of links counts a little more, and that turns and shifts go together more
 # still: their likelihood alone can run away along the one or the other.
