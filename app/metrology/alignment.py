@@ -22,6 +22,13 @@ from app.metrology.crenellated import FACES, Crenellated, probing_face
 from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
 
+# Where contacts fit worse than this, and some not at all, no single one is at fault.
+POOR_FIT_MM = 0.3
+CHECK_THE_ARM = (
+    "Check the arm's file: its lengths and angles, the signs and the order of its joints, and the"
+    " tip; then which face each contact was taken on, and the object's certificate"
+)
+
 
 @dataclass(frozen=True)
 class FaceFit:
@@ -125,14 +132,23 @@ def refuse_wrong_faces(alignment: Alignment, features: Sequence[str], block: Cre
 
     A contact that merely slipped is an outlier and stays one; a contact that
     misses its own face by millimetres and lies on another is a mistake in the
-    data that the operator must know of.
+    data that the operator must know of. Where the others do not agree either, no
+    single contact is at fault.
 
     Raises:
         Refusal: names the first such contact and the face that it lies on.
     """
-    for i in map(int, np.flatnonzero(alignment.outliers)):
-        if abs(alignment.residuals_mm[i]) < BESIDE_FACE_MM:
-            continue
+    far = alignment.outliers & (np.abs(alignment.residuals_mm) >= BESIDE_FACE_MM)
+    count = int(far.sum())
+    if count and alignment.rms_mm > POOR_FIT_MM:
+        raise Refusal(
+            "contacts-do-not-fit",
+            f"the contacts fit the block to {alignment.rms_mm:.2f} mm rms only, and "
+            f"{count} of {len(far)} not at all",
+            "no single contact is at fault",
+            CHECK_THE_ARM,
+        )
+    for i in map(int, np.flatnonzero(far)):
         found = other_face(alignment, i, features[i], block)
         place = f"it lies on the {found} face" if found else "it lies on no face at all"
         raise Refusal(
@@ -183,10 +199,13 @@ def _mirrored(off_face: int, contacts: int) -> Refusal:
 
 def _mislabelled(features: Sequence[str], off_face: NDArray[np.bool_]) -> Refusal:
     faces = sorted({features[int(i)] for i in np.flatnonzero(off_face)})
+    remedy = "Check which face each contact was taken on, the tip, and the object's certificate"
+    if 2 * off_face.sum() > len(features):
+        remedy = CHECK_THE_ARM
     return Refusal(
         "contacts-do-not-fit",
         f"{int(off_face.sum())} of {len(features)} contacts lie beside the face they are labelled "
         f"with ({', '.join(faces)})",
         "no position of this block brings them onto it",
-        "Check which face each contact was taken on, the tip, and the object's certificate",
+        remedy,
     )

@@ -24,6 +24,8 @@ Quality = Literal["good", "attention", "bad", "neutral"]
 EXCESS = 5.0
 CONDITION = 15.0
 EDGE_RMS_PX = 0.3
+# Even a wide line full of speckle is located better than this.
+STRIPE_RMS_PX = 1.0
 # Contacts on opposite faces may lie so much further apart than they should: this many
 # standard deviations, and this much in any case.
 OPENING_SIGMAS, OPENING_MM = 4.0, 0.03
@@ -144,17 +146,29 @@ def verdict(
     )
 
 
-def about_contacts(alignment: Alignment, features: Sequence[str]) -> list[Finding]:
-    """How well the contacts agree, and which were left out."""
+def about_contacts(
+    alignment: Alignment, features: Sequence[str], limits: Limits = LIMITS
+) -> list[Finding]:
+    """How well the contacts agree, and which were left out.
+
+    However well many of them place the block, contacts that scatter by more than what is good
+    of a point have a cause that may be theirs alone.
+    """
     left_out = np.flatnonzero(alignment.outliers)
-    found = [
-        Finding(
-            "good",
-            "contacts",
-            f"{len(alignment.outliers) - len(left_out)} contacts fit the block to "
-            f"{1e3 * alignment.rms_mm:.0f} µm rms.",
-        )
-    ]
+    count = len(alignment.outliers) - len(left_out)
+    rms_um = 1e3 * alignment.rms_mm
+    found = [Finding("good", "contacts", f"{count} contacts fit the block to {rms_um:.0f} µm rms.")]
+    if rms_um > limits.good_um:
+        found = [
+            Finding(
+                "attention",
+                "contacts",
+                f"{count} contacts fit the block to {rms_um:.0f} µm rms; up to "
+                f"{limits.good_um:.0f} µm is good.",
+                "Check that the tip is the one of the arm's file, that block and arm stood firm, "
+                "and the arm's model.",
+            )
+        ]
     if len(left_out):
         named = ", ".join(
             f"{i + 1} ({features[i]}, {1e3 * alignment.residuals_mm[i]:+.0f} µm)"

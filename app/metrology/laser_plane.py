@@ -217,7 +217,8 @@ def _require_both(level: NDArray[np.str_], found: int) -> None:
             f"{sum(count.values())} points of the laser stripe lie on the object "
             f"(of {found} on its levels; {FEWEST_ON_A_LEVEL} are needed on crests and on floors)",
             "the laser is off, too weak, or does not cross the object",
-            "check the laser and the exposure, and let the stripe cross the object's middle",
+            "check the laser, the exposure and the sensor's stripe_axis, and let the stripe cross "
+            "the object's middle",
         )
     missing = min(count, key=lambda name: count[name])
     raise Refusal(

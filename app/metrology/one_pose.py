@@ -128,7 +128,8 @@ def calibrate_one_pose(
             "stripe-not-found",
             "no laser stripe was found on the object",
             "the laser is off, covered, beside the object, or too weak for this exposure",
-            "check the laser and the exposure, and let the stripe cross the object's middle",
+            "check the laser, the exposure and the sensor's stripe_axis, and let the stripe cross "
+            "the object's middle",
         )
     say("Solving for the camera", 0.6)
     faugeras = _faugeras(detection, inputs.block)

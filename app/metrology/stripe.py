@@ -199,6 +199,12 @@ def together(parts: Sequence[Stripe]) -> Stripe:
     )
 
 
+def no_stripe(axis: str) -> Stripe:
+    """No points, counted along an axis."""
+    none = np.zeros(0)
+    return Stripe(none, none, none, none, axis)
+
+
 def saturation_level(image: Image) -> float:
     """The grey level at which this image's pixels are clipped.
 

@@ -250,6 +250,16 @@ def test_pictures_without_the_laser_are_refused(spoilt: Path) -> None:
     assert not (spoilt / "c.json").exists()
 
 
+def test_mirrored_pictures_are_refused_as_such(spoilt: Path) -> None:
+    for path in (spoilt / "images").glob("*.png"):
+        picture = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
+        assert picture is not None
+        cv2.imwrite(str(path), picture[:, ::-1])
+    said = refused("calibrate", spoilt, "-o", spoilt / "c.json")
+    assert "check that the pictures are not mirrored" in said.replace("Check", "check")
+    assert not (spoilt / "c.json").exists()
+
+
 def test_poses_that_are_all_one_are_refused(spoilt: Path) -> None:
     first, *rows = (spoilt / "images.csv").read_text().splitlines()
     pose = rows[0].split(",")[3:]

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from app.metrology.alignment import align, refuse_wrong_faces
 from app.metrology.contacts import what_is_missing
-from app.metrology.frames import inverse, vector_from_rotation
+from app.metrology.frames import Floats, inverse, vector_from_rotation
 from app.metrology.refusal import Refusal
 from tests.metrology.builders import BLOCK, TIP_RADIUS_MM, contacts_on, random_pose
 
@@ -83,6 +83,23 @@ def test_a_contact_on_a_wrong_face_is_refused_by_name() -> None:
     found = align(features, tips, TIP_RADIUS_MM, BLOCK)
     with pytest.raises(Refusal, match=r"contact 21 is labelled crest.*front"):
         refuse_wrong_faces(found, features, BLOCK)
+
+
+@pytest.mark.parametrize(
+    "by_wrong_arm",
+    [2 * np.eye(3), np.array([[1.0, 0.1, 0.0], [0.0, 1.0, 0.1], [0.1, 0.0, 1.0]])],
+    ids=["twice", "skew"],
+)
+def test_an_arm_that_measures_wrongly_is_not_put_on_one_contact(by_wrong_arm: Floats) -> None:
+    features, tips = contacts_on(np.random.default_rng(9), np.eye(4), noise_mm=0.005)
+
+    def judged() -> None:
+        found = align(features, tips @ by_wrong_arm.T, TIP_RADIUS_MM, BLOCK)
+        refuse_wrong_faces(found, features, BLOCK)
+
+    with pytest.raises(Refusal, match="Check the arm's file") as caught:
+        judged()
+    assert caught.value.code == "contacts-do-not-fit"
 
 
 @pytest.mark.parametrize(

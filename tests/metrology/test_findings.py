@@ -8,7 +8,7 @@ import pytest
 
 from app.metrology.alignment import align
 from app.metrology.detection.corners import ObjectDetection
-from app.metrology.findings import Finding, about_size, about_unseen
+from app.metrology.findings import Finding, Limits, about_contacts, about_size, about_unseen
 from app.metrology.one_pose import OnePoseInputs, calibrate_one_pose
 from app.metrology.refusal import Refusal
 from tests.metrology.builders import BLOCK, TIP_RADIUS_MM, contacts_on, random_pose
@@ -38,6 +38,16 @@ def test_opposite_faces_tell_the_tips_diameter(
     found = size_said(faces, TIP_RADIUS_MM + error_mm)
     assert found.quality == quality
     assert said in found.text
+
+
+@pytest.mark.parametrize(("noise_mm", "quality"), [(0.01, "good"), (0.08, "attention")])
+def test_contacts_that_scatter_widely_are_never_good(noise_mm: float, quality: str) -> None:
+    features, tips = contacts_on(np.random.default_rng(4), np.eye(4), noise_mm=noise_mm)
+    (said, *_) = about_contacts(align(features, tips, TIP_RADIUS_MM, BLOCK), features)
+    assert (said.code, said.quality) == ("contacts", quality)
+    wide = Limits(good_um=200.0)
+    (said, *_) = about_contacts(align(features, tips, TIP_RADIUS_MM, BLOCK), features, wide)
+    assert said.quality == "good"
 
 
 @pytest.fixture(scope="module")

@@ -25,7 +25,7 @@ from app.metrology.scene import (
     stripe_rows,
     with_coordinates,
 )
-from app.metrology.stripe import Stripe
+from app.metrology.stripe import Stripe, no_stripe
 
 LEAST_CERTIFICATE_MM = 1e-6
 
@@ -85,6 +85,11 @@ class BlockView:
 
     def stripe_px(self) -> Floats:
         return np.asarray(self.stripe.uv_px[self.level != ""])
+
+
+def without_line(view: BlockView) -> BlockView:
+    """The view with no stripe at all."""
+    return replace(view, stripe=no_stripe(view.stripe.axis), level=np.zeros(0, "<U5"))
 
 
 def block_papers(block: Crenellated) -> Papers:

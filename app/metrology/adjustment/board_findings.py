@@ -86,7 +86,10 @@ def _verdict(evidence: BoardEvidence) -> Finding:
     if asked <= MOST_ASKED:
         more += f": about {asked} like these, in all, would do"
     else:
-        more += "; so far off, the robot's own accuracy is at fault"
+        more += (
+            "; so far off, the robot's own accuracy is at fault, or its poses are not the flange's"
+            " in the arm's frame"
+        )
     remedies = REMEDIES | {
         ROBOT_ROW: f"{more}. If that is all the robot can do, set the limits to what the scans need"
         " (--good-um, --usable-um).",

@@ -24,7 +24,7 @@ from app.metrology.adjustment.joint import (
     stripe_rms_mm,
 )
 from app.metrology.adjustment.mounting import Mounting
-from app.metrology.adjustment.pose_results import PoseResult, left_out
+from app.metrology.adjustment.pose_results import PoseResult, left_out, line_left_out
 from app.metrology.adjustment.sheet import corners_at
 from app.metrology.adjustment.solve import Adjusted, adjust
 from app.metrology.adjustment.stray_poses import without_strays
@@ -185,8 +185,7 @@ def _pose_results(
 def _about_line(number: int, start: BoardStart) -> str:
     """What is wrong with the laser's line of a pose that was used, if anything."""
     if number in start.lines_out:
-        off_mm = start.lines_out[number]
-        return f"its laser line was left out, {off_mm:.1f} mm off the plane of the others"
+        return line_left_out(start.lines_out[number])
     if number in start.apart:
         return f"its laser line lies {start.apart[number]:.1f} mm off the plane of the others"
     return ""

@@ -200,7 +200,7 @@ def scatter_told(found: Adjusted) -> Floats:
         own = np.linalg.pinv(rows.shared[kept])  # each line's offset and turn, in deviations
         J = own @ rows.jacobian[kept] @ scene.by_unknowns
         square += (own @ rows.residuals[kept]) ** 2
-        free += 1 - np.einsum("ku,uw,kw->k", J, found.covariance, J)
+        free += np.maximum(1 - np.einsum("ku,uw,kw->k", J, found.covariance, J), 0.0)
     return np.asarray(np.maximum(now * np.sqrt(square / free), LEAST_SCATTER))
 
 

@@ -145,7 +145,7 @@ def size_by_motion(mounting: Mounting, board: Chessboard) -> SizeByMotion:
     With the turns known, shifts and the one scale of all distances follow linearly.
 
     Raises:
-        Refusal: clearly another size.
+        Refusal: clearly another size, or poses that are not what they should be.
     """
     kept = np.flatnonzero(~mounting.contradicts)
     # one wrong size makes all poses contradict one another: then all of them are asked
@@ -164,6 +164,14 @@ def size_by_motion(mounting: Mounting, board: Chessboard) -> SizeByMotion:
     variance = float(left @ left) / max(len(right) - 7, 1)
     sd = float(np.sqrt(variance * np.linalg.pinv(rows.T @ rows)[6, 6]))
     scale = float(found[6])
+    if scale <= 0:
+        raise Refusal(
+            "poses-reversed",
+            f"by the arm's motion {board.name} moves the other way than in the pictures",
+            "no size of its squares makes them agree",
+            "check that the pictures are not mirrored, and that the poses are those of the flange"
+            " in the arm's frame, in mm, with qw last, and not their inverse",
+        )
     if abs(scale - 1) > max(SIZE_SHARE, SIZE_SIGMAS * sd):
         raise Refusal(
             "square-size",

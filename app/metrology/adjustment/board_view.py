@@ -20,7 +20,7 @@ from app.metrology.frames import Floats
 from app.metrology.laser_plane import LaserPlane, tangents
 from app.metrology.projection import COUNT, project_with_jacobian
 from app.metrology.scene import BLOCK, PLANE, Rows
-from app.metrology.stripe import Stripe
+from app.metrology.stripe import Stripe, no_stripe
 
 # Points of a line are used where they lie no further off it, across the laser's plane, than
 # this, and than so many times the usual.
@@ -164,9 +164,7 @@ class BoardView:
 
 def without_line(view: BoardView) -> BoardView:
     """The view with no stripe at all."""
-    none = np.zeros(0)
-    stripe = Stripe(none, none, none, none, view.stripe.axis)
-    return replace(view, stripe=stripe, used=np.zeros(0, dtype=np.bool_))
+    return replace(view, stripe=no_stripe(view.stripe.axis), used=np.zeros(0, dtype=np.bool_))
 
 
 def on_sheet(board: Chessboard, camera: Camera, coordinates: Floats, uv_px: Floats) -> Floats:

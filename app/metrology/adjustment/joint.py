@@ -9,6 +9,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from app.metrology.adjustment.arm_motion import arm_motion
+from app.metrology.adjustment.block_lines import (
+    off_plane_mm,
+    plane_of_poses,
+    without_lines,
+    without_stray_lines,
+)
 from app.metrology.adjustment.block_start import SeenPose, common_camera, seen_from
 from app.metrology.adjustment.block_view import BlockView, block_papers, block_touches
 from app.metrology.adjustment.evidence import Problem
@@ -18,8 +24,14 @@ from app.metrology.adjustment.mounting import (
     mounting_by_contacts,
     refuse_contradictions,
 )
-from app.metrology.adjustment.pose_results import PoseResult, left_out, pose_results, worst_of_all
-from app.metrology.adjustment.solve import Adjusted, adjust
+from app.metrology.adjustment.pose_results import (
+    PoseResult,
+    left_out,
+    line_left_out,
+    pose_results,
+    worst_of_all,
+)
+from app.metrology.adjustment.solve import Adjusted, adjust, unsettled
 from app.metrology.adjustment.state import State, pose_scene
 from app.metrology.adjustment.stray_poses import without_strays
 from app.metrology.adjustment.uncertainty import Known, known, sensor_of
@@ -32,15 +44,14 @@ from app.metrology.detection.picture import picture_findings
 from app.metrology.findings import LIMITS, Finding, Limits, WorstPoint
 from app.metrology.frames import Floats, inverse
 from app.metrology.laser_plane import LaserPlane, stripe_on_levels
-from app.metrology.projection import COUNT
 from app.metrology.reconstruct import sensor_points
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import extract_stripe
 from app.metrology.stripe_flanks import Image
 
 Progress = Callable[[str, float], None]
-# Where the laser plane's offset stands among a scene's parameters.
-OFFSET = COUNT + 2
+# What is not known to a metre is not known.
+HOPELESS_UM = 1e6
 
 
 @dataclass(frozen=True)
@@ -120,12 +131,13 @@ def calibrate_joint(inputs: JointInputs, progress: Progress | None = None) -> Jo
     say("Fitting the contact points", 0.0)
     alignment = _aligned(inputs)
     say("Finding a start", 0.1)
-    problem, start, mounting = _start(inputs, alignment)
+    start = _start(inputs, alignment)
     say("Adjusting all poses together", 0.3)
-    found = _adjusted(problem, start)
-    found, mounting = without_strays(found, mounting, block_size_mm(inputs.block))
+    found = _adjusted(start.problem, start.state)
+    found, mounting = without_strays(found, start.mounting, block_size_mm(inputs.block))
+    found, astray = without_stray_lines(found)
     say("Working out the uncertainty", 0.8)
-    result = _assembled(inputs, alignment, found, mounting)
+    result = _assembled(inputs, alignment, found, mounting, start.lines_out | astray)
     say("Done", 1.0)
     return result
 
@@ -139,11 +151,23 @@ def _aligned(inputs: JointInputs) -> Alignment:
     return alignment
 
 
-def _start(inputs: JointInputs, alignment: Alignment) -> tuple[Problem, State, Mounting]:
+@dataclass(frozen=True)
+class _Start:
+    """What is to be adjusted, from where, and what was set aside before: poses that contradict
+    the others, and laser lines by their poses' numbers, with how far off (mm) they lie."""
+
+    problem: Problem
+    state: State
+    mounting: Mounting
+    lines_out: dict[int, float]
+
+
+def _start(inputs: JointInputs, alignment: Alignment) -> _Start:
     """All that is to agree without poses that contradict the others, and a start for it."""
     arm, block = inputs.arm, inputs.block
     camera, plane = common_camera(inputs.seen, block)
     T_cam_obj = np.array([seen_from(camera, pose, block) for pose in inputs.seen])
+    plane, lines_out = plane_of_poses(inputs.seen, block, camera, T_cam_obj, plane)
     moves = arm_motion(arm, inputs.q_rad)
     mounting = mounting_by_contacts(
         moves.T_arm_flange, T_cam_obj, alignment.T_arm_obj, block_size_mm(block)
@@ -161,7 +185,8 @@ def _start(inputs: JointInputs, alignment: Alignment) -> tuple[Problem, State, M
         papers,
         camera.width_px,
         camera.height_px,
-    ).without_poses(mounting.contradicts)
+    )
+    problem = without_lines(problem, lines_out).without_poses(mounting.contradicts)
     start = State(
         camera,
         plane,
@@ -171,7 +196,7 @@ def _start(inputs: JointInputs, alignment: Alignment) -> tuple[Problem, State, M
         np.zeros(moves.by_links.shape[2]),
         np.zeros((len(problem.views), moves.by_noise.shape[2])),
     )
-    return problem, start, mounting
+    return _Start(problem, start, mounting, lines_out)
 
 
 def block_size_mm(block: Crenellated) -> float:
@@ -222,19 +247,38 @@ def sorted_anew(found: Adjusted) -> Problem:
 
 
 def _assembled(
-    inputs: JointInputs, alignment: Alignment, found: Adjusted, mounting: Mounting
+    inputs: JointInputs,
+    alignment: Alignment,
+    found: Adjusted,
+    mounting: Mounting,
+    lines_out: dict[int, float],
 ) -> JointCalibration:
     state = found.state
     T_arm_flange = found.problem.motion.T_arm_flange[0]
     T_cam_sensor = inverse(T_arm_flange @ state.T_flange_cam) @ state.T_arm_obj
     worth = known(found, T_cam_sensor)
+    if not worth.total_um < HOPELESS_UM:
+        raise unsettled()
     camera, plane, T_flange_sensor = sensor_of(state, T_cam_sensor)
-    used = pose_results(found, inputs.seen, inputs.block)
+    used = [
+        replace(pose, reason=line_left_out(lines_out[pose.number]))
+        if pose.number in lines_out
+        else pose
+        for pose in pose_results(found, inputs.seen, inputs.block)
+    ]
     out = left_out([pose.number for pose in inputs.seen], mounting)
     unseen = tuple(PoseResult(one.number, False, str(one.refusal)) for one in inputs.unseen)
     poses = tuple(sorted((*used, *out, *unseen), key=lambda pose: pose.number))
     evidence = JointEvidence(
-        inputs.block, alignment, inputs.features, inputs.seen, found, worth, poses, inputs.limits
+        inputs.block,
+        alignment,
+        inputs.features,
+        inputs.seen,
+        found,
+        worth,
+        poses,
+        lines_out,
+        inputs.limits,
     )
     return JointCalibration(
         found,
@@ -253,16 +297,15 @@ def _assembled(
 
 
 def stripe_rms_mm(found: Adjusted) -> float:
-    """Rms distance from the laser plane of the stripe's points on their levels.
-
-    A pixel across the stripe is a length on the level, and so much of it off the plane.
-    """
-    square, count = 0.0, 0
-    for (_, rows), (_, judgement) in zip(found.linear.rows, found.judgements, strict=True):
-        by_offset = rows.jacobian[:, OFFSET]
-        off = (rows.residuals / by_offset)[judgement.kept & (by_offset != 0)]
-        square, count = square + float(off @ off), count + len(off)
-    return float(np.sqrt(square / max(count, 1)))
+    """Rms distance from the laser plane of the stripe's points on their levels."""
+    off = np.concatenate(
+        [
+            off_plane_mm(rows)[judgement.kept]
+            for (_, rows), (_, judgement) in zip(found.linear.rows, found.judgements, strict=True)
+        ]
+    )
+    off = off[np.isfinite(off)]
+    return float(np.sqrt(np.mean(off**2))) if len(off) else 0.0
 
 
 def depth_range_mm(found: Adjusted) -> tuple[float, float]:

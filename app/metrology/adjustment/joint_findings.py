@@ -16,6 +16,7 @@ from app.metrology.crenellated import Crenellated
 from app.metrology.findings import (
     AGREEING,
     EDGE_RMS_PX,
+    STRIPE_RMS_PX,
     Finding,
     Limits,
     about_contacts,
@@ -51,6 +52,7 @@ class JointEvidence:
     found: Adjusted
     known: Known
     poses: Sequence[PoseResult]
+    lines_out: dict[int, float]  # mm off the plane of the others, by the poses' numbers
     limits: Limits
 
 
@@ -59,7 +61,7 @@ def joint_findings(evidence: JointEvidence) -> tuple[Finding, ...]:
     state, covariance = evidence.found.state, evidence.found.covariance
     return (
         verdict(evidence.known.total_um, evidence.known.rows, evidence.limits),
-        *about_contacts(evidence.alignment, evidence.features),
+        *about_contacts(evidence.alignment, evidence.features, evidence.limits),
         about_size(evidence.alignment, evidence.features, evidence.block),
         *about_tip(evidence.found),
         *_about_poses(evidence),
@@ -67,6 +69,7 @@ def joint_findings(evidence: JointEvidence) -> tuple[Finding, ...]:
         *_about_pictures(evidence),
         *about_unseen([pose.detection for pose in evidence.seen]),
         *about_pixels(state.camera, covariance[:2, :2]),
+        *_about_lines(evidence),
         _about_stripe(evidence),
     )
 
@@ -159,13 +162,18 @@ def _about_arm(evidence: JointEvidence) -> list[Finding]:
     links_um = next(
         (row.value_um for row in evidence.known.rows if row.source == "arm geometry"), 0.0
     )
+    poor = 1e3 * scales.links_mm > evidence.limits.good_um
     found = [
         Finding(
-            "neutral",
+            "attention" if poor else "neutral",
             "arm-links",
             f"The data speak for errors of the arm's links of {1e3 * scales.links_mm:.0f} µm and "
             f"{np.degrees(scales.links_rad) * 3600:.1f}″ each; what is left of them makes "
             f"{links_um:.0f} µm of a point's uncertainty.",
+            "Check the tip that is mounted against the arm's file, and that nothing moved; have "
+            "the arm's model identified anew."
+            if poor
+            else "",
         )
     ]
     if scales.noise > NOISY:
@@ -211,18 +219,41 @@ def _about_pictures(evidence: JointEvidence) -> list[Finding]:
     return found
 
 
+def _about_lines(evidence: JointEvidence) -> list[Finding]:
+    return [
+        Finding(
+            "attention",
+            "laser-moved",
+            f"The laser's line of pose {number} lies {1e3 * off_mm:.0f} µm off the plane of the "
+            "others, and was left out.",
+            "Check that its laser picture is of this pose, that the sensor was held still between "
+            "its two pictures, and that the laser sits firmly; take the pose again.",
+            number,
+        )
+        for number, off_mm in sorted(evidence.lines_out.items())
+    ]
+
+
 def _about_stripe(evidence: JointEvidence) -> Finding:
-    used = [pose for pose in evidence.poses if pose.used]
+    used = [pose for pose in evidence.poses if pose.used and pose.number not in evidence.lines_out]
     points = sum(pose.stripe_points for pose in used)
     square = sum(pose.stripe_rms_px**2 * pose.stripe_points for pose in used) / max(points, 1)
-    numbers = set(evidence.found.problem.numbers)
+    numbers = {pose.number for pose in used}
     extracted = sum(len(pose.stripe.u) for pose in evidence.seen if pose.number in numbers)
-    share = points / max(extracted, 1)
-    good = share >= AGREEING
+    share, rms_px = points / max(extracted, 1), float(np.sqrt(square))
+    remedy = ""
+    if rms_px > STRIPE_RMS_PX:
+        remedy = (
+            "Check that each laser picture is of its own pose, taken without moving the sensor, "
+            "and that the laser sits firmly; then its focus."
+        )
+    elif share < AGREEING:
+        remedy = "Keep reflections out of the grooves: matt spray, lower exposure."
     return Finding(
-        "good" if good else "attention",
+        "attention" if remedy else "good",
         "laser-plane",
-        f"{points} stripe points fit one laser plane to {np.sqrt(square):.2f} px rms, "
-        f"{100 * share:.0f} % of those on the object (limit {100 * AGREEING:.0f} %).",
-        "" if good else "Keep reflections out of the grooves: matt spray, lower exposure.",
+        f"{points} stripe points fit one laser plane to {rms_px:.2f} px rms (limit "
+        f"{STRIPE_RMS_PX:.1f} px), {100 * share:.0f} % of those on the object (limit "
+        f"{100 * AGREEING:.0f} %).",
+        remedy,
     )

@@ -90,8 +90,7 @@ def left_out(
     usual_mm = float(np.median(mounting.off_mm))
     results = []
     for p in map(int, np.flatnonzero(mounting.contradicts)):
-        off_mm = mounting.off_mm[p]
-        off = f"{off_mm:.1f} mm" if off_mm >= 1 else f"{1e3 * off_mm:.0f} µm"
+        off = _length(mounting.off_mm[p])
         reason = f"it puts the object {off} from where the others put it"
         # the flange at which this pose's picture would agree with the others
         wanted = T_arm_flange[p] @ _correction(mounting, p)
@@ -101,6 +100,16 @@ def left_out(
             reason += f"; it fits the {readings} of pose {numbers[other]}"
         results.append(PoseResult(numbers[p], False, reason))
     return results
+
+
+def line_left_out(off_mm: float) -> str:
+    """Of a pose that was used, but for its laser line."""
+    off = _length(off_mm)
+    return f"its laser line was left out, {off} off the plane of the others"
+
+
+def _length(mm: float) -> str:
+    return f"{mm:.1f} mm" if mm >= 1 else f"{1e3 * mm:.0f} µm"
 
 
 def worst_of_all(

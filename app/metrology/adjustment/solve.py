@@ -169,11 +169,18 @@ def _settled(
         parts, g = equations.with_scales(scales)
         covariance = embedded(np.sum(list(parts.values()), axis=0), free)
         step = -covariance @ g
+        if not (np.isfinite(step).all() and (np.diag(covariance)[free] > 0).all()):
+            break
         largest = float(np.max(np.abs(step[free]) / np.sqrt(np.diag(covariance)[free])))
         if largest < SETTLED and turn > 0:
             return Adjusted(linear, scales, free, covariance, parts, judgements, turn + 1)
         linear = linearise(linear.problem, at, linear.state.moved(step, at))
-    raise Refusal(
+    raise unsettled()
+
+
+def unsettled() -> Refusal:
+    """The refusal where no minimum is found, or one that says nothing."""
+    return Refusal(
         "adjustment-failed",
         "the calibration's unknowns did not settle on what was seen and touched",
         "the pictures, the contacts and the certificate contradict each other",
@@ -223,10 +230,19 @@ def _require_enough(judgements: Judgements, problem: Problem) -> None:
 
 
 def embedded(N: Floats, free: NDArray[np.bool_]) -> Floats:
-    """The covariance (U, U) of the free unknowns, with zeros for those that are held."""
+    """The covariance (U, U) of the free unknowns, with zeros for those that are held.
+
+    Raises:
+        Refusal: ``adjustment-failed``: some unknown is not determined.
+    """
     own = N[np.ix_(free, free)]
+    if not (np.diag(own) > 0).all():
+        raise unsettled()
     scale = 1 / np.sqrt(np.diag(own))
     covariance = np.zeros_like(N)
-    inverted = np.linalg.inv(own * np.outer(scale, scale)) * np.outer(scale, scale)
+    try:
+        inverted = np.linalg.inv(own * np.outer(scale, scale)) * np.outer(scale, scale)
+    except np.linalg.LinAlgError:
+        raise unsettled() from None
     covariance[np.ix_(free, free)] = inverted
     return covariance

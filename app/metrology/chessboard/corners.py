@@ -12,7 +12,7 @@ from app.metrology.chessboard.lattice import Lattice, largest_lattice, mapped, p
 from app.metrology.chessboard.saddles import Saddles, find_saddles
 from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
-from app.metrology.stripe import Stripe, saturation_level
+from app.metrology.stripe import Stripe, no_stripe, saturation_level
 from app.metrology.stripe_flanks import Image
 
 # Pixels this near to clipped ones or to the stripe's middle show laser light.
@@ -86,8 +86,7 @@ def outshining(image: Image, stripe: Stripe) -> Stripe:
     white = float(np.quantile(image, DARKER_SHARE))
     if np.median(at) >= min(OUTSHINES * white, saturation_level(image)):
         return stripe
-    none = np.zeros(0)
-    return Stripe(none, none, none, none, stripe.axis)
+    return no_stripe(stripe.axis)
 
 
 def _blocked(image: Image, stripe: Stripe | None) -> NDArray[np.bool_]:

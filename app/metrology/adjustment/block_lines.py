@@ -1,0 +1,157 @@
+"""The laser's lines on the block in several poses: the plane of most, and lines that lie off it."""
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from app.metrology.adjustment.block_start import SeenPose
+from app.metrology.adjustment.block_view import BlockView, without_line
+from app.metrology.adjustment.evidence import Problem
+from app.metrology.adjustment.solve import Adjusted, adjust
+from app.metrology.camera import Camera
+from app.metrology.crenellated import Crenellated
+from app.metrology.findings import AGREEING
+from app.metrology.frames import Floats, apply
+from app.metrology.laser_plane import LaserPlane, fit_laser_plane
+from app.metrology.projection import COUNT
+from app.metrology.refusal import Refusal
+from app.metrology.scene import Rows
+
+# Where the laser plane's offset stands among a scene's parameters.
+OFFSET = COUNT + 2
+# A line is astray beyond so many times what the others lie off, and so far in any case.
+ASTRAY_TIMES, ASTRAY_MM = 5.0, 0.05
+FEWEST_LINES = 3
+# Lines that lie so far off the plane that suits them best are of no one plane.
+HOPELESS_MM = 0.5
+
+
+def plane_of_poses(
+    seen: Sequence[SeenPose],
+    block: Crenellated,
+    camera: Camera,
+    T_cam_obj: Floats,
+    plane: LaserPlane,
+) -> tuple[LaserPlane, dict[int, float]]:
+    """The plane, in the camera's frame, that most poses' lines lie in.
+
+    A line on crests and floors gives a plane by itself: that one's is taken which suits the
+    most others best. Lines that do not lie in one plane by themselves have no say where others
+    do: they are of another pose's picture, or reflections.
+
+    Args:
+        camera: its own frame as sensor frame.
+        T_cam_obj: (P, 4, 4) where each pose saw the block.
+        plane: what is answered where no two poses show a line.
+
+    Returns:
+        the plane, and by the poses' numbers the lines that are far off it, in mm.
+
+    Raises:
+        Refusal: ``lines-contradict``: there is no such plane.
+    """
+    lines = {
+        pose.number: _line_of(pose, block, camera, T)
+        for pose, T in zip(seen, T_cam_obj, strict=True)
+    }
+    shown = {number: line for number, line in lines.items() if line is not None}
+    if len(shown) < 2:
+        return plane, {}
+    telling = {number: line for number, line in shown.items() if line.share >= AGREEING} or shown
+    plane = min((line.plane for line in telling.values()), key=lambda k: _against(telling, k))
+    off_mm = {number: line.off_mm(plane) for number, line in shown.items()}
+    far = {number: off for number, off in off_mm.items() if off > HOPELESS_MM}
+    if len(telling) > 1 and 2 * len(telling.keys() & far) >= len(telling):
+        most_mm = max(off_mm[number] for number in telling)
+        raise Refusal(
+            "lines-contradict",
+            f"the laser's lines of poses {', '.join(map(str, telling))} lie up to"
+            f" {most_mm:.1f} mm off one plane",
+            "with half of them or more contradicting the others, none can be trusted",
+            "check that each laser picture is of its own pose, that the laser was not moved"
+            " against the camera, and that the line seen is its own and not a reflection",
+        )
+    return plane, far
+
+
+@dataclass(frozen=True)
+class _Line:
+    """A line by itself: its points (N, 3), its plane, and the share of it that lies in that."""
+
+    in_cam: Floats
+    plane: LaserPlane
+    share: float
+
+    def off_mm(self, plane: LaserPlane) -> float:
+        """Rms distance of its points from a plane."""
+        return float(np.sqrt(np.mean((self.in_cam @ plane.normal - plane.offset_mm) ** 2)))
+
+
+def _against(lines: Mapping[int, _Line], plane: LaserPlane) -> tuple[int, float]:
+    """How many lines lie far off a plane, and how far (mm) the others do, together."""
+    off = np.array([line.off_mm(plane) for line in lines.values()])
+    near = off[off <= HOPELESS_MM]
+    return len(off) - len(near), float(np.sum(near))
+
+
+def _line_of(pose: SeenPose, block: Crenellated, camera: Camera, T: Floats) -> _Line | None:
+    placed = replace(camera, rotation=T[:3, :3], translation_mm=T[:3, 3])
+    try:
+        fit = fit_laser_plane(placed, block, pose.stripe)
+    except Refusal:
+        return None
+    share = float(fit.used.sum() / max(int((fit.level != "").sum()), 1))
+    normal = T[:3, :3] @ fit.plane.normal
+    own = LaserPlane(normal, float(fit.plane.offset_mm + normal @ T[:3, 3]))
+    return _Line(apply(T, fit.points_mm[fit.used]), own, share)
+
+
+def off_plane_mm(rows: Rows) -> Floats:
+    """How far each point (N,) of a stripe lies off the laser plane, NaN where that cannot be told.
+
+    A pixel across the stripe is a length on the level, and so much of it off the plane.
+    """
+    by_offset = rows.jacobian[:, OFFSET]
+    return np.asarray(rows.residuals / np.where(by_offset == 0, np.nan, by_offset))
+
+
+def lines_off_mm(found: Adjusted) -> Floats:
+    """(P,) how far the line of each pose lies off the laser plane, NaN where there is none."""
+    off = [off_plane_mm(stripe) for _, stripe in found.linear.rows]
+    return np.array([abs(np.nanmedian(one)) if np.isfinite(one).any() else np.nan for one in off])
+
+
+def without_stray_lines(found: Adjusted) -> tuple[Adjusted, dict[int, float]]:
+    """Adjusted without the lines that lie off the plane of the others, worst first.
+
+    Fewer than half of all lines are left out; their poses stay. Beside it, by the numbers of
+    these poses, how far off (mm) their lines are.
+    """
+    astray: dict[int, float] = {}
+    total = int(np.isfinite(lines_off_mm(found)).sum())
+    while (worst := _stray_line(found)) is not None and 2 * (len(astray) + 1) < total:
+        astray[found.problem.numbers[worst]] = float(lines_off_mm(found)[worst])
+        problem = without_lines(found.problem, astray)
+        found = adjust(problem, found.state)
+    return found, astray
+
+
+def _stray_line(found: Adjusted) -> int | None:
+    off_mm = lines_off_mm(found)
+    if np.isfinite(off_mm).sum() < FEWEST_LINES:
+        return None
+    worst = int(np.nanargmax(off_mm))
+    usual = float(np.nanmedian(np.delete(off_mm, worst)))
+    return worst if off_mm[worst] > max(ASTRAY_TIMES * usual, ASTRAY_MM) else None
+
+
+def without_lines(problem: Problem, numbers: Collection[int]) -> Problem:
+    """The same without the laser's lines of the poses of these numbers; the poses stay."""
+    views = []
+    for number, view in zip(problem.numbers, problem.views, strict=True):
+        if number in numbers:
+            assert isinstance(view, BlockView)
+            view = without_line(view)
+        views.append(view)
+    return replace(problem, views=tuple(views))

@@ -1,0 +1,101 @@
+"""Laser pictures that are not their poses' own: named and left out, or refused; never believed."""
+
+from collections.abc import Collection
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from app.files.calibrate import joint_inputs
+from app.files.session import read_session
+from app.metrology.adjustment.joint import JointCalibration, JointInputs, calibrate_joint
+from app.metrology.findings import Finding
+from app.metrology.frames import apply
+from app.metrology.reconstruct import sensor_points
+from app.metrology.refusal import Refusal
+
+# Points of the picture that are rebuilt with two calibrations and compared.
+PIXELS = np.array([[u, v] for u in (200.0, 640.0, 1080.0) for v in (400.0, 500.0, 600.0)])
+
+
+@pytest.fixture(scope="module")
+def inputs(samples: Path) -> JointInputs:
+    return joint_inputs(read_session(samples / "many-poses"))
+
+
+@pytest.fixture(scope="module")
+def found(inputs: JointInputs) -> JointCalibration:
+    return calibrate_joint(inputs)
+
+
+def shifted(inputs: JointInputs, places: Collection[int], by_px: float) -> JointInputs:
+    """The laser seen so far across, as if the sensor had been bumped between the pictures."""
+    seen = [
+        replace(pose, stripe=replace(pose.stripe, v=pose.stripe.v + by_px * (place in places)))
+        for place, pose in enumerate(inputs.seen)
+    ]
+    return replace(inputs, seen=tuple(seen))
+
+
+def apart_um(a: JointCalibration, b: JointCalibration) -> float:
+    """Largest distance, in the flange's frame, of points rebuilt by two calibrations."""
+    one, other = (
+        apply(k.T_flange_sensor, sensor_points(k.camera, k.plane, PIXELS)) for k in (a, b)
+    )
+    return 1e3 * float(np.max(np.linalg.norm(one - other, axis=1)))
+
+
+def about(result: JointCalibration, code: str) -> list[Finding]:
+    return [finding for finding in result.findings if finding.code == code]
+
+
+# Each of them, so that the one from which the adjustment starts is among them.
+@pytest.mark.parametrize("place", range(8))
+def test_one_line_off_the_others_plane_is_named_and_left_out(
+    inputs: JointInputs, found: JointCalibration, place: int
+) -> None:
+    result = calibrate_joint(shifted(inputs, {place}, 3.0))
+    (said,) = about(result, "laser-moved")
+    assert (said.quality, said.pose) == ("attention", inputs.seen[place].number)
+    of_pose = next(pose for pose in result.poses if pose.number == said.pose)
+    assert of_pose.used
+    assert "its laser line was left out" in of_pose.reason
+    assert of_pose.stripe_points == 0
+    assert apart_um(result, found) < found.known.total_um
+    assert about(result, "laser-plane")[0].quality == "good"
+
+
+def test_no_line_is_named_where_all_agree(found: JointCalibration) -> None:
+    assert not about(found, "laser-moved")
+    assert about(found, "laser-plane")[0].quality == "good"
+
+
+def test_laser_pictures_that_were_exchanged_are_named(
+    inputs: JointInputs, found: JointCalibration
+) -> None:
+    seen = list(inputs.seen)
+    seen[2], seen[5] = (
+        replace(seen[2], stripe=seen[5].stripe),
+        replace(seen[5], stripe=seen[2].stripe),
+    )
+    result = calibrate_joint(replace(inputs, seen=tuple(seen)))
+    assert {said.pose for said in about(result, "laser-moved")} == {2, 5}
+    assert apart_um(result, found) < found.known.total_um
+
+
+def test_lines_in_two_planes_are_refused(inputs: JointInputs) -> None:
+    with pytest.raises(Refusal) as caught:
+        calibrate_joint(shifted(inputs, {4, 5, 6, 7}, 30.0))
+    assert caught.value.code == "lines-contradict"
+    assert "each laser picture is of its own pose" in caught.value.remedy
+
+
+def test_a_laser_that_drifts_is_said_not_to_lie_in_one_plane(inputs: JointInputs) -> None:
+    seen = [
+        replace(pose, stripe=replace(pose.stripe, v=pose.stripe.v + 2.0 * place))
+        for place, pose in enumerate(inputs.seen)
+    ]
+    result = calibrate_joint(replace(inputs, seen=tuple(seen)))
+    assert about(result, "laser-plane")[0].quality == "attention"
+    assert "the laser sits firmly" in about(result, "laser-plane")[0].remedy
