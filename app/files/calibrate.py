@@ -21,7 +21,8 @@ from app.metrology.adjustment.block_start import SeenPose
 from app.metrology.adjustment.board_joint import calibrate_board, see_board
 from app.metrology.adjustment.board_problem import BoardInputs
 from app.metrology.adjustment.board_start import SeenBoard
-from app.metrology.adjustment.joint import JointInputs, NotSeen, calibrate_joint, see_pose
+from app.metrology.adjustment.joint import JointInputs, calibrate_joint, see_pose
+from app.metrology.adjustment.not_seen import NotSeen
 from app.metrology.chessboard.board import Chessboard
 from app.metrology.crenellated import Crenellated
 from app.metrology.findings import LIMITS, Limits

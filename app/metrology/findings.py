@@ -7,22 +7,14 @@ from typing import Literal
 import numpy as np
 
 from app.metrology.alignment import Alignment
-from app.metrology.budget import Budget, BudgetRow
+from app.metrology.budget import BudgetRow
 from app.metrology.camera import Camera
-from app.metrology.camera_fit import CameraFit
 from app.metrology.crenellated import Crenellated
 from app.metrology.detection.corners import ObjectDetection
-from app.metrology.detection.picture import PictureFinding
-from app.metrology.faugeras import LARGEST_CONDITION, FaugerasSolution
 from app.metrology.frames import Floats
-from app.metrology.laser_plane import LaserPlaneFit
-from app.metrology.stripe import Stripe
 
 Quality = Literal["good", "attention", "bad", "neutral"]
 
-# The arm's contacts scatter by this factor beyond what its encoders explain.
-EXCESS = 5.0
-CONDITION = 15.0
 EDGE_RMS_PX = 0.3
 # Even a wide line full of speckle is located better than this.
 STRIPE_RMS_PX = 1.0
@@ -33,8 +25,8 @@ OPENING_SIGMAS, OPENING_MM = 4.0, 0.03
 SQUARE, SQUARE_SIGMAS = 0.001, 4.0
 # Further than any hand-held sensor reaches from the arm's last joint.
 FARTHEST_MM = 600.0
-# Shares: of the stripe on the levels that agrees with the plane; of the block's width it spans.
-AGREEING, SPANNED = 0.85, 0.5
+# Share of the stripe on the levels that agrees with the plane.
+AGREEING = 0.85
 WORST_OF_A_KIND = 3
 
 
@@ -78,36 +70,6 @@ class WorstPoint:
     contact: int | None = None
     pose: int | None = None
     at_px: tuple[float, float] | None = None
-
-
-@dataclass(frozen=True)
-class Evidence:
-    """All that a calibration can be judged by."""
-
-    block: Crenellated
-    alignment: Alignment
-    features: Sequence[str]
-    detection: ObjectDetection
-    picture: Sequence[PictureFinding]
-    faugeras: FaugerasSolution
-    fit: CameraFit
-    stripe: Stripe
-    laser: LaserPlaneFit
-    budget: Budget
-    arm_excess: float
-
-
-def findings_of(seen: Evidence) -> tuple[Finding, ...]:
-    """The verdict first, then every reason for or against it."""
-    return (
-        verdict(seen.budget.total_um, seen.budget.rows),
-        *about_contacts(seen.alignment, seen.features),
-        *_about_scatter(seen),
-        about_size(seen.alignment, seen.features, seen.block),
-        *_about_arm(seen),
-        *_about_picture(seen),
-        *_about_stripe(seen),
-    )
 
 
 REMEDIES = {
@@ -186,21 +148,6 @@ def about_contacts(
     return found
 
 
-def _about_scatter(seen: Evidence) -> list[Finding]:
-    if seen.arm_excess <= EXCESS:
-        return []
-    return [
-        Finding(
-            "attention",
-            "arm-scatter",
-            f"The contacts scatter by {1e3 * seen.alignment.sigma_mm:.0f} µm, "
-            f"{seen.arm_excess:.0f} times what the arm's encoders explain "
-            f"(limit {EXCESS:.0f}).",
-            "Check the tip for play and the faces for dirt; have the arm's model checked.",
-        )
-    ]
-
-
 def about_size(alignment: Alignment, features: Sequence[str], block: Crenellated) -> Finding:
     """Whether the block's size and the tip's diameter were seen, and right: contacts on
     opposite faces tell their sum, others move with the block."""
@@ -241,19 +188,6 @@ def about_size(alignment: Alignment, features: Sequence[str], block: Crenellated
     )
 
 
-def _about_arm(seen: Evidence) -> list[Finding]:
-    found = [
-        Finding(
-            "neutral",
-            "arm-unseen",
-            "Errors of the arm's own model cannot be seen from one picture in one pose, and are "
-            "not in this figure.",
-        )
-    ]
-    found += far_sensor(seen.budget.pivot_mm, "Check that the picture's joint angles are its own.")
-    return found
-
-
 def far_sensor(pivot_mm: Floats, remedy: str) -> list[Finding]:
     """What is said where the sensor measures too far from the arm's last joint (3,)."""
     away_mm = float(np.linalg.norm(pivot_mm))
@@ -264,32 +198,6 @@ def far_sensor(pivot_mm: Floats, remedy: str) -> list[Finding]:
         f"(limit {FARTHEST_MM:.0f} mm)."
     )
     return [Finding("attention", "sensor-far", text, remedy)]
-
-
-def _about_picture(seen: Evidence) -> list[Finding]:
-    edges = seen.fit.edges
-    text = (
-        f"{int(edges.kept.sum())} points on {len(seen.detection.edges)} edges fit the camera to "
-        f"{edges.rms_px:.2f} px rms; the limit is {EDGE_RMS_PX:.1f} px."
-    )
-    good = edges.rms_px <= EDGE_RMS_PX
-    remedy = "" if good else "Clean the block's edges; check focus, lighting and certificate."
-    found = [Finding("good" if good else "attention", "edges", text, remedy)]
-    found += [Finding("attention", item.code, item.text, item.remedy) for item in seen.picture]
-    found += about_unseen([seen.detection])
-    found += about_pixels(seen.fit.camera, seen.fit.covariance[:2, :2])
-    condition = seen.faugeras.condition_number
-    if condition > CONDITION:
-        found.append(
-            Finding(
-                "attention",
-                "condition",
-                f"The corners fix the camera weakly: condition number {condition:.0f} "
-                f"(good below {CONDITION:.0f}, refused above {LARGEST_CONDITION:.0f}).",
-                "Show more of the block, crests and floors, front and back.",
-            )
-        )
-    return found
 
 
 def about_unseen(detections: Sequence[ObjectDetection]) -> list[Finding]:
@@ -330,56 +238,3 @@ def about_pixels(camera: Camera, covariance_px2: Floats) -> list[Finding]:
             "Compare the block's depth and heights with its certificate.",
         )
     ]
-
-
-def _about_stripe(seen: Evidence) -> list[Finding]:
-    laser = seen.laser
-    on = laser.level != ""
-    share = float(laser.used.sum() / max(on.sum(), 1))
-    good = share >= AGREEING
-    text = (
-        f"{int(laser.used.sum())} stripe points on crests and floors fit one plane to "
-        f"{1e3 * laser.rms_mm:.1f} µm rms, {100 * share:.0f} % of those seen there "
-        f"(limit {100 * AGREEING:.0f} %)."
-    )
-    remedy = "" if good else "Keep reflections out of the grooves: matt spray, lower exposure."
-    found = [Finding("good" if good else "attention", "laser-plane", text, remedy)]
-    width = seen.block.edges_x_mm[-1] - seen.block.edges_x_mm[0]
-    for level in ("crest", "floor"):
-        x = laser.points_mm[laser.used & (laser.level == level), 0]
-        if np.ptp(x) < SPANNED * width:
-            found.append(
-                Finding(
-                    "attention",
-                    "stripe-span",
-                    f"On the {level}s the stripe spans {np.ptp(x):.0f} mm of the block's "
-                    f"{width:.0f} mm.",
-                    "Bring the block to the middle of the stripe.",
-                )
-            )
-    return found
-
-
-def worst_points(seen: Evidence, corner_residuals_px: Floats) -> tuple[WorstPoint, ...]:
-    """The few worst contacts, corners and stripe points."""
-    contacts = 1e3 * np.abs(seen.alignment.residuals_mm)
-    worst = [
-        WorstPoint("contact", f"{seen.features[i]} {i + 1}", float(contacts[i]), "µm")
-        for i in _largest(contacts)
-    ]
-    off = np.linalg.norm(corner_residuals_px, axis=1)
-    worst += [
-        WorstPoint("corner", seen.detection.corners[i].name, float(off[i]), "px")
-        for i in _largest(off)
-    ]
-    heights = 1e3 * np.abs(np.nan_to_num(seen.laser.residuals_mm))
-    along, place = (seen.stripe.u, "column") if seen.stripe.axis == "u" else (seen.stripe.v, "row")
-    worst += [
-        WorstPoint("stripe", f"{place} {along[i]:.0f}", float(heights[i]), "µm")
-        for i in _largest(heights)
-    ]
-    return tuple(worst)
-
-
-def _largest(values: Floats) -> list[int]:
-    return [int(i) for i in np.argsort(-values)[:WORST_OF_A_KIND]]

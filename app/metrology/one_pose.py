@@ -17,7 +17,7 @@ from app.metrology.camera_fit import CameraFit, Observations, fit_camera
 from app.metrology.crenellated import Crenellated, corners, probing_face
 from app.metrology.detection.corners import ObjectDetection, detect_object, picture_findings
 from app.metrology.faugeras import FaugerasSolution, solve_faugeras
-from app.metrology.findings import Evidence, Finding, WorstPoint, findings_of, worst_points
+from app.metrology.findings import Finding, WorstPoint
 from app.metrology.frames import Floats, inverse, rigid_fit
 from app.metrology.laser_plane import (
     LaserPlane,
@@ -25,6 +25,7 @@ from app.metrology.laser_plane import (
     fit_laser_plane,
     stripe_on_levels,
 )
+from app.metrology.one_pose_findings import Evidence, findings_of, worst_points
 from app.metrology.reconstruct import sensor_points
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import Stripe, extract_stripe

@@ -9,17 +9,14 @@ from app.metrology.adjustment.block_start import SeenPose
 from app.metrology.adjustment.block_view import BlockView, without_line
 from app.metrology.adjustment.evidence import Problem
 from app.metrology.adjustment.solve import Adjusted, adjust
+from app.metrology.adjustment.stripe_results import off_plane_mm
 from app.metrology.camera import Camera
 from app.metrology.crenellated import Crenellated
 from app.metrology.findings import AGREEING
 from app.metrology.frames import Floats, apply
 from app.metrology.laser_plane import LaserPlane, fit_laser_plane
-from app.metrology.projection import COUNT
 from app.metrology.refusal import Refusal
-from app.metrology.scene import Rows
 
-# Where the laser plane's offset stands among a scene's parameters.
-OFFSET = COUNT + 2
 # A line is astray beyond so many times what the others lie off, and so far in any case.
 ASTRAY_TIMES, ASTRAY_MM = 5.0, 0.05
 FEWEST_LINES = 3
@@ -105,15 +102,6 @@ def _line_of(pose: SeenPose, block: Crenellated, camera: Camera, T: Floats) -> _
     normal = T[:3, :3] @ fit.plane.normal
     own = LaserPlane(normal, float(fit.plane.offset_mm + normal @ T[:3, 3]))
     return _Line(apply(T, fit.points_mm[fit.used]), own, share)
-
-
-def off_plane_mm(rows: Rows) -> Floats:
-    """How far each point (N,) of a stripe lies off the laser plane, NaN where that cannot be told.
-
-    A pixel across the stripe is a length on the level, and so much of it off the plane.
-    """
-    by_offset = rows.jacobian[:, OFFSET]
-    return np.asarray(rows.residuals / np.where(by_offset == 0, np.nan, by_offset))
 
 
 def lines_off_mm(found: Adjusted) -> Floats:

@@ -17,17 +17,13 @@ from app.metrology.adjustment.board_results import (
 )
 from app.metrology.adjustment.board_start import SeenBoard
 from app.metrology.adjustment.board_view import BoardView
-from app.metrology.adjustment.joint import (
-    depth_range_mm,
-    refuse_nothing_seen,
-    sorted_anew,
-    stripe_rms_mm,
-)
 from app.metrology.adjustment.mounting import Mounting
+from app.metrology.adjustment.not_seen import refuse_nothing_seen
 from app.metrology.adjustment.pose_results import PoseResult, left_out, line_left_out
 from app.metrology.adjustment.sheet import corners_at
 from app.metrology.adjustment.solve import Adjusted, adjust
 from app.metrology.adjustment.stray_poses import without_strays
+from app.metrology.adjustment.stripe_results import depth_range_mm, sorted_anew, stripe_rms_mm
 from app.metrology.adjustment.uncertainty import Known, known, sensor_of
 from app.metrology.arm import Arm, RobotArm
 from app.metrology.camera import Camera

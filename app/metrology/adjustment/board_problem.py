@@ -16,13 +16,13 @@ from app.metrology.adjustment.board_start import (
 )
 from app.metrology.adjustment.board_view import BoardView, without_line
 from app.metrology.adjustment.evidence import Problem, Touches
-from app.metrology.adjustment.joint import NotSeen
 from app.metrology.adjustment.mounting import (
     Mounting,
     mounting_by_motion,
     refuse_alike,
     refuse_contradictions,
 )
+from app.metrology.adjustment.not_seen import NotSeen
 from app.metrology.adjustment.readings import motion_of, plane_touches
 from app.metrology.adjustment.robot_noise import (
     PosesSeen,

@@ -3,14 +3,13 @@
 One pose alone gives the paper's method (Eq. 5-8) with the arm's errors counted in.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from app.metrology.adjustment.arm_motion import arm_motion
 from app.metrology.adjustment.block_lines import (
-    off_plane_mm,
     plane_of_poses,
     without_lines,
     without_stray_lines,
@@ -24,6 +23,7 @@ from app.metrology.adjustment.mounting import (
     mounting_by_contacts,
     refuse_contradictions,
 )
+from app.metrology.adjustment.not_seen import NotSeen, refuse_nothing_seen
 from app.metrology.adjustment.pose_results import (
     PoseResult,
     left_out,
@@ -32,8 +32,9 @@ from app.metrology.adjustment.pose_results import (
     worst_of_all,
 )
 from app.metrology.adjustment.solve import Adjusted, adjust, unsettled
-from app.metrology.adjustment.state import State, pose_scene
+from app.metrology.adjustment.state import State
 from app.metrology.adjustment.stray_poses import without_strays
+from app.metrology.adjustment.stripe_results import depth_range_mm, sorted_anew, stripe_rms_mm
 from app.metrology.adjustment.uncertainty import Known, known, sensor_of
 from app.metrology.alignment import Alignment, align, refuse_wrong_faces
 from app.metrology.arm import Arm, tip_centres, tip_covariances
@@ -44,7 +45,6 @@ from app.metrology.detection.picture import picture_findings
 from app.metrology.findings import LIMITS, Finding, Limits, WorstPoint
 from app.metrology.frames import Floats, inverse
 from app.metrology.laser_plane import LaserPlane, stripe_on_levels
-from app.metrology.reconstruct import sensor_points
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import extract_stripe
 from app.metrology.stripe_flanks import Image
@@ -52,14 +52,6 @@ from app.metrology.stripe_flanks import Image
 Progress = Callable[[str, float], None]
 # What is not known to a metre is not known.
 HOPELESS_UM = 1e6
-
-
-@dataclass(frozen=True)
-class NotSeen:
-    """A pose whose pictures could not be used, and why."""
-
-    number: int
-    refusal: Refusal
 
 
 @dataclass(frozen=True)
@@ -236,16 +228,6 @@ def _adjusted(problem: Problem, start: State) -> Adjusted:
     return found if same else adjust(again, found.state)
 
 
-def sorted_anew(found: Adjusted) -> Problem:
-    """The problem with all stripes judged against what was found."""
-    problem, state = found.problem, found.state
-    views = []
-    for p, view in enumerate(problem.views):
-        scene = pose_scene(state, problem, found.layout, p)
-        views.append(view.sorted_anew(scene.camera, scene.plane, state.coordinates))
-    return replace(problem, views=tuple(views))
-
-
 def _assembled(
     inputs: JointInputs,
     alignment: Alignment,
@@ -294,39 +276,6 @@ def _assembled(
         joint_findings(evidence),
         worst_of_all(found, alignment, inputs.features, used),
     )
-
-
-def stripe_rms_mm(found: Adjusted) -> float:
-    """Rms distance from the laser plane of the stripe's points on their levels."""
-    off = np.concatenate(
-        [
-            off_plane_mm(rows)[judgement.kept]
-            for (_, rows), (_, judgement) in zip(found.linear.rows, found.judgements, strict=True)
-        ]
-    )
-    off = off[np.isfinite(off)]
-    return float(np.sqrt(np.mean(off**2))) if len(off) else 0.0
-
-
-def depth_range_mm(found: Adjusted) -> tuple[float, float]:
-    """How near and how far from the camera the points of all stripes lie."""
-    stripe = np.concatenate([view.stripe_px() for view in found.problem.views])
-    points = sensor_points(found.state.camera, found.state.plane, stripe)
-    distance = np.linalg.norm(points[np.isfinite(points).all(axis=1)], axis=1)
-    return float(distance.min()), float(distance.max())
-
-
-def refuse_nothing_seen(seen: Sequence[object], unseen: Sequence[NotSeen], thing: str) -> None:
-    """Refuses where no picture shows the ``thing``, with the reason of the first.
-
-    Raises:
-        Refusal: the first picture's own, or that there is no picture.
-    """
-    if seen:
-        return
-    if unseen:
-        raise unseen[0].refusal
-    raise Refusal("no-images", "no pose was given", "", f"take a picture of the {thing}")
 
 
 def _refuse_unusable(inputs: JointInputs) -> None:

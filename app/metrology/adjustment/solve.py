@@ -153,6 +153,7 @@ def _merged(linear: Linear, judgements: Judgements) -> tuple[Linear, Judgements]
     return linearise(fewer, linear.at, linear.state), tuple(judgement for _, judgement in few)
 
 
+@np.errstate(over="ignore", invalid="ignore")
 def _settled(
     linear: Linear,
     judgements: Judgements,
@@ -160,7 +161,10 @@ def _settled(
     free: NDArray[np.bool_],
     rounds_of_scales: int,
 ) -> Adjusted:
-    """Gauss-Newton with points and weights as they were judged, the scales told on the way."""
+    """Gauss-Newton with points and weights as they were judged, the scales told on the way.
+
+    Where it runs away, it is refused, so that numbers too large need no word of their own.
+    """
     at = linear.at
     for turn in range(MOST_ROUNDS):
         equations = normal(linear, judgements)
