@@ -5,6 +5,7 @@ workshop got wrong, ``E = T(x, y, z) Rz(rz) Ry(ry) Rx(rx)``.
 """
 
 from dataclasses import dataclass, replace
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +13,7 @@ from numpy.typing import NDArray
 from hardware.compiled import kernel
 
 Floats = NDArray[np.float64]
+WrongIn = Literal["links", "parameters"]
 
 ROTATION_LEVER_MM = 200.0
 """One radian of orientation weighs as much as this length when poses are compared."""
@@ -242,11 +244,25 @@ def reach(
     raise UnreachableError(f"no joint angles reach {np.round(target[:3, 3], 1).tolist()} mm")
 
 
-def imperfect(arm: ArmModel, rms_um: float, rng: np.random.Generator) -> ArmModel:
-    """The arm as it really is: links built with errors that its papers do not know.
+def _with_parameters_off(link: Link, by: Floats) -> Link:
+    """A link whose parameters are off along and about x and z, of ``by`` (6,) as of an error."""
+    return replace(
+        link,
+        a_mm=link.a_mm + float(by[0]),
+        d_mm=link.d_mm + float(by[2]),
+        alpha_rad=link.alpha_rad + float(by[3]),
+        theta_rad=link.theta_rad + float(by[5]),
+    )
+
+
+def imperfect(
+    arm: ArmModel, rms_um: float, rng: np.random.Generator, wrong_in: WrongIn = "links"
+) -> ArmModel:
+    """The arm as it really is, with errors that its papers do not know.
 
     ``rms_um`` is the rms error of the tip over the arm's joint space that is left
-    after the best rigid placement of the whole arm.
+    after the best rigid placement of the whole arm. ``wrong_in``: its links, each with an
+    error of all six kinds behind it, or the four Denavit-Hartenberg parameters of each.
     """
     if rms_um == 0:
         return arm
@@ -254,8 +270,11 @@ def imperfect(arm: ArmModel, rms_um: float, rng: np.random.Generator) -> ArmMode
     probe = rng.uniform(0.6 * arm.limits_rad[:, 0], 0.6 * arm.limits_rad[:, 1], (200, len(unit)))
 
     def with_errors(scale: float) -> ArmModel:
+        rows = zip(arm.links, unit * scale, strict=True)
+        if wrong_in == "parameters":
+            return replace(arm, links=tuple(_with_parameters_off(*row) for row in rows))
         links = []
-        for link, row in zip(arm.links, unit * scale, strict=True):
+        for link, row in rows:
             x, y, z, rx, ry, rz = (float(value) for value in row)
             links.append(replace(link, error_mm_rad=(x, y, z, rx, ry, rz)))
         return replace(arm, links=tuple(links))

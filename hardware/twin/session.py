@@ -19,6 +19,7 @@ from hardware.twin.kinematics import (
     ArmModel,
     Floats,
     UnreachableError,
+    WrongIn,
     imperfect,
     reach,
     rotation_about,
@@ -54,6 +55,8 @@ class SessionPlan:
     joints: int = 6
     imperfection_um: float = 0.0
     """Rms error of the tip over the arm's reach that its papers do not know."""
+    wrong_in: WrongIn = "links"
+    """Where these errors are, as of ``kinematics.imperfect``."""
     lighting: str = "pair"
     """"pair": an ambient and a laser image a pose; "both": one with both lights."""
     poses: int = 1
@@ -110,7 +113,7 @@ def draw_rig(
         height_px=plan.height_px,
     )
     return Rig(
-        imperfect(nominal, plan.imperfection_um, rng),
+        imperfect(nominal, plan.imperfection_um, rng, plan.wrong_in),
         nominal,
         optics,
         sheet,

@@ -11,6 +11,7 @@ from hardware.twin.kinematics import (
     ArmModel,
     Link,
     UnreachableError,
+    WrongIn,
     flange_pose,
     flange_poses,
     follow,
@@ -43,10 +44,11 @@ def test_an_error_is_shifted_first_and_turned_about_z_last() -> None:
     assert np.allclose(E[:3, :3], Rotation.from_euler("xyz", [0.1, 0.2, 0.3]).as_matrix())
 
 
-def test_an_imperfect_arm_is_off_by_micrometres() -> None:
+@pytest.mark.parametrize("wrong_in", ["links", "parameters"])
+def test_an_imperfect_arm_is_off_by_micrometres(wrong_in: WrongIn) -> None:
     rng = np.random.default_rng(0)
     arm = random_arm(rng)
-    wrong = imperfect(arm, 80.0, rng)
+    wrong = imperfect(arm, 80.0, rng, wrong_in)
     q = rng.uniform(-1, 1, (400, 6))
     ideal, true = flange_poses(arm, q), flange_poses(wrong, q)
     tips = [T[:, :3, :3] @ np.array(arm.tip_mm) + T[:, :3, 3] for T in (ideal, true)]
