@@ -5,10 +5,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from app.metrology.adjustment.block_start import SeenPose
-from app.metrology.adjustment.block_view import BlockView, without_line
+from app.metrology.adjustment.block_start import SeenPose, in_own_frame
 from app.metrology.adjustment.evidence import Problem
 from app.metrology.adjustment.solve import Adjusted, adjust
+from app.metrology.adjustment.stray_poses import worst_astray
 from app.metrology.adjustment.stripe_results import off_plane_mm
 from app.metrology.camera import Camera
 from app.metrology.crenellated import Crenellated
@@ -17,8 +17,8 @@ from app.metrology.frames import Floats, apply
 from app.metrology.laser_plane import LaserPlane, fit_laser_plane
 from app.metrology.refusal import Refusal
 
-# A line is astray beyond so many times what the others lie off, and so far in any case.
-ASTRAY_TIMES, ASTRAY_MM = 5.0, 0.05
+# A line that lies less far off than this is never astray.
+ASTRAY_MM = 0.05
 FEWEST_LINES = 3
 # Lines that lie so far off the plane that suits them best are of no one plane.
 HOPELESS_MM = 0.5
@@ -99,9 +99,7 @@ def _line_of(pose: SeenPose, block: Crenellated, camera: Camera, T: Floats) -> _
     except Refusal:
         return None
     share = float(fit.used.sum() / max(int((fit.level != "").sum()), 1))
-    normal = T[:3, :3] @ fit.plane.normal
-    own = LaserPlane(normal, float(fit.plane.offset_mm + normal @ T[:3, 3]))
-    return _Line(apply(T, fit.points_mm[fit.used]), own, share)
+    return _Line(apply(T, fit.points_mm[fit.used]), in_own_frame(placed, fit.plane)[1], share)
 
 
 def lines_off_mm(found: Adjusted) -> Floats:
@@ -117,29 +115,22 @@ def without_stray_lines(found: Adjusted) -> tuple[Adjusted, dict[int, float]]:
     these poses, how far off (mm) their lines are.
     """
     astray: dict[int, float] = {}
-    total = int(np.isfinite(lines_off_mm(found)).sum())
-    while (worst := _stray_line(found)) is not None and 2 * (len(astray) + 1) < total:
-        astray[found.problem.numbers[worst]] = float(lines_off_mm(found)[worst])
-        problem = without_lines(found.problem, astray)
-        found = adjust(problem, found.state)
-    return found, astray
-
-
-def _stray_line(found: Adjusted) -> int | None:
     off_mm = lines_off_mm(found)
-    if np.isfinite(off_mm).sum() < FEWEST_LINES:
-        return None
-    worst = int(np.nanargmax(off_mm))
-    usual = float(np.nanmedian(np.delete(off_mm, worst)))
-    return worst if off_mm[worst] > max(ASTRAY_TIMES * usual, ASTRAY_MM) else None
+    total = int(np.isfinite(off_mm).sum())
+    while np.isfinite(off_mm).sum() >= FEWEST_LINES and 2 * (len(astray) + 1) < total:
+        worst = worst_astray(off_mm, ASTRAY_MM)
+        if worst is None:
+            break
+        astray[found.problem.numbers[worst]] = float(off_mm[worst])
+        found = adjust(without_lines(found.problem, astray), found.state)
+        off_mm = lines_off_mm(found)
+    return found, astray
 
 
 def without_lines(problem: Problem, numbers: Collection[int]) -> Problem:
     """The same without the laser's lines of the poses of these numbers; the poses stay."""
-    views = []
-    for number, view in zip(problem.numbers, problem.views, strict=True):
-        if number in numbers:
-            assert isinstance(view, BlockView)
-            view = without_line(view)
-        views.append(view)
-    return replace(problem, views=tuple(views))
+    views = tuple(
+        view.without_line() if number in numbers else view
+        for number, view in zip(problem.numbers, problem.views, strict=True)
+    )
+    return replace(problem, views=views)

@@ -38,7 +38,8 @@ def common_camera(seen: Sequence[SeenPose], block: Crenellated) -> tuple[Camera,
     refusal: Refusal | None = None
     for pose in sorted(seen, key=_told, reverse=True):
         try:
-            return in_own_frame(_fit(pose, block))
+            fit = _fit(pose, block)
+            return in_own_frame(fit.camera, fit.plane)
         except Refusal as declined:
             refusal = refusal or declined
     assert refusal is not None
@@ -58,9 +59,8 @@ def _fit(pose: SeenPose, block: Crenellated) -> CameraFit:
     )
 
 
-def in_own_frame(fit: CameraFit) -> tuple[Camera, LaserPlane]:
+def in_own_frame(camera: Camera, plane: LaserPlane) -> tuple[Camera, LaserPlane]:
     """The camera with no rotation and no translation, and the plane as it sees it."""
-    camera, plane = fit.camera, fit.plane
     normal = camera.rotation @ plane.normal
     own = replace(camera, rotation=np.eye(3), translation_mm=np.zeros(3))
     return own, LaserPlane(normal, float(plane.offset_mm + normal @ camera.translation_mm))

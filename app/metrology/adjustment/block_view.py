@@ -86,10 +86,8 @@ class BlockView:
     def stripe_px(self) -> Floats:
         return np.asarray(self.stripe.uv_px[self.level != ""])
 
-
-def without_line(view: BlockView) -> BlockView:
-    """The view with no stripe at all."""
-    return replace(view, stripe=no_stripe(view.stripe.axis), level=np.zeros(0, "<U5"))
+    def without_line(self) -> "BlockView":
+        return replace(self, stripe=no_stripe(self.stripe.axis), level=np.zeros(0, "<U5"))
 
 
 def block_papers(block: Crenellated) -> Papers:

@@ -14,7 +14,7 @@ from app.metrology.adjustment.board_start import (
     numbered,
     size_by_motion,
 )
-from app.metrology.adjustment.board_view import BoardView, without_line
+from app.metrology.adjustment.board_view import BoardView
 from app.metrology.adjustment.evidence import Problem, Touches
 from app.metrology.adjustment.mounting import (
     Mounting,
@@ -196,7 +196,7 @@ def _with_line(view: BoardView, found: Bundle, pose: int, lines: Lines) -> Board
     """With the line's points judged by their plane, or without a line that is left out."""
     view = replace(view, line_off_mm=lines.scatter_mm, line_off_rad=lines.scatter_rad)
     if pose in lines.left_out:
-        return without_line(view)
+        return view.without_line()
     camera, in_cam = found.cameras[pose], lines.plane
     n, t = in_cam.normal, camera.translation_mm
     plane = LaserPlane(camera.rotation.T @ n, float(in_cam.offset_mm - n @ t))

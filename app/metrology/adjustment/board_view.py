@@ -79,6 +79,9 @@ class BoardView:
     def stripe_px(self) -> Floats:
         return np.asarray(self.stripe.uv_px[self.used])
 
+    def without_line(self) -> "BoardView":
+        return replace(self, stripe=no_stripe(self.stripe.axis), used=np.zeros(0, dtype=np.bool_))
+
     def _bends(self) -> slice:
         own = bend_of(self.board)
         return slice(BLOCK.start + own.start, BLOCK.start + own.stop)
@@ -160,11 +163,6 @@ class BoardView:
         along = away @ np.linalg.svd(away, full_matrices=False)[2][0]
         ways = [np.full(len(on_mm), self.line_off_mm), along * self.line_off_rad]
         return np.asarray(px_per_mm[:, None] * np.column_stack(ways))
-
-
-def without_line(view: BoardView) -> BoardView:
-    """The view with no stripe at all."""
-    return replace(view, stripe=no_stripe(view.stripe.axis), used=np.zeros(0, dtype=np.bool_))
 
 
 def on_sheet(board: Chessboard, camera: Camera, coordinates: Floats, uv_px: Floats) -> Floats:

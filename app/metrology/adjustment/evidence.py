@@ -46,6 +46,10 @@ class PoseView(Protocol):
         """(N, 2) pixels of the stripe that are in use."""
         ...
 
+    def without_line(self) -> "PoseView":
+        """The same with no stripe at all."""
+        ...
+
 
 @dataclass(frozen=True)
 class Papers:

@@ -8,8 +8,10 @@ from app.metrology.adjustment.mounting import Mounting, off_place_mm
 from app.metrology.adjustment.solve import Adjusted, adjust
 from app.metrology.frames import Floats
 
-# A pose is astray beyond so many times the noise of the others, and of the encoders' papers.
-ASTRAY_TIMES, ASTRAY_AT_LEAST = 5.0, 4.0
+# What is astray is so many times as far off as the others usually are.
+ASTRAY_TIMES = 5.0
+# A pose's noise is so many times that of the encoders' papers, too.
+ASTRAY_AT_LEAST = 4.0
 FEWEST_POSES = 4
 # Of a pose's readings, the share that its own picture must tell for it to be judged.
 LEAST_TOLD = 0.05
@@ -50,10 +52,15 @@ def stray_pose(found: Adjusted) -> int | None:
     noise = pose_noise(found)
     if len(noise) < FEWEST_POSES:
         return None
-    worst = int(np.argmax(noise))
-    usual = float(np.median(np.delete(noise, worst)))
-    limit = max(ASTRAY_TIMES * usual, ASTRAY_AT_LEAST * found.problem.motion.usual_factor)
-    return worst if noise[worst] > limit else None
+    return worst_astray(noise, ASTRAY_AT_LEAST * found.problem.motion.usual_factor)
+
+
+def worst_astray(off: Floats, at_least: float) -> int | None:
+    """The place of the largest of values (N,), not all NaN, where it is beyond what the others'
+    median and ``at_least`` explain; None where it is not."""
+    worst = int(np.nanargmax(off))
+    usual = float(np.nanmedian(np.delete(off, worst)))
+    return worst if off[worst] > max(ASTRAY_TIMES * usual, at_least) else None
 
 
 def pose_noise(found: Adjusted) -> Floats:
