@@ -195,9 +195,15 @@ class OperatorSettings:
         self._publish()
 
     def use_delay(self, on: bool) -> None:
-        """Applies the delay that was found last, or none from now on."""
+        """Applies the delay that was found last, or none from now on.
+
+        Raises:
+            Refusal: none was found, or a disk that does not take it.
+        """
         with self._lock:
             if on and self._found is None:
+                if self._settings.sync is not None:
+                    return  # somebody else was faster
                 raise Refusal(
                     "no-delay", "No delay was found yet", remedy="Pass over a plane and find it"
                 )

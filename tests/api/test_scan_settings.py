@@ -1,4 +1,6 @@
-"""The settings' routes on the running server."""
+"""The settings' routes on the running server, whatever other tests have set there before."""
+
+import time
 
 import pytest
 
@@ -15,6 +17,19 @@ PLAIN: dict[str, object] = {
 }
 
 
+@pytest.fixture
+def no_delay(server: Server) -> None:
+    """What the pass of another test has found is applied, and dropped."""
+    deadline = time.monotonic() + 60.0
+    while server.http.get("/api/settings").json()["finding_delay"]:
+        assert time.monotonic() < deadline
+        time.sleep(0.1)
+    for on in (True, False):
+        server.http.post("/api/settings/delay", json={"on": on})
+    assert server.http.get("/api/settings").json()["delay"] is None
+
+
+@pytest.mark.usefixtures("no_delay")
 def test_settings_are_set_read_and_kept(server: Server) -> None:
     zone = [[0, 0], [200.5, 0], [200.5, 300]]
     set_to = {**PLAIN, "threshold": 20, "choice": "strength", "zones": [zone]}
@@ -48,10 +63,16 @@ def test_what_cannot_be_meant_changes_nothing(
     assert server.http.get("/api/settings").json() == before
 
 
-def test_without_a_scan_there_is_no_delay_to_find(server: Server) -> None:
-    if not server.context.store.scans.all():
-        answer = server.http.post("/api/settings/delay/find")
-        assert answer.json()["code"] == "no-scan"
+def test_without_a_scan_there_is_no_delay_to_find(
+    server: Server, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(server.context.store.scans, "newest", lambda: None)
+    answer = server.http.post("/api/settings/delay/find")
+    assert answer.json()["code"] == "no-scan"
+
+
+@pytest.mark.usefixtures("no_delay")
+def test_a_delay_that_was_not_found_is_not_applied(server: Server) -> None:
     answer = server.http.post("/api/settings/delay", json={"on": True})
     assert answer.json()["code"] == "no-delay"
 

@@ -208,6 +208,22 @@ def test_the_delay_of_the_settings_is_in_cloud_and_recording(
     assert np.abs(raw[: len(live)] - live[: len(raw)]).max() > 0.1
 
 
+def test_a_delay_that_is_applied_already_stays(
+    bus: Bus, rig: Rig, scanner: Scanner, kept: Kept
+) -> None:
+    late = ScanSettings(sync=settings().sync)
+    operator = OperatorSettings(
+        bus, rig, scanner, Preview(bus, rig.arm, rig.sensor), late, lambda new: kept.keep(new)
+    )
+    operator.use_delay(True)
+    delay = operator.view().delay
+    assert delay is not None
+    assert delay.applied
+    operator.use_delay(False)
+    assert operator.view().delay is None
+    assert kept.settings.sync is None
+
+
 def test_a_delay_that_cannot_be_found_is_said(
     operator: OperatorSettings, bus: Bus, tmp_path: Path
 ) -> None:
