@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,6 +33,17 @@ class LaserPlane:
     normal: Floats
     offset_mm: float
 
+    def in_frame(self, T_new_old: Floats) -> "LaserPlane":
+        """The same plane in another frame."""
+        normal = T_new_old[:3, :3] @ self.normal
+        return LaserPlane(normal, float(self.offset_mm + normal @ T_new_old[:3, 3]))
+
+    def stepped(self, step: Floats) -> "LaserPlane":
+        """After a step (3,): tilts along ``tangents(normal)`` (rad), then the offset (mm)."""
+        normal = self.normal + step[:2] @ tangents(self.normal)
+        length = float(np.linalg.norm(normal))
+        return LaserPlane(normal / length, (self.offset_mm + float(step[2])) / length)
+
 
 @dataclass(frozen=True)
 class LaserPlaneFit:
@@ -58,6 +69,14 @@ class LaserPlaneFit:
     correlation: float
     covariance: Floats
     centroid_mm: Floats
+
+
+def in_frame(camera: Camera, plane: LaserPlane, T_new_old: Floats) -> tuple[Camera, LaserPlane]:
+    """The same camera and laser plane in another sensor frame."""
+    rotation = camera.rotation @ T_new_old[:3, :3].T
+    shift_mm = camera.translation_mm - rotation @ T_new_old[:3, 3]
+    moved = replace(camera, rotation=rotation, translation_mm=shift_mm)
+    return moved, plane.in_frame(T_new_old)
 
 
 def tangents(normal: Floats) -> Floats:

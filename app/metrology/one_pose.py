@@ -5,7 +5,7 @@ probe matrix follows from the alignment and the arm's pose alone (Eq. 8).
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -18,7 +18,7 @@ from app.metrology.crenellated import Crenellated, corners, probing_face
 from app.metrology.detection.corners import ObjectDetection, detect_object, picture_findings
 from app.metrology.faugeras import FaugerasSolution, solve_faugeras
 from app.metrology.findings import Finding, WorstPoint
-from app.metrology.frames import Floats, inverse, rigid_fit
+from app.metrology.frames import Floats, inverse
 from app.metrology.laser_plane import (
     LaserPlane,
     LaserPlaneFit,
@@ -172,25 +172,6 @@ def refined(
 def probe_matrix(T_arm_flange: Floats, T_arm_sensor: Floats) -> Floats:
     """``T_flange_sensor`` (4, 4) from both in the calibration pose (Eq. 8)."""
     return np.asarray(inverse(T_arm_flange) @ T_arm_sensor)
-
-
-def sensor_in_arm(points_sensor_mm: Floats, points_arm_mm: Floats) -> Floats:
-    """``T_arm_sensor`` (4, 4) from points (N, 3) known in both frames (Eq. 5).
-
-    For a sensor frame of any choice; where it is the object frame, Eq. 6 needs no fit.
-    """
-    return rigid_fit(points_arm_mm, points_sensor_mm)
-
-
-def in_frame(camera: Camera, plane: LaserPlane, T_new_old: Floats) -> tuple[Camera, LaserPlane]:
-    """The same camera and laser plane in another sensor frame."""
-    turn, shift = T_new_old[:3, :3], T_new_old[:3, 3]
-    rotation = camera.rotation @ turn.T
-    moved = replace(
-        camera, rotation=rotation, translation_mm=camera.translation_mm - rotation @ shift
-    )
-    normal = turn @ plane.normal
-    return moved, LaserPlane(normal, float(plane.offset_mm + normal @ shift))
 
 
 def _assembled(

@@ -41,13 +41,8 @@ class Scene:
 
     def moved(self, step: Floats) -> "Scene":
         """The scene after adding ``step`` (P,) to its parameters."""
-        normal = self.plane.normal + step[PLANE][:2] @ tangents(self.plane.normal)
-        length = float(np.linalg.norm(normal))
-        offset = (self.plane.offset_mm + step[PLANE][2]) / length
         block = with_coordinates(self.block, coordinates(self.block) + step[BLOCK])
-        return Scene(
-            stepped(self.camera, step[:COUNT]), LaserPlane(normal / length, float(offset)), block
-        )
+        return Scene(stepped(self.camera, step[:COUNT]), self.plane.stepped(step[PLANE]), block)
 
 
 @dataclass(frozen=True)

@@ -12,13 +12,12 @@ import pytest
 from app.metrology.arm import Arm, Joint, LinkError, Tip, flange_pose
 from app.metrology.crenellated import Crenellated, corners
 from app.metrology.frames import Floats, apply, rigid, rigid_fit, rotation_from_vector
+from app.metrology.laser_plane import in_frame
 from app.metrology.one_pose import (
     OnePoseCalibration,
     OnePoseInputs,
     calibrate_one_pose,
-    in_frame,
     probe_matrix,
-    sensor_in_arm,
 )
 from app.metrology.reconstruct import arm_points, sensor_points
 from app.metrology.refusal import Refusal
@@ -209,7 +208,7 @@ def test_any_other_sensor_frame_gives_the_same_points(
     T_new_obj = rigid(rotation_from_vector(np.array([0.4, -1.1, 0.7])), np.array([30.0, -80, 250]))
     camera, plane = in_frame(found.camera, found.plane, T_new_obj)
     in_obj = np.array(list(corners(inputs.block).values()), dtype=np.float64)
-    T_arm_new = sensor_in_arm(apply(T_new_obj, in_obj), apply(found.alignment.T_arm_obj, in_obj))
+    T_arm_new = rigid_fit(apply(found.alignment.T_arm_obj, in_obj), apply(T_new_obj, in_obj))
     T_arm_flange = flange_pose(inputs.arm, inputs.pose_q_rad)
     uv = Truth(samples / "one-pose").uv_px
     one = arm_points(found.camera, found.plane, found.T_flange_sensor, uv, T_arm_flange)

@@ -61,9 +61,8 @@ def _fit(pose: SeenPose, block: Crenellated) -> CameraFit:
 
 def in_own_frame(camera: Camera, plane: LaserPlane) -> tuple[Camera, LaserPlane]:
     """The camera with no rotation and no translation, and the plane as it sees it."""
-    normal = camera.rotation @ plane.normal
     own = replace(camera, rotation=np.eye(3), translation_mm=np.zeros(3))
-    return own, LaserPlane(normal, float(plane.offset_mm + normal @ camera.translation_mm))
+    return own, plane.in_frame(rigid(camera.rotation, camera.translation_mm))
 
 
 def seen_from(camera: Camera, pose: SeenPose, block: Crenellated) -> Floats:

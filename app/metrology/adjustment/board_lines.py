@@ -178,9 +178,7 @@ def _through(per_pose: Sequence[Floats], moved: bool) -> tuple[LaserPlane, Float
         scatter = np.maximum(np.sqrt(told / (len(off) - fitted + 1)), LEAST_SCATTER)
         if moved:
             scatter[1] = max(scatter[1], scatter[0] / half_mm)
-        normal = plane.normal + step[:2] @ tangents(plane.normal)
-        length = float(np.linalg.norm(normal))
-        plane = LaserPlane(normal / length, (plane.offset_mm + float(step[2])) / length)
+        plane = plane.stepped(step)
     return plane, scatter
 
 

@@ -37,7 +37,6 @@ from app.metrology.arm import Arm, RobotArm
 from app.metrology.chessboard.board import Chessboard, middle_of
 from app.metrology.findings import LIMITS, Limits
 from app.metrology.frames import Floats, apply, inverse, rigid
-from app.metrology.laser_plane import LaserPlane
 from app.metrology.refusal import Refusal
 
 # The one feature that is touched: the plane of the sheet.
@@ -197,7 +196,7 @@ def _with_line(view: BoardView, found: Bundle, pose: int, lines: Lines) -> Board
     view = replace(view, line_off_mm=lines.scatter_mm, line_off_rad=lines.scatter_rad)
     if pose in lines.left_out:
         return view.without_line()
-    camera, in_cam = found.cameras[pose], lines.plane
-    n, t = in_cam.normal, camera.translation_mm
-    plane = LaserPlane(camera.rotation.T @ n, float(in_cam.offset_mm - n @ t))
+    camera = found.cameras[pose]
+    T_cam_obj = rigid(camera.rotation, camera.translation_mm)
+    plane = lines.plane.in_frame(inverse(T_cam_obj))
     return view.sorted_anew(camera, plane, found.coordinates)

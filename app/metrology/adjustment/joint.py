@@ -44,7 +44,7 @@ from app.metrology.detection.corners import detect_object
 from app.metrology.detection.picture import picture_findings
 from app.metrology.findings import LIMITS, Finding, Limits, WorstPoint
 from app.metrology.frames import Floats, inverse
-from app.metrology.laser_plane import LaserPlane, stripe_on_levels
+from app.metrology.laser_plane import LaserPlane, in_frame, stripe_on_levels
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import extract_stripe
 from app.metrology.stripe_flanks import Image
@@ -207,13 +207,11 @@ def _view(
     pose: SeenPose, block: Crenellated, camera: Camera, plane: LaserPlane, T_cam_obj: Floats
 ) -> BlockView:
     """The pose's pictures, the stripe sorted as the pose itself saw the block."""
-    R, t = T_cam_obj[:3, :3], T_cam_obj[:3, 3]
-    in_obj = LaserPlane(R.T @ plane.normal, float(plane.offset_mm - plane.normal @ t))
     found = pose.detection
     view = BlockView(
         block, found.edges, found.corners, pose.stripe, np.full(len(pose.stripe.u), "", "<U5")
     )
-    placed = replace(camera, rotation=R, translation_mm=t)
+    placed, in_obj = in_frame(camera, plane, inverse(T_cam_obj))
     return view.sorted_anew(placed, in_obj, block_papers(block).coordinates)
 
 

@@ -26,7 +26,7 @@ from app.metrology.frames import (
     rotation_from_vector,
     vector_from_rotation,
 )
-from app.metrology.laser_plane import LaserPlane
+from app.metrology.laser_plane import LaserPlane, in_frame
 from app.metrology.scene import Rows
 
 # Tilts, turns about the view and heights that an operator holds with ease.
@@ -135,11 +135,7 @@ def held(T_obj_cam: Floats, T_obj_cam_before: Floats, block: Crenellated) -> Hol
 
 def seen_at(found: Adjusted, T_obj_cam: Floats) -> tuple[Camera, LaserPlane]:
     """Camera and plane in the object's frame for the camera held at a place."""
-    T_cam_obj = inverse(T_obj_cam)
-    R, t = T_cam_obj[:3, :3], T_cam_obj[:3, 3]
-    own = found.state.plane
-    plane = LaserPlane(R.T @ own.normal, float(own.offset_mm - own.normal @ t))
-    return replace(found.state.camera, rotation=R, translation_mm=t), plane
+    return in_frame(found.state.camera, found.state.plane, T_obj_cam)
 
 
 def outline(

@@ -8,7 +8,7 @@ from app.metrology.adjustment.evidence import Problem
 from app.metrology.adjustment.twists import carried_back, motion
 from app.metrology.camera import Camera
 from app.metrology.frames import Floats, inverse, nearest_rotation, skew
-from app.metrology.laser_plane import LaserPlane, tangents
+from app.metrology.laser_plane import LaserPlane, in_frame, tangents
 from app.metrology.projection import COUNT
 
 INTRINSIC = ("fx", "fy", "u0", "v0", "k1", "k2", "p1", "p2")
@@ -90,13 +90,10 @@ class State:
         matrix[1, 1] += step[1]
         matrix[:2, 2] += step[2:4]
         distortion[:4] += step[LENS]
-        normal = self.plane.normal + step[PLANE][:2] @ tangents(self.plane.normal)
-        length = float(np.linalg.norm(normal))
-        offset = (self.plane.offset_mm + float(step[PLANE][2])) / length
         return replace(
             self,
             camera=replace(camera, matrix=matrix, distortion=distortion),
-            plane=LaserPlane(normal / length, offset),
+            plane=self.plane.stepped(step[PLANE]),
             T_flange_cam=_rigid(self.T_flange_cam @ motion(step[MOUNT])),
         )
 
@@ -126,9 +123,7 @@ def pose_scene(state: State, problem: Problem, at: Layout, pose: int) -> PoseSce
     off = moves.by_links[pose] @ state.links + moves.by_noise[pose] @ state.noise[pose]
     T_arm_cam = motion(off) @ moves.T_arm_flange[pose] @ state.T_flange_cam
     T_cam_obj = inverse(T_arm_cam) @ state.T_arm_obj
-    R, t = T_cam_obj[:3, :3], T_cam_obj[:3, 3]
-    normal = R.T @ state.plane.normal
-    plane = LaserPlane(normal, float(state.plane.offset_mm - state.plane.normal @ t))
+    camera, plane = in_frame(state.camera, state.plane, inverse(T_cam_obj))
 
     seen_from_cam = carried_back(T_arm_cam)
     twist = np.zeros((6, at.count))  # of T_cam_obj, from the left
@@ -143,7 +138,6 @@ def pose_scene(state: State, problem: Problem, at: Layout, pose: int) -> PoseSce
     J[_POSE_AT] = twist
     _plane_rows(J[COUNT : COUNT + 3], state.plane, plane, T_cam_obj, twist)
     J[COUNT + 3 :, at.coordinates] = np.eye(count)
-    camera = replace(state.camera, rotation=R, translation_mm=t)
     return PoseScene(camera, plane, J)
 
 

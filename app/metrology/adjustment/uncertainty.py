@@ -15,7 +15,7 @@ from app.metrology.adjustment.twists import about, carried
 from app.metrology.budget import PROBE_NAMES, BudgetRow
 from app.metrology.camera import Camera
 from app.metrology.frames import Floats, apply, inverse, skew
-from app.metrology.laser_plane import LaserPlane, tangents
+from app.metrology.laser_plane import LaserPlane, in_frame, tangents
 from app.metrology.projection import PARAMETERS
 from app.metrology.reconstruct import sensor_points
 
@@ -214,11 +214,7 @@ def plane_of(state: State, volume: Volume) -> AcrossView:
 
 def sensor_of(state: State, T_cam_sensor: Floats) -> tuple[Camera, LaserPlane, Floats]:
     """Camera, laser plane and ``T_flange_sensor`` with the sensor frame where it was chosen."""
-    R, t = T_cam_sensor[:3, :3], T_cam_sensor[:3, 3]
-    own = state.camera
-    camera = Camera(own.matrix, R, t, own.width_px, own.height_px, own.distortion)
-    n = state.plane.normal
-    plane = LaserPlane(R.T @ n, float(state.plane.offset_mm - n @ t))
+    camera, plane = in_frame(state.camera, state.plane, inverse(T_cam_sensor))
     return camera, plane, state.T_flange_cam @ T_cam_sensor
 
 
