@@ -94,11 +94,11 @@ def _state(capture: Capture, row: PoseRow | None) -> Literal["taken", "used", "l
 
 
 def _note(capture: Capture, row: PoseRow | None, looked_at: Outcome | None) -> str:
-    """Why the pose does not count; empty where it does."""
+    """Why the pose, or its laser line, does not count; empty where both do."""
     if capture.gone:
         return "Set aside"
-    if row is not None and not row.used:
-        return f"Left out: {row.reason}"
+    if row is not None and row.reason:
+        return f"Used, but {row.reason}" if row.used else f"Left out: {row.reason}"
     bad = looked_at is not None and any(f.quality == "bad" for f in looked_at.findings)
     if row is not None or looked_at is None or not bad:
         return ""

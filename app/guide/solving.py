@@ -227,7 +227,7 @@ def _result(
                 pose.used,
                 pose.reason,
                 pose.edges_rms_px,
-                pose.stripe_rms_px,
+                pose.stripe_rms_px if pose.stripe_points else None,
                 pose.off_um,
             )
             for pose in result.poses

@@ -177,13 +177,14 @@ class MapPoint:
 
 @dataclass(frozen=True)
 class PoseRow:
-    """What became of one pose; ``reason`` where it was left out."""
+    """What became of one pose; ``reason`` where it, or its laser line, was left out."""
 
     number: int
     used: bool
     reason: str
     edges_rms_px: float
-    stripe_rms_px: float
+    stripe_rms_px: float | None
+    """None without a laser line."""
     off_um: float
 
 

@@ -282,7 +282,7 @@ def _tables(sheet: CalibrationFile) -> Section:
         rows = [
             (
                 str(pose.number),
-                "used" if pose.used else f"left out: {pose.reason}",
+                _became(pose),
                 *(_pose_figures(pose) if pose.used else ("–",) * 5),
             )
             for pose in sheet.poses
@@ -299,11 +299,17 @@ def _tables(sheet: CalibrationFile) -> Section:
     return Section("Poses and touches", tables)
 
 
+def _became(pose: PosePart) -> str:
+    if not pose.used:
+        return f"left out: {pose.reason}"
+    return f"used, but {pose.reason}" if pose.reason else "used"
+
+
 def _pose_figures(pose: PosePart) -> tuple[str, ...]:
     return (
         f"{pose.edges_rms_px:.3f}",
         str(pose.edge_points),
-        f"{pose.stripe_rms_px:.3f}",
+        f"{pose.stripe_rms_px:.3f}" if pose.stripe_points else "–",
         str(pose.stripe_points),
         f"{pose.off_um:.1f}",
     )

@@ -173,6 +173,9 @@ def on_image(pose: Pose, part: PosePart, camera: Camera) -> tuple[Figure, str]:
         f"Pose {part.number}: found minus computed, {factor:g} times larger; corners yellow, at "
         f"most {worst:.2f} px; stripe red. Edges {part.edges_rms_px:.3f} px, stripe "
         f"{part.stripe_rms_px:.3f} px rms."
+        if part.stripe_points
+        else f"Pose {part.number}: found minus computed, {factor:g} times larger; corners yellow, "
+        f"at most {worst:.2f} px; no stripe. Edges {part.edges_rms_px:.3f} px rms."
     )
     return figure, words
 

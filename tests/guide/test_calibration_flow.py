@@ -373,3 +373,18 @@ def test_an_outcome_comes_back_from_the_journal_as_it_was() -> None:
     there = outcome()
     back = from_payload(json.loads(json.dumps(to_payload(there))))
     assert back == there
+
+
+def test_a_pose_used_without_its_laser_line_says_so(
+    arm: Arm, block: Crenellated, contacts: list[tuple[str, dict[str, object]]]
+) -> None:
+    there = outcome()
+    assert there.result is not None
+    row = PoseRow(1, True, "its laser line was left out, 2.1 mm off", 0.1, None, 3.0)
+    there = replace(there, result=replace(there.result, poses=[row]))
+    state = solved_state(contacts)
+    picture = view_of(state, live_of(state, arm, block, seen=there)).picture
+    assert isinstance(picture, ResultPicture)
+    (pose,) = picture.poses
+    assert (pose.state, pose.note) == ("used", f"Used, but {row.reason}")
+    assert (pose.edges_rms_px, pose.stripe_rms_px) == (0.1, None)

@@ -139,6 +139,20 @@ def test_a_calibrations_report_says_what_a_certificate_does(folder: Path) -> Non
     )
 
 
+def test_a_pose_without_its_laser_line_is_told_apart(folder: Path, tmp_path: Path) -> None:
+    away = tmp_path / "away"
+    shutil.copytree(folder, away)
+    told = json.loads((away / "calibration.json").read_text())
+    reason = "its laser line was left out, 2.1 mm off the plane of the others"
+    told["poses"][0].update(reason=reason, stripe_rms_px=0.0, stripe_points=0, stripe_off_px=[])
+    (away / "calibration.json").write_text(json.dumps(told))
+    found = html.unescape(page(calibration_report(away)).decode()).replace("\u00a0", " ")
+    assert found.count(f"used, but {reason}") == 1
+    assert found.count("no stripe. Edges") == 1
+    assert ">0.000<" not in found
+    known_in_german(away, "Drawn at random")
+
+
 def test_its_pictures_are_in_both_forms(folder: Path) -> None:
     shown = report_as(folder, ".html").decode()
     for title in (

@@ -105,10 +105,11 @@ export interface MapPoint {
 export interface PoseRow {
   number: number;
   used: boolean;
-  /** Why it was left out. */
+  /** Why it, or its laser line, was left out. */
   reason: string;
   edges_rms_px: number;
-  stripe_rms_px: number;
+  /** Null without a laser line. */
+  stripe_rms_px: number | null;
   off_um: number;
 }
 
@@ -116,7 +117,7 @@ export interface PoseRow {
 export interface PosePicture {
   number: number;
   state: "taken" | "used" | "left_out" | "aside";
-  /** Why it does not count; empty where it does. */
+  /** Why it, or its laser line, does not count; empty where both do. */
   note: string;
   /** GET address of the captured picture. */
   image_url: string;

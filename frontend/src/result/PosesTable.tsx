@@ -44,7 +44,7 @@ export function PosesTable({ poses }: { poses: PosePicture[] }) {
 }
 
 function Figures({ pose: { note, edges_rms_px, stripe_rms_px, off_um } }: { pose: PosePicture }) {
-  if (note || edges_rms_px === null || stripe_rms_px === null || off_um === null) {
+  if (edges_rms_px === null || off_um === null) {
     return (
       <td colSpan={3} className={styles.note}>
         {note || t("not solved yet")}
@@ -54,7 +54,7 @@ function Figures({ pose: { note, edges_rms_px, stripe_rms_px, off_um } }: { pose
   return (
     <>
       <td>{figures(edges_rms_px, 3)}</td>
-      <td>{figures(stripe_rms_px, 3)}</td>
+      <td>{stripe_rms_px === null ? "–" : figures(stripe_rms_px, 3)}</td>
       <td>{lengthFigures(off_um, "µm")}</td>
     </>
   );
