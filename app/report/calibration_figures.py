@@ -31,6 +31,7 @@ from app.report.figure import (
     Shape,
     magnification,
 )
+from app.report.words import tied
 
 JPEG_WIDTH, JPEG_QUALITY = 900, 72
 SCALE = ("#d6e8fb", "#a9cff6", "#74b0ee", "#3f8be0", "#1f66bd", "#114688")
@@ -217,7 +218,7 @@ def over_volume(
     u_um, inside = np.array(over.u_um), np.array(over.calibrated)
     low_mm, high_mm = flat[usable].min(axis=(0, 1)), flat[usable].max(axis=(0, 1))
     figure = Figure(520, 250, "Uncertainty over the measuring volume")
-    room = (46.0, 8.0, 360.0, 205.0)
+    room = (46.0, 18.0, 360.0, 195.0)
     scale = min(room[2] / (high_mm[0] - low_mm[0]), room[3] / (high_mm[1] - low_mm[1]))
 
     def place(points: Floats) -> list[Point]:
@@ -266,15 +267,14 @@ def _axes(
     for value in _ticks(low_mm[0], high_mm[0]):
         x = room[0] + (value - low_mm[0]) * scale
         figure.line((x, bottom + 2), (x, bottom + 5), stroke=FAINT)
-        figure.words((x, bottom + 14), f"{value:g}", 7, FAINT, "middle")
+        figure.words((x, bottom + 14), tied(f"{value:g}"), 7, FAINT, "middle")
     for value in _ticks(low_mm[1], high_mm[1]):
         y = room[1] + (value - low_mm[1]) * scale
         figure.line((room[0] - 5, y), (room[0] - 2, y), stroke=FAINT)
-        figure.words((room[0] - 8, y + 2.5), f"{value:g}", 7, FAINT, "end")
+        figure.words((room[0] - 8, y + 2.5), tied(f"{value:g}"), 7, FAINT, "end")
     middle = room[0] + (high_mm[0] - low_mm[0]) * scale / 2
     figure.words((middle, bottom + 25), "across, mm", 7.5, SOFT, "middle")
-    figure.words((2, room[1] + 2), "depth,", 7.5, SOFT)
-    figure.words((2, room[1] + 11), "mm", 7.5, SOFT)
+    figure.words((2, room[1] - 10), "depth, mm", 7.5, SOFT)
 
 
 def _ticks(low: float, high: float) -> list[float]:
