@@ -192,8 +192,8 @@ class FindingPart(Part):
 
 
 class Verdict(Part):
-    """What is to be said of the calibration: as bad as the worst of its findings, and the
-    text of the first, which is about the uncertainty of a point."""
+    """What is to be said of the calibration: as bad as the gravest of its findings, and in the
+    words of the first, which is the gravest; of a good one, how well a point is known."""
 
     quality: Quality
     text: str

@@ -119,7 +119,7 @@ def _residuals(result: OnePoseCalibration) -> Residuals:
 
 
 def verdict_part(found: Sequence[Finding]) -> Verdict:
-    """As bad as the worst of the findings, in the words of the first."""
+    """As bad as the gravest of the findings, which is the first, and in its words."""
     findings = tuple(
         FindingPart(
             quality=finding.quality, code=finding.code, text=finding.text, remedy=finding.remedy

@@ -163,14 +163,15 @@ def _solve(state: CalibrationState, live: Live, args: Args) -> str:
 
 
 def _accept(state: CalibrationState, live: Live, args: Args) -> str:
-    result = live.seen.result if live.seen and state.outcome is not None else None
-    if result is None:
+    seen = live.seen
+    if seen is None or seen.result is None or state.outcome is None:
         return "Something changed since this was solved. Solve again."
+    result = seen.result
     if result.verdict != "bad":
         return ""
     if result.usable_um is not None and result.total_um > result.usable_um:
         return f"{result.total_um:.0f} µm; usable is at most {result.usable_um:.0f} µm."
-    return result.verdict_text
+    return seen.findings[0].text
 
 
 def _back(state: CalibrationState, live: Live, args: Args) -> str:

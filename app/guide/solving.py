@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from app.files.calibrate import joint_inputs, origin_of
-from app.files.calibration import CalibrationFile, Verdict, calibration_in
+from app.files.calibration import CalibrationFile, calibration_in
 from app.files.calibration_sheet import joint_sheet, worst_of
 from app.files.session import read_session
 from app.guide.journal import Calibration
@@ -197,17 +197,24 @@ def _shown(stripe: Stripe) -> list[tuple[float, float]]:
     ]
 
 
+def _verdict(found: Sequence[metrology.Finding]) -> str:
+    """How well a point is known, and what helps; or that something else is graver."""
+    known = next(one for one in found if one.code == "uncertainty")
+    if found[0].quality != known.quality:
+        return f"{sentence(known.text)} But what is marked below needs attention."
+    return f"{sentence(known.text)} {sentence(known.remedy)}".strip()
+
+
 def _result(
     result: JointCalibration,
     sheet: CalibrationFile,
     comparison: Comparison | None,
 ) -> CalibrationResult:
-    verdict = sheet.verdict or Verdict(quality=worst_of([]), text="")
-    residuals, known, text = sheet.residuals, result.known, verdict.text
+    residuals, known = sheet.residuals, result.known
     assert residuals is not None
     return CalibrationResult(
-        verdict=verdict.quality,
-        verdict_text=f"{text[:1].upper()}{text[1:]}.",
+        verdict=worst_of([finding.quality for finding in result.findings]),
+        verdict_text=_verdict(result.findings),
         reprojection_rms_px=residuals.reprojection_rms_px,
         laser_plane_rms_um=result.stripe_rms_um,
         alignment_rms_um=1e3 * result.alignment.rms_mm,

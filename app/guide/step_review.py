@@ -2,7 +2,6 @@
 
 from app.guide.body import Body, geometry, offer
 from app.guide.live import Live
-from app.guide.outcome import Outcome
 from app.guide.pose_pictures import pose_pictures
 from app.guide.state import CalibrationState
 from app.guide.steps_picture import solve_step
@@ -31,18 +30,11 @@ def review_step(state: CalibrationState, live: Live) -> Body:
             "µm",
             0,
             "neutral" if stale else result.verdict,
-            "Of before: the poses were changed since." if stale else _verdict(seen),
+            "Of before: the poses were changed since." if stale else result.verdict_text,
         ),
-        findings=[*_changes(state, result), *seen.findings[1:]] if stale else seen.findings,
+        findings=[*_changes(state, result), *seen.findings] if stale else seen.findings,
         actions=_actions(state, live, result, stale),
     )
-
-
-def _verdict(seen: Outcome) -> str:
-    """The verdict with its reason, and what helps."""
-    assert seen.result is not None
-    remedy = seen.findings[0].remedy if seen.findings else ""
-    return f"{seen.result.verdict_text} {remedy}".strip()
 
 
 def _instruction(state: CalibrationState, result: CalibrationResult, stale: bool) -> str:

@@ -14,6 +14,7 @@ from app.metrology.detection.corners import ObjectDetection
 from app.metrology.frames import Floats
 
 Quality = Literal["good", "attention", "bad", "neutral"]
+_GRAVE = {"bad": 0, "attention": 1}
 
 EDGE_RMS_PX = 0.3
 # Even a wide line full of speckle is located better than this.
@@ -81,6 +82,12 @@ REMEDIES = {
     "stripe": "Set the exposure so that the stripe is bright but not clipped.",
     "distortion": "Bring the block closer, so that it fills the picture.",
 }
+
+
+def gravest_first(found: Sequence[Finding]) -> tuple[Finding, ...]:
+    """Bad, then those that want attention, then the rest, each as they came: the first is why
+    a calibration is judged as it is."""
+    return tuple(sorted(found, key=lambda one: _GRAVE.get(one.quality, len(_GRAVE))))
 
 
 def verdict(

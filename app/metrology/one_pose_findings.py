@@ -23,6 +23,7 @@ from app.metrology.findings import (
     about_size,
     about_unseen,
     far_sensor,
+    gravest_first,
     verdict,
 )
 from app.metrology.frames import Floats
@@ -54,8 +55,8 @@ class Evidence:
 
 
 def findings_of(seen: Evidence) -> tuple[Finding, ...]:
-    """The verdict first, then every reason for or against it."""
-    return (
+    """By the uncertainty of a point, and every reason for or against it; the gravest first."""
+    found = (
         verdict(seen.budget.total_um, seen.budget.rows),
         *about_contacts(seen.alignment, seen.features),
         *_about_scatter(seen),
@@ -64,6 +65,7 @@ def findings_of(seen: Evidence) -> tuple[Finding, ...]:
         *_about_picture(seen),
         *_about_stripe(seen),
     )
+    return gravest_first(found)
 
 
 def _about_scatter(seen: Evidence) -> list[Finding]:

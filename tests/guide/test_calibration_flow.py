@@ -229,9 +229,10 @@ def test_a_bad_calibration_cannot_be_accepted(
     arm: Arm, block: Crenellated, contacts: list[tuple[str, dict[str, object]]]
 ) -> None:
     state = solved_state(contacts)
-    view = view_of(state, live_of(state, arm, block, seen=outcome("bad")))
+    bad = replace(outcome("bad"), findings=[Finding("bad", "The laser moved.")])
+    view = view_of(state, live_of(state, arm, block, seen=bad))
     assert isinstance(view.picture, ResultPicture)
-    assert action(view, "accept").why_not == "It is bad."
+    assert action(view, "accept").why_not == "The laser moved."
     assert action(view, "repeat").primary
     view = view_of(state, live_of(state, arm, block, seen=outcome("attention")))
     assert action(view, "accept").enabled

@@ -1,6 +1,7 @@
 """From a session's folder to the result that is shown, on sessions that the twin renders."""
 
 import json
+import shutil
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -61,6 +62,25 @@ def test_a_session_is_solved_as_it_is_shown(folder: SessionFolder) -> None:
     assert all(corner.residual_px is not None for corner in pose.corners)
     assert pose.outline
     assert 50 < len(pose.stripe) <= 300
+
+
+def test_what_is_graver_than_the_uncertainty_is_pointed_to(
+    folder: SessionFolder, tmp_path: Path
+) -> None:
+    shutil.copytree(folder.path, tmp_path / "slipped")
+    probing = tmp_path / "slipped" / "probing.csv"
+    head, *rows = probing.read_text().splitlines()
+    joint = head.split(",").index("q2_deg")
+    cells = rows[3].split(",")
+    cells[joint] = str(float(cells[joint]) + 0.05)
+    rows[3] = ",".join(cells)
+    probing.write_text("\n".join([head, *rows]) + "\n")
+    solved = solve(SessionFolder(tmp_path / "slipped"), None, quiet, {}, LIMITS, range(45))
+    assert solved.result is not None
+    assert solved.result.verdict == "attention"
+    assert "1 of 27 contacts disagree" in solved.findings[0].text
+    assert solved.findings[1].text in solved.result.verdict_text
+    assert solved.result.verdict_text.endswith("But what is marked below needs attention.")
 
 
 def test_the_worst_points_have_their_place(folder: SessionFolder) -> None:

@@ -8,7 +8,15 @@ import pytest
 
 from app.metrology.alignment import align
 from app.metrology.detection.corners import ObjectDetection
-from app.metrology.findings import Finding, Limits, about_contacts, about_size, about_unseen
+from app.metrology.findings import (
+    Finding,
+    Limits,
+    Quality,
+    about_contacts,
+    about_size,
+    about_unseen,
+    gravest_first,
+)
 from app.metrology.one_pose import OnePoseInputs, calibrate_one_pose
 from app.metrology.refusal import Refusal
 from tests.metrology.builders import BLOCK, TIP_RADIUS_MM, contacts_on, random_pose
@@ -38,6 +46,12 @@ def test_opposite_faces_tell_the_tips_diameter(
     found = size_said(faces, TIP_RADIUS_MM + error_mm)
     assert found.quality == quality
     assert said in found.text
+
+
+def test_the_gravest_finding_comes_first_and_the_others_as_they_were() -> None:
+    qualities: tuple[Quality, ...] = ("good", "attention", "neutral", "bad", "attention")
+    found = [Finding(quality, f"code-{i}", "") for i, quality in enumerate(qualities)]
+    assert [one.code for one in gravest_first(found)] == [f"code-{i}" for i in (3, 1, 4, 0, 2)]
 
 
 @pytest.mark.parametrize(("noise_mm", "quality"), [(0.01, "good"), (0.08, "attention")])

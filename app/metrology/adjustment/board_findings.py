@@ -1,4 +1,4 @@
-"""What a calibration on a chessboard shows about itself, in words: the verdict first."""
+"""What a calibration on a chessboard shows about itself, in words, the gravest first."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -13,7 +13,7 @@ from app.metrology.adjustment.sheet import groups_of, surface
 from app.metrology.adjustment.solve import Adjusted
 from app.metrology.adjustment.uncertainty import Known
 from app.metrology.chessboard.board import Chessboard, corner_points
-from app.metrology.findings import Finding, Limits, about_pixels, verdict
+from app.metrology.findings import Finding, Limits, about_pixels, gravest_first, verdict
 
 # What a budget calls a robot's share.
 ROBOT_ROW = "robot's poses"
@@ -58,9 +58,9 @@ class BoardEvidence:
 
 
 def board_findings(evidence: BoardEvidence) -> tuple[Finding, ...]:
-    """The verdict first, then every reason for or against it."""
+    """By the uncertainty of a point, and every reason for or against it; the gravest first."""
     found = evidence.found
-    return (
+    told = (
         _verdict(evidence),
         *_about_contacts(evidence.contacts),
         *_about_size(evidence),
@@ -74,6 +74,7 @@ def board_findings(evidence: BoardEvidence) -> tuple[Finding, ...]:
         *_about_lines(evidence),
         _about_stripe(evidence),
     )
+    return gravest_first(told)
 
 
 def _verdict(evidence: BoardEvidence) -> Finding:

@@ -1,4 +1,4 @@
-"""What an adjustment shows about itself, in words: the verdict first, then the reasons."""
+"""What an adjustment shows about itself, in words, the gravest first."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -24,6 +24,7 @@ from app.metrology.findings import (
     about_size,
     about_unseen,
     far_sensor,
+    gravest_first,
     verdict,
 )
 from app.metrology.frames import Floats, inverse
@@ -57,9 +58,9 @@ class JointEvidence:
 
 
 def joint_findings(evidence: JointEvidence) -> tuple[Finding, ...]:
-    """The verdict first, then every reason for or against it."""
+    """By the uncertainty of a point, and every reason for or against it; the gravest first."""
     state, covariance = evidence.found.state, evidence.found.covariance
-    return (
+    found = (
         verdict(evidence.known.total_um, evidence.known.rows, evidence.limits),
         *about_contacts(evidence.alignment, evidence.features, evidence.limits),
         about_size(evidence.alignment, evidence.features, evidence.block),
@@ -72,6 +73,7 @@ def joint_findings(evidence: JointEvidence) -> tuple[Finding, ...]:
         *_about_lines(evidence),
         _about_stripe(evidence),
     )
+    return gravest_first(found)
 
 
 def about_tip(found: Adjusted) -> list[Finding]:

@@ -48,7 +48,7 @@ export function CalibrationRecord({ id }: { id: string }) {
             <Download href={`/api/calibrations/${summary.id}/calibration.json`}>JSON</Download>
           </div>
           <Facts record={value} />
-          <Findings findings={findings.slice(1)} />
+          <Findings findings={findings.filter(({ text }) => !picture.result.verdict_text.startsWith(text))} />
         </>
       }
     />
