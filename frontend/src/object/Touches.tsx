@@ -5,6 +5,7 @@ import type { Vec3 } from "../api/types";
 import { signedLength } from "../parts/lengths";
 import { said, t } from "../state/language";
 import { isSeen, NORMALS } from "./block";
+import { labelSides, type Side } from "./labelSides";
 import { rampColour } from "./residuals";
 import styles from "./Touches.module.css";
 import { along } from "./vector";
@@ -49,12 +50,15 @@ interface TouchesProps {
   named?: number[];
 }
 
+const LABEL_PX = { wide: 84, tall: 22 };
+
 /** Touched points coloured by residual; an outlier is a diamond with its value beside it. */
 export function Touches({ view, block, points, scale_um, chosen, onPoint, named = [] }: TouchesProps) {
   const seen = placed(points)
     .sort((a, b) => Number(a.outlier) - Number(b.outlier))
     .filter(({ at_mm, face }) => isSeen(block, at_mm, normalOf(face), view.to));
-  const sides = sidesOf(view, seen.filter(({ index, outlier }) => outlier || named.includes(index)));
+  const labelled = seen.filter(({ index, outlier }) => outlier || named.includes(index));
+  const sides = labelSides(labelled.map(({ index, at_mm }) => ({ index, at: project(view, at_mm) })), LABEL_PX);
   return (
     <g>
       {seen.map((point) => (
@@ -72,26 +76,6 @@ export function Touches({ view, block, points, scale_um, chosen, onPoint, named 
     </g>
   );
 }
-
-const LABEL_PX = { wide: 84, tall: 22 };
-
-/** On which side of its point each label stands, so that no two cover each other. */
-function sidesOf(view: View, labelled: Placed[]): Map<number, Side> {
-  const taken: [number, number][] = [];
-  const sides = new Map<number, Side>();
-  const spots = labelled.map(({ index, at_mm }) => ({ index, at: project(view, at_mm) }));
-  for (const { index, at } of spots.sort((a, b) => b.at[0] - a.at[0])) {
-    const [x, y] = at;
-    const free = (left: number) =>
-      taken.every(([u, v]) => Math.abs(u - left) > LABEL_PX.wide || Math.abs(v - y) > LABEL_PX.tall);
-    const side = free(x) || !free(x - LABEL_PX.wide) ? "right" : "left";
-    taken.push([side === "right" ? x : x - LABEL_PX.wide, y]);
-    sides.set(index, side);
-  }
-  return sides;
-}
-
-type Side = "left" | "right";
 
 interface TouchProps {
   point: TouchedPoint;

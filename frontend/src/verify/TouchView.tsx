@@ -1,5 +1,8 @@
+import { useElementSize } from "@mantine/hooks";
+
 import type { TouchLine } from "../api/verifyTypes";
 import legend from "../flow/ResidualLegend.module.css";
+import { labelSides } from "../object/labelSides";
 import { RAMP_CSS, rampColour } from "../object/residuals";
 import { figures } from "../parts/format";
 import { measured, roundEnd, signedLength } from "../parts/lengths";
@@ -24,25 +27,45 @@ export function TouchView({ picture }: TouchViewProps) {
       </div>
     );
   }
+  return <Plot {...picture} placed={placed.map((touch, i) => ({ ...touch, number: i + 1, at: [touch.x_mm ?? 0, -(touch.y_mm ?? 0)] }))} />;
+}
+
+const LABEL_PX = { wide: 82, tall: 17, text: 13, dot: 7 };
+
+interface PlotProps {
+  radius_mm: number | null;
+  placed: (TouchLine & { number: number; at: [number, number] })[];
+}
+
+/** The gauge in millimetres; dots and labels in pixels of the screen, however small it is drawn. */
+function Plot({ radius_mm, placed }: PlotProps) {
+  const { ref: plot, height: height_px } = useElementSize();
   const worst = Math.max(...placed.map(({ residual_um }) => Math.abs(residual_um ?? 0)));
   const end = roundEnd(worst, "µm", 5, 1000);
-  const radius = picture.radius_mm;
-  const reach = radius ?? Math.max(...placed.flatMap(({ x_mm, y_mm }) => [Math.abs(x_mm ?? 0), Math.abs(y_mm ?? 0)]));
+  const reach = radius_mm ?? Math.max(...placed.flatMap(({ at }) => at.map(Math.abs)));
   const half = 1.3 * reach;
-  const dot = half / 28;
+  const px = (2 * half) / (height_px || 400);
+  const dot = LABEL_PX.dot * px;
+  const sides = labelSides(placed, { wide: LABEL_PX.wide * px, tall: LABEL_PX.tall * px });
   return (
     <div className={styles.view}>
-      <svg className={styles.plot} viewBox={`${-half} ${-half} ${2 * half} ${2 * half}`} role="img" aria-label={t("Touches, seen from above")}>
-        {radius !== null ? (
-          <circle r={radius} className={styles.gauge} />
+      <svg ref={plot} className={styles.plot} viewBox={`${-half} ${-half} ${2 * half} ${2 * half}`} role="img" aria-label={t("Touches, seen from above")}>
+        {radius_mm !== null ? (
+          <circle r={radius_mm} className={styles.gauge} />
         ) : (
           <rect x={-1.15 * reach} y={-1.15 * reach} width={2.3 * reach} height={2.3 * reach} rx={dot} className={styles.gauge} />
         )}
-        {placed.map(({ index, x_mm, y_mm, residual_um }, i) => (
-          <g key={index} transform={`translate(${x_mm ?? 0} ${-(y_mm ?? 0)})`}>
+        {placed.map(({ index, number, at, residual_um }) => (
+          <g key={index} transform={`translate(${at.join(" ")})`}>
             <circle r={dot} style={{ fill: rampColour(Math.abs(residual_um ?? 0) / end) }} className={styles.dot} />
-            <text x={1.5 * dot} y={0.55 * dot} fontSize={1.9 * dot} className={styles.label}>
-              {i + 1}: {signedLength(residual_um ?? 0, "µm")}
+            <text
+              x={(sides.get(index) === "left" ? -1.5 : 1.5) * dot}
+              y={0.35 * LABEL_PX.text * px}
+              fontSize={LABEL_PX.text * px}
+              textAnchor={sides.get(index) === "left" ? "end" : "start"}
+              className={styles.label}
+            >
+              {number}: {signedLength(residual_um ?? 0, "µm")}
             </text>
           </g>
         ))}
