@@ -141,7 +141,8 @@ def bound(reference: Draw, scales: Scales) -> Adjusted:
     free = np.ones(at.count, dtype=np.bool_)
     free[np.arange(LENS.start, LENS.stop)] = state.camera.distortion[:4] != 0
     covariance = embedded(np.sum(list(parts.values()), axis=0), free)
-    return Adjusted(linear, scales, free, covariance, parts, judgements, 0)
+    sure = np.zeros_like(covariance)
+    return Adjusted(linear, scales, free, covariance, sure, parts, judgements, 0)
 
 
 def _all(count: int) -> Judgement:
@@ -160,7 +161,7 @@ def _solved(draw: Draw, exact: Adjusted, volume: Volume) -> _Solve:
     errors = _flange_points(state, volume) - volume.points_flange_mm
     across = plane_of(truth, volume)
     J = by_sensor(state, volume.uv_px)
-    squares = np.einsum("gik,kl,gil->g", J, found.covariance[SENSOR, SENSOR], J)
+    squares = np.einsum("gik,kl,gil->g", J, found.uncertainty[SENSOR, SENSOR], J)
     own = Volume(volume.uv_px, _flange_points(state, volume))
     plane = plane_uncertainty(found, own)
     fitted = apply(rigid_fit(true_in_cam, in_cam), in_cam) - true_in_cam

@@ -105,6 +105,7 @@ def next_poses(
     reference = pose_scene(found.state, found.problem, found.layout, 0)
     T_cam_obj = rigid(reference.camera.rotation, reference.camera.translation_mm)
     volume = by_sensor(found.state, measuring_volume(found).uv_px)
+    by_sizes = found.by_link_sizes[SENSOR, SENSOR]
     advice = []
     for T_obj_cam in _candidates(inverse(T_cam_obj), block):
         camera, plane = seen_at(found, T_obj_cam)
@@ -117,7 +118,8 @@ def next_poses(
             < STRIPE_POINTS
         ):
             continue
-        covariance = _after(found, arm_motion(arm, q[None]), view.rows)
+        # one pose more tells little of how large the links' errors are
+        covariance = _after(found, arm_motion(arm, q[None]), view.rows) + by_sizes
         total = float(np.sqrt(np.mean(np.einsum("gik,kl,gil->g", volume, covariance, volume))))
         advice.append(PoseAdvice(T_obj_cam, q, 1e3 * total, outline(camera, block)))
     return sorted(advice, key=lambda one: one.total_um)

@@ -74,6 +74,16 @@ def links_told(links: Floats, variances: Floats, scales: Scales) -> tuple[float,
     return float(rad), float(mm)
 
 
+def size_prior(scales: Scales) -> float:
+    """Logarithm of the density of the links' sizes (of their logarithms) before anything is
+    told, but for a constant; the counts are as in ``links_told``."""
+    turns = np.log(scales.links_rad / USUAL_LINKS_RAD)
+    shifts = np.log(scales.links_mm / USUAL_LINKS_MM)
+    common = (turns + shifts) / 2
+    usual = -USUAL_LINKS_COUNT * (common + np.exp(-2 * common) / 2)
+    return float(usual - TOGETHER_COUNT * np.log(np.cosh(turns - shifts)))
+
+
 def touch_told(
     residuals_mm: Floats, noise_mm2: Floats, fitted_mm2: Floats, scales: Scales
 ) -> float:

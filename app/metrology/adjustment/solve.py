@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from app.metrology.adjustment.evidence import Problem
 from app.metrology.adjustment.linear import Judgements, Linear, Normal, linearise, normal
+from app.metrology.adjustment.link_sizes import by_link_sizes
 from app.metrology.adjustment.scales import (
     Scales,
     links_told,
@@ -36,16 +37,19 @@ SETTLED = 1e-3  # a step this small against every standard deviation
 
 @dataclass(frozen=True)
 class Adjusted:
-    """The most likely state, its covariance (U, U), and how well all agrees with it.
+    """The most likely state, its covariance (U, U) for the scales told, and how well all agrees
+    with it.
 
     ``parts`` splits the normal matrix by ``linear.SOURCES``; ``free`` (U,) are the
     unknowns that were not held (lens terms that are not significant are held at zero).
+    ``by_link_sizes`` (U, U) is what comes beside of not knowing how large the links' errors are.
     """
 
     linear: Linear
     scales: Scales
     free: NDArray[np.bool_]
     covariance: Floats
+    by_link_sizes: Floats
     parts: dict[str, Floats]
     judgements: Judgements
     rounds: int
@@ -62,12 +66,18 @@ class Adjusted:
     def layout(self) -> Layout:
         return self.linear.at
 
+    @property
+    def uncertainty(self) -> Floats:
+        """(U, U) covariance of the state, all told."""
+        return np.asarray(self.covariance + self.by_link_sizes)
+
 
 def adjust(problem: Problem, start: State, known: Scales | None = None) -> Adjusted:
     """The most likely state for all that was seen, touched and certified.
 
     Lens terms that do not exceed their deviation clearly are held at zero, one group
-    after another. The noise's scales are told by the data, unless they are ``known``.
+    after another. The noise's scales are told by the data, unless they are ``known``; how
+    large the links' errors are is told so loosely that the uncertainty grows by it.
 
     Raises:
         Refusal: fewer observations than unknowns, or no minimum found.
@@ -88,7 +98,16 @@ def adjust(problem: Problem, start: State, known: Scales | None = None) -> Adjus
         if _alike(again, judgements):
             break
         judgements = again
-    return replace(found, linear=linear, judgements=judgements)
+    found = replace(found, linear=linear, judgements=judgements)
+    return found if known else _with_link_sizes(found)
+
+
+def _with_link_sizes(found: Adjusted) -> Adjusted:
+    """With what not knowing the sizes of the links' errors adds, where there are links."""
+    if not len(found.state.links):
+        return found
+    more = by_link_sizes(normal(found.linear, found.judgements), found.scales, found.free)
+    return replace(found, by_link_sizes=more)
 
 
 def _judged(linear: Linear) -> Judgements:
@@ -177,7 +196,8 @@ def _settled(
             break
         largest = float(np.max(np.abs(step[free]) / np.sqrt(np.diag(covariance)[free])))
         if largest < SETTLED and turn > 0:
-            return Adjusted(linear, scales, free, covariance, parts, judgements, turn + 1)
+            sure = np.zeros_like(covariance)
+            return Adjusted(linear, scales, free, covariance, sure, parts, judgements, turn + 1)
         linear = linearise(linear.problem, at, linear.state.moved(step, at))
     raise unsettled()
 

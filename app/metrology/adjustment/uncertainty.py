@@ -127,7 +127,8 @@ def sources(found: Adjusted) -> dict[str, Floats]:
     """The covariance (U, U) split by what caused it.
 
     Each kind of observation causes ``C N C`` of it, N its part of the normal matrix;
-    distortion is what not knowing the lens adds.
+    distortion is what not knowing the lens adds, and the arm's geometry counts with what is
+    not known of the size of its errors.
     """
     N = np.sum(list(found.parts.values()), axis=0)
     known_lens = found.free.copy()
@@ -138,6 +139,7 @@ def sources(found: Adjusted) -> dict[str, Floats]:
         for source, names in BUDGET
     }
     split["distortion"] = found.covariance - C
+    split["arm geometry"] = split["arm geometry"] + found.by_link_sizes
     return split
 
 
@@ -172,7 +174,7 @@ def uncertainty_map(found: Adjusted, T_cam_sensor: Floats) -> UncertaintyMap:
     usable &= (in_cam[:, 2] > near - margin) & (in_cam[:, 2] < far + margin)
     uv, in_cam = uv[usable], in_cam[usable]
     J = by_sensor(state, uv)
-    u_um = 1e3 * np.sqrt(_squares(J, found.covariance[SENSOR, SENSOR]))
+    u_um = 1e3 * np.sqrt(_squares(J, found.uncertainty[SENSOR, SENSOR]))
     calibrated = (in_cam[:, 2] >= near) & (in_cam[:, 2] <= far)
     return UncertaintyMap(uv, apply(inverse(T_cam_sensor), in_cam), u_um, calibrated)
 
@@ -182,7 +184,7 @@ def plane_uncertainty(found: Adjusted, volume: Volume) -> PlaneUncertainty:
     across = plane_of(found.state, volume)
     J = np.einsum("i,gik->gk", across.normal, by_sensor(found.state, volume.uv_px))
     line = across.line @ J  # (2, 17)
-    C = line @ found.covariance[SENSOR, SENSOR] @ line.T
+    C = line @ found.uncertainty[SENSOR, SENSOR] @ line.T
     return PlaneUncertainty(
         float(np.degrees(np.sqrt(C[1, 1])) * 3600), float(1e3 * np.sqrt(C[0, 0]))
     )
@@ -242,4 +244,4 @@ def _by_names(found: Adjusted, T_cam_sensor: Floats, pivot_mm: Floats) -> Floats
     M[at + 2, PLANE.start + 2] = 1.0
     probe = np.linalg.inv(about(pivot_mm)) @ carried(state.T_flange_cam)
     M[at + 3 :, MOUNT] = probe
-    return np.asarray(M @ found.covariance[SENSOR, SENSOR] @ M.T)
+    return np.asarray(M @ found.uncertainty[SENSOR, SENSOR] @ M.T)

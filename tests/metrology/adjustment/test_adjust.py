@@ -66,7 +66,7 @@ def test_the_budget_adds_up_to_the_covariance(draw: Draw) -> None:
     assert set(parts) == {name for name, _ in BUDGET} | {"distortion"}
     np.testing.assert_allclose(
         np.sum(list(parts.values()), axis=0)[SENSOR, SENSOR],
-        found.covariance[SENSOR, SENSOR],
+        found.uncertainty[SENSOR, SENSOR],
         rtol=1e-6,
         atol=1e-12,
     )
