@@ -171,7 +171,7 @@ def _accept(state: CalibrationState, live: Live, args: Args) -> str:
         return ""
     if result.usable_um is not None and result.total_um > result.usable_um:
         return f"{result.total_um:.0f} µm; usable is at most {result.usable_um:.0f} µm."
-    return seen.findings[0].text
+    return "It should not be used: the findings say why."
 
 
 def _back(state: CalibrationState, live: Live, args: Args) -> str:

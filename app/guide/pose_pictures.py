@@ -65,7 +65,7 @@ def _pose(
     action: Action | None,
 ) -> PosePicture:
     found = drawing or looked_at
-    used = row is not None and row.used
+    used = row is not None and row.used and not capture.gone
     return PosePicture(
         number=capture.number,
         state=_state(capture, row),

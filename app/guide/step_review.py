@@ -2,6 +2,7 @@
 
 from app.guide.body import Body, geometry, offer
 from app.guide.live import Live
+from app.guide.outcome import Outcome
 from app.guide.pose_pictures import pose_pictures
 from app.guide.state import CalibrationState
 from app.guide.steps_picture import solve_step
@@ -32,9 +33,15 @@ def review_step(state: CalibrationState, live: Live) -> Body:
             "neutral" if stale else result.verdict,
             "Of before: the poses were changed since." if stale else result.verdict_text,
         ),
-        findings=[*_changes(state, result), *seen.findings] if stale else seen.findings,
+        findings=[*_changes(state, result), *_beside_the_number(seen)] if stale else seen.findings,
         actions=_actions(state, live, result, stale),
     )
+
+
+def _beside_the_number(seen: Outcome) -> list[Finding]:
+    """Those that are not about the number, which is of before."""
+    text = seen.result.verdict_text if seen.result else ""
+    return [finding for finding in seen.findings if not text.startswith(finding.text)]
 
 
 def _instruction(state: CalibrationState, result: CalibrationResult, stale: bool) -> str:

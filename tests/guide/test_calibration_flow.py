@@ -229,10 +229,9 @@ def test_a_bad_calibration_cannot_be_accepted(
     arm: Arm, block: Crenellated, contacts: list[tuple[str, dict[str, object]]]
 ) -> None:
     state = solved_state(contacts)
-    bad = replace(outcome("bad"), findings=[Finding("bad", "The laser moved.")])
-    view = view_of(state, live_of(state, arm, block, seen=bad))
+    view = view_of(state, live_of(state, arm, block, seen=outcome("bad")))
     assert isinstance(view.picture, ResultPicture)
-    assert action(view, "accept").why_not == "The laser moved."
+    assert action(view, "accept").why_not == "It should not be used: the findings say why."
     assert action(view, "repeat").primary
     view = view_of(state, live_of(state, arm, block, seen=outcome("attention")))
     assert action(view, "accept").enabled
@@ -267,6 +266,8 @@ def test_a_pose_set_aside_in_the_review_makes_the_result_of_before(
     view, picture = shown(("pose_voided", {"number": 1}))
     assert picture.stale
     assert [pose.state for pose in picture.poses] == ["aside", "used"]
+    assert [pose.note for pose in picture.poses] == ["Set aside", ""]
+    assert [pose.edges_rms_px for pose in picture.poses] == [None, 0.1]
     assert view.findings[0].text.startswith("Pose 1 is set aside")
     assert action(view, "solve").primary
     assert action(view, "solve").enabled

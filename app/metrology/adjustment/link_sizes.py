@@ -3,7 +3,8 @@
 One set of contacts tells the size of turns and of shifts to half of their value or so. With
 the likeliest size alone the covariance would be believed as if that were certain; what the
 result moves by from size to size, each counted by how well it explains all that was measured,
-adds to it (Kass and Steffey 1989, for hierarchical models in general).
+adds to it (Kass and Steffey 1989, their first order, for hierarchical models in general). The
+covariance itself stays that of the size told.
 """
 
 from dataclasses import replace

@@ -25,7 +25,7 @@ SHOWN_STRIPE_POINTS = 60
 
 @dataclass(frozen=True)
 class PoseResult:
-    """One pose: residuals where it was used, ``reason`` where it was left out.
+    """One pose: residuals where it was used, ``reason`` where it, or its laser line, was left out.
 
     ``off_um`` is how far the arm's noise had to move the object for this pose to agree;
     ``corners_px`` are measured minus projected, by name, and ``corners_at_px`` where each was

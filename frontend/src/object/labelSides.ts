@@ -6,15 +6,20 @@ interface Spot {
   at: [number, number];
 }
 
-/** On which side of its point each label stands, so that no two cover each other. */
-export function labelSides(spots: Spot[], label: { wide: number; tall: number }): Map<number, Side> {
+/**
+ * On which side of its point each label stands, so that none covers another where there is a
+ * side for it, and none ends beyond the edges at ``edge`` to the left and right of 0.
+ */
+export function labelSides(spots: Spot[], label: { wide: number; tall: number }, edge = Infinity): Map<number, Side> {
   const taken: [number, number][] = [];
   const sides = new Map<number, Side>();
   for (const { index, at } of [...spots].sort((a, b) => b.at[0] - a.at[0])) {
     const [x, y] = at;
+    const within = (left: number) => left > -edge && left + label.wide < edge;
     const free = (left: number) =>
-      taken.every(([u, v]) => Math.abs(u - left) > label.wide || Math.abs(v - y) > label.tall);
-    const side = free(x) || !free(x - label.wide) ? "right" : "left";
+      within(left) && taken.every(([u, v]) => Math.abs(u - left) > label.wide || Math.abs(v - y) > label.tall);
+    const left = !free(x) && (free(x - label.wide) || (!within(x) && within(x - label.wide)));
+    const side = left ? "left" : "right";
     taken.push([side === "right" ? x : x - label.wide, y]);
     sides.set(index, side);
   }

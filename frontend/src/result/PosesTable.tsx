@@ -7,7 +7,7 @@ import { t } from "../state/language";
 import { lookAtPose } from "../state/store";
 import styles from "./PosesTable.module.css";
 
-/** Every pose that was taken: how it fits, or why it does not count; to look at, or to set aside. */
+/** Every pose that was taken: how it fits, or why it does not count; of a laser line, that it does not; to look at, or to set aside. */
 export function PosesTable({ poses }: { poses: PosePicture[] }) {
   const acts = poses.some(({ action }) => action);
   return (
@@ -54,7 +54,7 @@ function Figures({ pose: { note, edges_rms_px, stripe_rms_px, off_um } }: { pose
   return (
     <>
       <td>{figures(edges_rms_px, 3)}</td>
-      <td>{stripe_rms_px === null ? "–" : figures(stripe_rms_px, 3)}</td>
+      <td>{stripe_rms_px === null ? t("left out") : figures(stripe_rms_px, 3)}</td>
       <td>{lengthFigures(off_um, "µm")}</td>
     </>
   );

@@ -20,7 +20,7 @@ export function tablesOf(result: CalibrationResult): TableData[] {
       head: [words("Pose"), { words: words("Edges"), unit: "px" }, { words: words("Stripe"), unit: "px" }, { words: words("Off"), unit: "µm" }],
       rows: result.poses.map((p) =>
         p.used
-          ? [String(p.number), amount(p.edges_rms_px, 3), p.stripe_rms_px === null ? "–" : amount(p.stripe_rms_px, 3), amount(p.off_um, 0, "µm")]
+          ? [String(p.number), amount(p.edges_rms_px, 3), p.stripe_rms_px === null ? { plain: "left out", shown: t("left out") } : amount(p.stripe_rms_px, 3), amount(p.off_um, 0, "µm")]
           : [String(p.number), { plain: `left out: ${p.reason}`, shown: t("left out: {reason}", { reason: p.reason }) }, "", ""],
       ),
     },

@@ -39,14 +39,15 @@ interface PlotProps {
 
 /** The gauge in millimetres; dots and labels in pixels of the screen, however small it is drawn. */
 function Plot({ radius_mm, placed }: PlotProps) {
-  const { ref: plot, height: height_px } = useElementSize();
+  const { ref: plot, width, height } = useElementSize();
   const worst = Math.max(...placed.map(({ residual_um }) => Math.abs(residual_um ?? 0)));
   const end = roundEnd(worst, "µm", 5, 1000);
   const reach = radius_mm ?? Math.max(...placed.flatMap(({ at }) => at.map(Math.abs)));
   const half = 1.3 * reach;
-  const px = (2 * half) / (height_px || 400);
+  const px = (2 * half) / (Math.min(width, height) || 400);
   const dot = LABEL_PX.dot * px;
-  const sides = labelSides(placed, { wide: LABEL_PX.wide * px, tall: LABEL_PX.tall * px });
+  const room = width > height ? half * (width / height) : half;
+  const sides = labelSides(placed, { wide: LABEL_PX.wide * px, tall: LABEL_PX.tall * px }, room);
   return (
     <div className={styles.view}>
       <svg ref={plot} className={styles.plot} viewBox={`${-half} ${-half} ${2 * half} ${2 * half}`} role="img" aria-label={t("Touches, seen from above")}>
