@@ -22,6 +22,16 @@ CanvasRenderingContext2D.prototype.drawImage = function (...given) {
 """
 """When pictures were drawn, in ms of the clock that the tests have too."""
 
+BREAKING = """
+const real = window.fetch;
+window.fetch = async (path, init) => {
+  if (!window.breaking || init?.method !== "POST") return real(path, init);
+  const gone = new DOMException("signal timed out", "TimeoutError");
+  return new Response(new ReadableStream({ start: body => body.error(gone) }));
+};
+"""
+"""While ``window.breaking``, answers to what is sent break off after their heads."""
+
 SEEN = """button => {
   const { left, right, top, bottom } = button.getBoundingClientRect();
   return [left + 6, (left + right) / 2, right - 6]
@@ -93,3 +103,22 @@ def test_stop_is_whole_on_a_phone(
         stop.tap()
     assert answered.value.status == 204
     page.close()
+
+
+def test_an_answer_that_breaks_off_is_told_as_none(browser: Browser, station: Demo) -> None:
+    page = browser.new_page(viewport={"width": 1440, "height": 900})
+    faults: list[str] = []
+    page.on("pageerror", lambda error: faults.append(str(error)))
+    page.add_init_script(BREAKING)
+    page.goto(station.link)
+    page.get_by_role("link", name="Calibrate").click()
+    begin = page.get_by_role("button", name="Start calibration")
+    expect(begin).to_be_visible()
+    page.evaluate("window.breaking = true")
+    begin.click()
+    expect(page.get_by_text("No answer from the station")).to_be_visible()
+    page.evaluate("window.breaking = false")
+    begin.click()
+    expect(page.get_by_text("Step 1 of 7").first).to_be_visible()
+    page.close()
+    assert not faults

@@ -16,9 +16,9 @@ export class NoAnswer extends Error {}
 
 const ANSWER_WITHIN_MS = 10_000;
 
-async function readProblem(answer: Response): Promise<Problem> {
+function problemOf(status: number, text: string): Problem {
   try {
-    const problem = (await answer.json()) as Partial<Problem>;
+    const problem = JSON.parse(text) as Partial<Problem>;
     if (typeof problem.title === "string") {
       return { type: "", detail: "", code: "", remedy: "", ...problem } as Problem;
     }
@@ -27,37 +27,40 @@ async function readProblem(answer: Response): Promise<Problem> {
   }
   return {
     type: "about:blank",
-    title: t("The station refused with status {status}", { status: answer.status }),
-    status: answer.status,
+    title: t("The station refused with status {status}", { status }),
+    status,
     detail: t("Nothing was changed here."),
     code: "http",
     remedy: t("Try again; if it stays so, look at the station's log."),
   };
 }
 
-async function request(path: string, init: RequestInit): Promise<Response> {
+/** The text of an answer, whole: one that breaks off on its way is none. */
+async function request(path: string, init: RequestInit): Promise<string> {
   let answer: Response;
+  let text: string;
   try {
     answer = await fetch(path, { ...init, signal: AbortSignal.timeout(ANSWER_WITHIN_MS) });
+    text = await answer.text();
   } catch {
     throw new NoAnswer(path);
   }
-  if (!answer.ok) throw new Refused(await readProblem(answer));
-  return answer;
+  if (!answer.ok) throw new Refused(problemOf(answer.status, text));
+  return text;
 }
 
 /** What is there, its sentences in this browser's language. */
 export async function get<T>(path: string): Promise<T> {
-  return spoken((await (await request(path, { method: "GET" })).json()) as T);
+  return spoken(JSON.parse(await request(path, { method: "GET" })) as T);
 }
 
 export async function post<T>(path: string, body: unknown = {}): Promise<T | null> {
-  const answer = await request(path, {
+  const text = await request(path, {
     method: "POST",
     headers: { "Content-Type": "application/json" },
     body: JSON.stringify(body),
   });
-  return bodyOf<T>(answer);
+  return parsed<T>(text);
 }
 
 /**
@@ -74,10 +77,9 @@ export async function postOnce<T>(path: string, command: { key: string }): Promi
 
 /** Asks for something to be taken away. */
 export async function drop<T>(path: string): Promise<T | null> {
-  return bodyOf<T>(await request(path, { method: "DELETE" }));
+  return parsed<T>(await request(path, { method: "DELETE" }));
 }
 
-async function bodyOf<T>(answer: Response): Promise<T | null> {
-  const text = await answer.text();
+function parsed<T>(text: string): T | null {
   return text ? (JSON.parse(text) as T) : null;
 }
