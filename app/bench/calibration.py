@@ -141,8 +141,7 @@ def bound(reference: Draw, scales: Scales) -> Adjusted:
     free = np.ones(at.count, dtype=np.bool_)
     free[np.arange(LENS.start, LENS.stop)] = state.camera.distortion[:4] != 0
     covariance = embedded(np.sum(list(parts.values()), axis=0), free)
-    sure = np.zeros_like(covariance)
-    return Adjusted(linear, scales, free, covariance, sure, parts, judgements, 0)
+    return Adjusted(linear, scales, free, covariance, parts, judgements, 0, scales_told=False)
 
 
 def _all(count: int) -> Judgement:

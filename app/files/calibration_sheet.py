@@ -31,11 +31,9 @@ from app.metrology.adjustment.joint import JointCalibration
 from app.metrology.adjustment.uncertainty import NAMES, Known
 from app.metrology.alignment import Alignment
 from app.metrology.camera import Camera
-from app.metrology.findings import Finding, Quality
+from app.metrology.findings import Finding
 from app.metrology.laser_plane import LaserPlane
 from app.metrology.one_pose import OnePoseCalibration
-
-QUALITIES: tuple[Quality, ...] = ("neutral", "good", "attention", "bad")
 
 
 @dataclass(frozen=True)
@@ -127,15 +125,10 @@ def verdict_part(found: Sequence[Finding]) -> Verdict:
         for finding in found
     )
     return Verdict(
-        quality=worst_of([finding.quality for finding in findings]),
+        quality=findings[0].quality,
         text=findings[0].text.rstrip("."),
         findings=findings,
     )
-
-
-def worst_of(qualities: Sequence[Quality]) -> Quality:
-    """The worst of some qualities; good where there are none."""
-    return max(qualities, key=QUALITIES.index, default="good")
 
 
 def _faces(alignment: Alignment) -> list[FacePart]:

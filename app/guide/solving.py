@@ -7,7 +7,7 @@ import numpy as np
 
 from app.files.calibrate import joint_inputs, origin_of
 from app.files.calibration import CalibrationFile, calibration_in
-from app.files.calibration_sheet import joint_sheet, worst_of
+from app.files.calibration_sheet import joint_sheet
 from app.files.session import read_session
 from app.guide.journal import Calibration
 from app.guide.live import Chosen
@@ -213,7 +213,7 @@ def _result(
     residuals, known = sheet.residuals, result.known
     assert residuals is not None
     return CalibrationResult(
-        verdict=worst_of([finding.quality for finding in result.findings]),
+        verdict=result.findings[0].quality,
         verdict_text=_verdict(result.findings),
         reprojection_rms_px=residuals.reprojection_rms_px,
         laser_plane_rms_um=result.stripe_rms_um,

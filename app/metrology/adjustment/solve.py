@@ -1,7 +1,7 @@
 """The most likely values of all unknowns: Gauss-Newton, weights and scales judged on the way."""
 
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cached_property, partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,17 +42,17 @@ class Adjusted:
 
     ``parts`` splits the normal matrix by ``linear.SOURCES``; ``free`` (U,) are the
     unknowns that were not held (lens terms that are not significant are held at zero).
-    ``by_link_sizes`` (U, U) is what comes beside of not knowing how large the links' errors are.
+    ``scales_told`` is whether the data told the scales; they were known before otherwise.
     """
 
     linear: Linear
     scales: Scales
     free: NDArray[np.bool_]
     covariance: Floats
-    by_link_sizes: Floats
     parts: dict[str, Floats]
     judgements: Judgements
     rounds: int
+    scales_told: bool
 
     @property
     def problem(self) -> Problem:
@@ -65,6 +65,13 @@ class Adjusted:
     @property
     def layout(self) -> Layout:
         return self.linear.at
+
+    @cached_property
+    def by_link_sizes(self) -> Floats:
+        """(U, U) what comes beside of not knowing how large the links' errors are."""
+        if not (self.scales_told and len(self.state.links)):
+            return np.zeros_like(self.covariance)
+        return by_link_sizes(normal(self.linear, self.judgements), self.scales, self.free)
 
     @property
     def uncertainty(self) -> Floats:
@@ -98,16 +105,7 @@ def adjust(problem: Problem, start: State, known: Scales | None = None) -> Adjus
         if _alike(again, judgements):
             break
         judgements = again
-    found = replace(found, linear=linear, judgements=judgements)
-    return found if known else _with_link_sizes(found)
-
-
-def _with_link_sizes(found: Adjusted) -> Adjusted:
-    """With what not knowing the sizes of the links' errors adds, where there are links."""
-    if not len(found.state.links):
-        return found
-    more = by_link_sizes(normal(found.linear, found.judgements), found.scales, found.free)
-    return replace(found, by_link_sizes=more)
+    return replace(found, linear=linear, judgements=judgements)
 
 
 def _judged(linear: Linear) -> Judgements:
@@ -196,8 +194,8 @@ def _settled(
             break
         largest = float(np.max(np.abs(step[free]) / np.sqrt(np.diag(covariance)[free])))
         if largest < SETTLED and turn > 0:
-            sure = np.zeros_like(covariance)
-            return Adjusted(linear, scales, free, covariance, sure, parts, judgements, turn + 1)
+            told = rounds_of_scales > 0
+            return Adjusted(linear, scales, free, covariance, parts, judgements, turn + 1, told)
         linear = linearise(linear.problem, at, linear.state.moved(step, at))
     raise unsettled()
 

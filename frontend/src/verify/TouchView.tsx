@@ -46,8 +46,7 @@ function Plot({ radius_mm, placed }: PlotProps) {
   const half = 1.3 * reach;
   const px = (2 * half) / (Math.min(width, height) || 400);
   const dot = LABEL_PX.dot * px;
-  const room = width > height ? half * (width / height) : half;
-  const sides = labelSides(placed, { wide: LABEL_PX.wide * px, tall: LABEL_PX.tall * px }, room);
+  const sides = labelSides(placed, { wide: LABEL_PX.wide * px, tall: LABEL_PX.tall * px }, (px * width) / 2);
   return (
     <div className={styles.view}>
       <svg ref={plot} className={styles.plot} viewBox={`${-half} ${-half} ${2 * half} ${2 * half}`} role="img" aria-label={t("Touches, seen from above")}>
