@@ -4,9 +4,11 @@ import numpy as np
 
 from app.metrology.camera import project
 from app.metrology.crenellated import Crenellated
+from app.metrology.detection.edge_ends import ends_elsewhere
+from app.metrology.detection.edge_overrun import overrun
 from app.metrology.detection.edge_parts import astray, parts_of, without_odd_ones
 from app.metrology.detection.edge_sizes import shifts
-from app.metrology.detection.edge_strays import missized, overrun
+from app.metrology.detection.edge_strays import missized
 from app.metrology.detection.edge_survey import Survey
 from app.metrology.detection.locate import Search
 from app.metrology.detection.objection import Objection, elsewhere
@@ -50,8 +52,14 @@ def judged(grey: Floats, found: Survey, certificate_mm: float) -> tuple[Survey, 
     parts = parts_of(found, certificate_mm)
     if not parts:
         return found, Objection("too few of its edges could be measured")
-    against = _shifted(found, certificate_mm) or missized(grey, found) or overrun(grey, found)
-    return found, against or astray(found, parts, certificate_mm)
+    against = (
+        _shifted(found, certificate_mm)
+        or ends_elsewhere(grey, found)
+        or missized(grey, found)
+        or overrun(grey, found)
+        or astray(found, parts, certificate_mm)
+    )
+    return found, against
 
 
 def _shifted(found: Survey, certificate_mm: float) -> Objection | None:

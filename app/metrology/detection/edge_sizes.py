@@ -71,6 +71,16 @@ def planes(frame: Wireframe) -> list[tuple[int, float, tuple[int, ...]]]:
     return found
 
 
+def lines_along_x(frame: Wireframe, kinds: tuple[str, ...]) -> list[list[int]]:
+    """Edges along X, those in one line together, from the left to the right."""
+    lines: dict[tuple[str, str], list[int]] = {}
+    for edge, name in enumerate(frame.names):
+        words = name.split(":")
+        if words[0] in kinds and words[-1] in ("front", "back"):
+            lines.setdefault((words[0], words[-1]), []).append(edge)
+    return list(lines.values())
+
+
 def shifts(found: Survey, certificate_mm: float) -> list[Shift]:
     """How far each plane seems shifted; none where the edges tell nothing of it.
 

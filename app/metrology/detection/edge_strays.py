@@ -1,6 +1,6 @@
 """What the picture shows elsewhere than where the certificate puts it."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import cv2
 import numpy as np
@@ -9,13 +9,10 @@ from numpy.typing import NDArray
 from app.metrology.camera import project
 from app.metrology.detection.edge_points import Stations, profiles, stations
 from app.metrology.detection.edge_sizes import planes
-from app.metrology.detection.edge_step import chosen, measure
 from app.metrology.detection.edge_survey import Survey
-from app.metrology.detection.objection import Objection, elsewhere, in_words
+from app.metrology.detection.objection import Objection, elsewhere
 from app.metrology.frames import Floats
 
-# Lines of the block are judged by at least so many points of their kind.
-_ENOUGH = 6
 # By how much, in mm, a size may be thought wrong, and what is too little to be told so, px.
 _FURTHEST_MM, _NEAREST_PX = 2.6, 1.6
 # Stations are so far apart; lines are followed over so many of them.
@@ -38,12 +35,6 @@ _LENGTH_PX = 25.0
 _STRAIGHT_PX = 1.5
 # Gaussian: a step of height a blurred by s is a / (s sqrt(2 pi)) steep.
 _ROOT_TWO_PI = 2.5066
-# How far beyond the block's ends its lines are followed, over its length; how many stations
-# in a row, every two pixels, must see one go on, for which share of the way: for most of it
-# where tool marks run beside it, which are looked for so many px away.
-_BEYOND = 0.3
-_IN_A_ROW, _OF_THE_WAY, _MOST_OF_THE_WAY = 8, 0.3, 0.6
-_BESIDE_PX = (*range(-24, -5, 3), *range(6, 25, 3))
 
 
 def missized(grey: Floats, found: Survey) -> Objection | None:
@@ -197,105 +188,3 @@ def _share(there: NDArray[np.bool_], length: Floats, rows: NDArray[np.bool_]) ->
     """Share of some stations' length at which a line lies."""
     total = float(length[rows].sum())
     return float(length[rows & there].sum()) / total if total > _LENGTH_PX else 0.0
-
-
-def overrun(grey: Floats, found: Survey) -> Objection | None:
-    """An edge that goes on beyond its certificate's end, if any.
-
-    Along X an edge must end at its corners, and beyond the block's two ends nothing
-    may run on in the same line.
-
-    Args:
-        grey: (H, W) the picture, NaN where it must not count.
-        found: the edges measured in it.
-    """
-    at, frame = found.at, found.frame
-    names = np.array(frame.names)
-    lines: dict[tuple[str, str], list[int]] = {}
-    for edge, name in enumerate(frame.names):
-        words = name.split(":")
-        if words[0] in ("crest", "floor", "base") and words[-1] in ("front", "back"):
-            lines.setdefault((words[0], words[-1]), []).append(edge)
-    for edges in lines.values():
-        own = found.used & np.isin(at.edge, edges)
-        if own.sum() < _ENOUGH:
-            continue
-        step = float(np.median(found.step[own]))
-        row = int(np.flatnonzero(own)[0])
-        begin, end = frame.starts_mm[edges], frame.ends_mm[edges]
-        # Halfway to the next edge in the line; a good way beyond the last.
-        after = np.append((begin[1:, 0] - end[:-1, 0]) / 2, _BEYOND * (end[-1, 0] - begin[0, 0]))
-        before = np.append(after[-1], after[:-1])
-        for k, edge in enumerate(edges):
-            ways = ((end[k], after[k], "right"), (begin[k], -before[k], "left"))
-            for corner, reach_mm, side in ways:
-                beyond = _beyond(found, corner, reach_mm, row)
-                if _runs_on(grey, found, beyond, step):
-                    what = in_words(names[edge])
-                    return Objection(f"{what} goes on beyond its {side} end", True, (edge,))
-    return None
-
-
-def _runs_on(grey: Floats, found: Survey, beyond: Stations, step: float) -> bool:
-    """Whether a step like an edge's own is seen at enough stations (every 2 px) in a row."""
-    seen = measure(grey, beyond, found.blur_px)
-    like = np.abs(seen.offset_px) < _STRAIGHT_PX / 2
-    like &= np.abs(seen.step - step) < np.minimum(0.4 * abs(step), abs(step) - 6 * seen.step_sigma)
-    if not _in_a_row(like, _OF_THE_WAY):
-        return False
-    return _in_a_row(like, _MOST_OF_THE_WAY) or not _marked(grey, found, beyond, step)
-
-
-def _in_a_row(like: NDArray[np.bool_], share: float) -> bool:
-    """Whether so many neighbouring stations, for this share of the way, are alike."""
-    row = max(_IN_A_ROW, int(share * len(like)))
-    if len(like) < row:
-        return False
-    streak = np.convolve(like.astype(np.int64), np.ones(row, dtype=np.int64), "valid")
-    return bool(streak.max() == row)
-
-
-def _marked(grey: Floats, found: Survey, beyond: Stations, step: float) -> bool:
-    """Whether lines as strong as the one at some stations run beside it as well: tool marks."""
-    for away in _BESIDE_PX:
-        beside = replace(beyond, uv_px=beyond.uv_px + away * beyond.normal)
-        seen = measure(grey, beside, found.blur_px)
-        there = np.abs(seen.offset_px) < _STRAIGHT_PX / 2
-        there &= np.abs(seen.step) > np.maximum(0.6 * abs(step), 6 * seen.step_sigma)
-        if _in_a_row(there, _OF_THE_WAY):
-            return True
-    return False
-
-
-def _beyond(found: Survey, corner: Floats, reach_mm: float, row: int) -> Stations:
-    """Stations every 2 px along X from beyond a corner (3,) as far as ``reach_mm``."""
-    ends = project(found.camera, np.array([corner, corner + [reach_mm, 0.0, 0.0]]))
-    length = float(np.hypot(*(ends[1] - ends[0])))
-    clear = found.at.half_length_px + 3 * found.blur_px + 2
-    if length < clear + 2 * _IN_A_ROW:
-        return chosen(found.at, np.zeros(len(found.at.edge), dtype=bool))
-    share = np.arange(clear, length, 2.0)[:, None] / length
-    points = corner + share * np.array([reach_mm, 0.0, 0.0])
-    return _stations_at(found, points, np.array([1.0, 0.0, 0.0]), row)
-
-
-def _stations_at(found: Survey, points_mm: Floats, along_mm: Floats, row: int) -> Stations:
-    """Stations at points (N, 3) on the line of an edge, as far as they are in the picture."""
-    camera = found.camera
-    uv = project(camera, points_mm)
-    step = project(camera, points_mm + 1e-3 * along_mm) - uv
-    tangent = step / np.linalg.norm(step, axis=1, keepdims=True)
-    normal = np.column_stack([-tangent[:, 1], tangent[:, 0]])
-    limit = np.array([camera.width_px, camera.height_px]) - 1
-    count = len(points_mm)
-    at = replace(
-        found.at,
-        edge=np.full(count, found.at.edge[row]),
-        part=np.full(count, found.at.part[row]),
-        points_mm=points_mm,
-        uv_px=uv,
-        normal=normal,
-        room_px=np.full((count, 2), np.inf),
-        length_px=np.ones(count),
-    )
-    return chosen(at, np.all((uv > 0) & (uv < limit), axis=1))

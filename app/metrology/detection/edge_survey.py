@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.camera import Camera
+from app.metrology.camera import Camera, project
 from app.metrology.detection.edge_fit import NO_DISTORTION, WITH_K1, WITH_K2, fit_edges, residuals
 from app.metrology.detection.edge_points import Stations, block_ahead, search, stations
 from app.metrology.detection.edge_scatter import scatter
@@ -129,6 +129,31 @@ def without(found: Survey, parts: list[int], certificate_mm: float) -> Survey | 
     left_out = np.isin(found.at.part, parts)
     again = replace(found, shows=found.shows & ~left_out)
     return _with_significant_lens(again, certificate_mm)
+
+
+def stations_at(found: Survey, points_mm: Floats, along_mm: Floats, row: int) -> Stations:
+    """Stations at points (N, 3) in the line of an edge, as far as they are in the picture.
+
+    ``along_mm`` (3,): the way the line runs; ``row``: of a station on the edge itself.
+    """
+    camera = found.camera
+    uv = project(camera, points_mm)
+    step = project(camera, points_mm + 1e-3 * along_mm) - uv
+    tangent = step / np.linalg.norm(step, axis=1, keepdims=True)
+    normal = np.column_stack([-tangent[:, 1], tangent[:, 0]])
+    limit = np.array([camera.width_px, camera.height_px]) - 1
+    count = len(points_mm)
+    at = replace(
+        found.at,
+        edge=np.full(count, found.at.edge[row]),
+        part=np.full(count, found.at.part[row]),
+        points_mm=points_mm,
+        uv_px=uv,
+        normal=normal,
+        room_px=np.full((count, 2), np.inf),
+        length_px=np.ones(count),
+    )
+    return chosen(at, np.all((uv > 0) & (uv < limit), axis=1))
 
 
 def _blur(masked: Floats, frame: Wireframe, camera: Camera, blur: float) -> tuple[float, float]:

@@ -1,0 +1,199 @@
+"""Where the block's edges along X end in the picture: at their certificate's corners?
+
+An edge that ends elsewhere tells of a wrong size where the edges of the shifted plane
+itself are hidden: by faces of equal brightness, or lost among shadows' borders.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.metrology.camera import project
+from app.metrology.detection.edge_points import Stations, profiles
+from app.metrology.detection.edge_sizes import lines_along_x, planes
+from app.metrology.detection.edge_step import chosen
+from app.metrology.detection.edge_survey import Survey, stations_at
+from app.metrology.detection.objection import Objection, elsewhere
+from app.metrology.detection.visibility import seen
+from app.metrology.frames import Floats
+
+# Lines of the block are judged by at least so many points of their kind.
+_ENOUGH = 6
+# By how much, in mm, a corner may be thought wrong, and what is too little to be told so, px;
+# an edge is followed by so many px more than that to either side.
+_FURTHEST_MM, _NEAREST_PX, _FURTHER_PX = 2.6, 5.0, 14.0
+# An edge is where its step is at least this share of its usual one, and not where it is less
+# than that; its usual one stands out so many times from what lies beside it.
+_THERE, _GONE, _OVER_BESIDE = 0.6, 0.3, 4.0
+# Of what is followed, this share may be otherwise on the edge's side of its end, and beyond;
+# so many px must be known of either, the edge's light gathered along so many.
+_LESS, _MORE, _KNOWN_PX, _ALONG_PX = 0.1, 0.15, 6, 5
+# An end that is hidden, and so is unclear by more than this beyond what the blur leaves, is none.
+_UNCLEAR_PX = 3.0
+# Ends are the same, moved, where they are moved alike to so many px, or to this share.
+_ALIKE_PX, _ALIKE = 4.0, 0.15
+# A share of an edge that is rounding.
+_ROUNDING = 1e-6
+# Of the way to the next edge in the line, how much is the edge's own.
+_OWN_WAY = 0.6
+
+
+@dataclass(frozen=True)
+class _End:
+    """Where an edge seems to end: ``by_mm`` along X from its plane at ``at_mm``; ``moved``:
+    that is more than the picture leaves unclear."""
+
+    at_mm: float
+    by_mm: float
+    px_per_mm: float
+    moved: bool
+
+    @property
+    def by_px(self) -> float:
+        return abs(self.by_mm) * self.px_per_mm
+
+
+def ends_elsewhere(grey: Floats, found: Survey) -> Objection | None:
+    """A size along X that the picture shows to be another, as edges end elsewhere, if any.
+
+    One edge may be cut short by anything that lies before it. Crests and base are not in the
+    block's own shadow; where two of their edges end at one other place, and no more where
+    they should, the plane that ends them lies there.
+
+    Args:
+        grey: (H, W) the picture, NaN where it must not count.
+        found: the edges measured in it.
+    """
+    everywhere = [end for way in _ways(found) if (end := _end(grey, found, way)) is not None]
+    for axis, at_mm, edges in planes(found.frame):
+        ends = [end for end in everywhere if axis == 0 and end.at_mm == at_mm]
+        moved = [end for end in ends if end.moved]
+        together = max((_alike(end, moved) for end in moved), key=len, default=[])
+        if len(together) > 1 and len(together) > len(ends) - len(moved):
+            by_mm = float(np.mean([end.by_mm for end in together]))
+            by_px = max(end.by_px for end in together)
+            return elsewhere(found.frame.names[edges[0]], abs(by_mm), by_px, edges)
+    return None
+
+
+def _alike(end: _End, others: list[_End]) -> list[_End]:
+    """The ends that are moved by as much as one of them."""
+    near_mm = max(_ALIKE_PX, _ALIKE * end.by_px) / end.px_per_mm
+    return [one for one in others if abs(one.by_mm - end.by_mm) < near_mm]
+
+
+@dataclass(frozen=True)
+class _Way:
+    """The way along an edge through its corner (3,), which lies ``outward`` (1 or -1) along X."""
+
+    edge: int
+    corner_mm: Floats
+    outward: float
+    within_mm: float
+    beyond_mm: float
+
+
+def _ways(found: Survey) -> Iterator[_Way]:
+    """Through every corner in sight of the edges of crests and base along X."""
+    frame = found.frame
+    parts = seen(frame, found.camera.centre_mm)
+    for line in lines_along_x(frame, ("crest", "base")):
+        for k, edge in enumerate(line):
+            begin, end = frame.starts_mm[edge], frame.ends_mm[edge]
+            length = end[0] - begin[0]
+            before = begin[0] - frame.ends_mm[line[k - 1]][0] if k > 0 else np.inf
+            after = frame.starts_mm[line[k + 1]][0] - end[0] if k + 1 < len(line) else np.inf
+            for one in np.flatnonzero(parts.edge == edge):
+                shown = (parts.end[one] - parts.start[one]) * length
+                if parts.start[one] < _ROUNDING:
+                    yield _Way(edge, begin, -1.0, shown, _OWN_WAY * before)
+                if parts.end[one] > 1.0 - _ROUNDING:
+                    yield _Way(edge, end, 1.0, shown, _OWN_WAY * after)
+
+
+def _end(grey: Floats, found: Survey, way: _Way) -> _End | None:
+    """Where the edge ends on its way; None where the picture does not tell."""
+    out = np.array([way.outward, 0.0, 0.0])
+    ends = project(found.camera, np.array([way.corner_mm - 0.05 * out, way.corner_mm + 0.05 * out]))
+    px_per_mm = 10.0 * float(np.hypot(*(ends[1] - ends[0])))
+    own = np.flatnonzero(found.used & (found.at.edge == way.edge))
+    furthest_px = _FURTHEST_MM * px_per_mm
+    if len(own) < _ENOUGH or furthest_px < 2 * _NEAREST_PX:
+        return None
+    most = furthest_px + _FURTHER_PX
+    within_px, beyond_px = (
+        min(way.within_mm * px_per_mm, most),
+        min(way.beyond_mm * px_per_mm, most),
+    )
+    along = np.arange(np.ceil(-within_px), beyond_px)
+    points = way.corner_mm + along[:, None] / px_per_mm * out
+    at = stations_at(found, points, np.array([1.0, 0.0, 0.0]), int(own[0]))
+    if len(at.edge) < 2 * _KNOWN_PX:
+        return None
+    along = (at.points_mm - way.corner_mm) @ out * px_per_mm
+    own_step, _ = _contrast(grey, chosen(found.at, own), found.blur_px)
+    height = _median(own_step)
+    step, beside = _contrast(grey, at, found.blur_px)
+    usual = 1.4826 * _median(np.abs([_gathered(one) for one in beside]))
+    if not abs(height) > _OVER_BESIDE * usual:
+        return None
+    clear_px = 3.0 + 1.5 * max(1.0, found.blur_px)
+    by_px = _stops(along, _gathered(step) / height, clear_px, furthest_px)
+    if by_px is None:
+        return None
+    moved = abs(by_px) > max(_NEAREST_PX, clear_px)
+    return _End(float(way.corner_mm[0]), way.outward * by_px / px_per_mm, px_per_mm, moved)
+
+
+def _median(values: Floats) -> float:
+    """Of those known; NaN where none is."""
+    known = values[np.isfinite(values)]
+    return float(np.median(known)) if len(known) else np.nan
+
+
+def _contrast(grey: Floats, at: Stations, blur_px: float) -> tuple[Floats, Floats]:
+    """By how much it is brighter on one side of stations (N,) than on the other, grey levels,
+    and the same (2, N) where no edge is looked for, to either side of them."""
+    far = int(np.ceil(1.0 + blur_px))
+    levels = profiles(grey, at.uv_px, at.normal, 3 * far)[:, :: 2 * far].T
+    steps = np.diff(levels, axis=0)
+    return steps[1], steps[[0, 2]]
+
+
+def _gathered(step: Floats) -> Floats:
+    """Means (N,) over neighbours; NaN where too few are known."""
+    known = np.isfinite(step)
+    near = np.ones(_ALONG_PX)
+    total = np.convolve(np.where(known, step, 0.0), near, "same")
+    count = np.convolve(known.astype(np.float64), near, "same")
+    return np.where(count > _ALONG_PX / 2, total / np.maximum(count, 1.0), np.nan)
+
+
+def _stops(along_px: Floats, share: Floats, clear_px: float, furthest_px: float) -> float | None:
+    """How far along its way an edge ends, of which there is so much (N,) at every px.
+
+    The place that leaves least of it beyond, and least of it wanting before. None where
+    neither side can be told, much speaks against every place, or as little for many.
+    """
+    there = np.where(share > _THERE, 1.0, np.where(share < _GONE, 0.0, 0.5))
+    known = np.isfinite(share)
+    best: list[float] = []
+    least = np.inf
+    for at_px in np.arange(-np.floor(furthest_px), furthest_px):
+        off = along_px - at_px
+        within = known & (off < -clear_px) & (off > -clear_px - furthest_px)
+        beyond = known & (off > clear_px) & (off < clear_px + furthest_px)
+        if min(within.sum(), beyond.sum()) < _KNOWN_PX:
+            continue
+        wanting, left = 1.0 - there[within], there[beyond]
+        wrong = float(wanting.sum() + left.sum())
+        if wrong > least:
+            continue
+        if wrong < least:
+            least, best = wrong, []
+        if wanting.mean() < _LESS and left.mean() < _MORE:
+            best.append(float(at_px))
+    if not best or best[-1] - best[0] > 2 * clear_px + _UNCLEAR_PX:
+        return None
+    return float(np.mean(best))

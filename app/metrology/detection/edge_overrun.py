@@ -1,0 +1,99 @@
+"""Edges of the block that run on beyond where the certificate ends them."""
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.camera import project
+from app.metrology.detection.edge_points import Stations
+from app.metrology.detection.edge_sizes import lines_along_x
+from app.metrology.detection.edge_step import chosen, measure
+from app.metrology.detection.edge_survey import Survey, stations_at
+from app.metrology.detection.objection import Objection, in_words
+from app.metrology.frames import Floats
+
+# An edge's step is told from at least so many of its points.
+_ENOUGH = 6
+# How far a line may run beside an edge, in px, and be the edge's.
+_STRAIGHT_PX = 1.5
+# How far beyond the block's ends its lines are followed, over its length; how many stations
+# in a row, every two pixels, must see one go on, for which share of the way: for most of it
+# where tool marks run beside it, which are looked for so many px away.
+_BEYOND = 0.3
+_IN_A_ROW, _OF_THE_WAY, _MOST_OF_THE_WAY = 8, 0.3, 0.6
+_BESIDE_PX = (*range(-24, -5, 3), *range(6, 25, 3))
+
+
+def overrun(grey: Floats, found: Survey) -> Objection | None:
+    """An edge that goes on beyond its certificate's end, if any.
+
+    Along X an edge must end at its corners, and beyond the block's two ends nothing
+    may run on in the same line.
+
+    Args:
+        grey: (H, W) the picture, NaN where it must not count.
+        found: the edges measured in it.
+    """
+    at, frame = found.at, found.frame
+    for edges in lines_along_x(frame, ("crest", "floor", "base")):
+        own = found.used & np.isin(at.edge, edges)
+        if own.sum() < _ENOUGH:
+            continue
+        step = float(np.median(found.step[own]))
+        row = int(np.flatnonzero(own)[0])
+        begin, end = frame.starts_mm[edges], frame.ends_mm[edges]
+        # Halfway to the next edge in the line; a good way beyond the last.
+        after = np.append((begin[1:, 0] - end[:-1, 0]) / 2, _BEYOND * (end[-1, 0] - begin[0, 0]))
+        before = np.append(after[-1], after[:-1])
+        for k, edge in enumerate(edges):
+            ways = ((end[k], after[k], "right"), (begin[k], -before[k], "left"))
+            for corner, reach_mm, side in ways:
+                beyond = _beyond(found, corner, reach_mm, row)
+                if _runs_on(grey, found, beyond, step):
+                    what = in_words(frame.names[edge])
+                    return Objection(f"{what} goes on beyond its {side} end", True, (edge,))
+    return None
+
+
+def _runs_on(grey: Floats, found: Survey, beyond: Stations, step: float) -> bool:
+    """Whether a step like an edge's own is seen at enough stations (every 2 px) in a row."""
+    seen = measure(grey, beyond, found.blur_px)
+    like = np.abs(seen.offset_px) < _STRAIGHT_PX / 2
+    like &= np.abs(seen.step - step) < np.minimum(0.4 * abs(step), abs(step) - 6 * seen.step_sigma)
+    if not _in_a_row(like, _OF_THE_WAY):
+        return False
+    return _in_a_row(like, _MOST_OF_THE_WAY) or not _marked(grey, found, beyond, step)
+
+
+def _in_a_row(like: NDArray[np.bool_], share: float) -> bool:
+    """Whether so many neighbouring stations, for this share of the way, are alike."""
+    row = max(_IN_A_ROW, int(share * len(like)))
+    if len(like) < row:
+        return False
+    streak = np.convolve(like.astype(np.int64), np.ones(row, dtype=np.int64), "valid")
+    return bool(streak.max() == row)
+
+
+def _marked(grey: Floats, found: Survey, beyond: Stations, step: float) -> bool:
+    """Whether lines as strong as the one at some stations run beside it as well: tool marks."""
+    for away in _BESIDE_PX:
+        beside = replace(beyond, uv_px=beyond.uv_px + away * beyond.normal)
+        seen = measure(grey, beside, found.blur_px)
+        there = np.abs(seen.offset_px) < _STRAIGHT_PX / 2
+        there &= np.abs(seen.step) > np.maximum(0.6 * abs(step), 6 * seen.step_sigma)
+        if _in_a_row(there, _OF_THE_WAY):
+            return True
+    return False
+
+
+def _beyond(found: Survey, corner: Floats, reach_mm: float, row: int) -> Stations:
+    """Stations every 2 px along X from beyond a corner (3,) as far as ``reach_mm``."""
+    ends = project(found.camera, np.array([corner, corner + [reach_mm, 0.0, 0.0]]))
+    length = float(np.hypot(*(ends[1] - ends[0])))
+    clear = found.at.half_length_px + 3 * found.blur_px + 2
+    if length < clear + 2 * _IN_A_ROW:
+        return chosen(found.at, np.zeros(len(found.at.edge), dtype=bool))
+    share = np.arange(clear, length, 2.0)[:, None] / length
+    points = corner + share * np.array([reach_mm, 0.0, 0.0])
+    return stations_at(found, points, np.array([1.0, 0.0, 0.0]), row)
