@@ -2,7 +2,7 @@ import { t } from "../state/language";
 import { clearNotice } from "../state/notices";
 import { spoken } from "../state/spoken";
 import { tell } from "./commands";
-import { drop, post } from "./http";
+import { drop, get, post } from "./http";
 import type { BackupState, Notifications, Scraper } from "./watchTypes";
 
 async function done<T>(act: () => Promise<T | null>, whatWas: string): Promise<T | null> {
@@ -32,6 +32,9 @@ export const changeNotifications = (change: NotificationsChange) =>
 
 export const tryNotifications = () =>
   done(() => post<Notifications>("/api/notifications/test"), t("nothing was sent"));
+
+export const readNotifications = () =>
+  done(() => get<Notifications>("/api/notifications"), t("what became of the message is not known here"));
 
 export const addScraper = (name: string) =>
   done(() => post<Scraper>("/api/scrapers", { name }), t("no token was made"));

@@ -1,7 +1,7 @@
 import { useEffect, useState } from "react";
 
 import { get } from "../api/http";
-import { changeNotifications, tryNotifications } from "../api/watchCommands";
+import { changeNotifications, readNotifications, tryNotifications } from "../api/watchCommands";
 import type { Notifications } from "../api/watchTypes";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
@@ -82,9 +82,9 @@ function ByWebhook() {
     put(await changeNotifications({ url, secret: secret || null, done, fault, due }));
   };
   const tryOut = async () => {
-    await tryNotifications();
+    if (!(await tryNotifications())) return;
     await new Promise((resolve) => setTimeout(resolve, 1500));
-    put(await get<Notifications>("/api/notifications"));
+    put(await readNotifications());
   };
   return (
     <>
