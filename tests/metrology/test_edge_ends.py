@@ -69,6 +69,14 @@ def test_a_thing_over_one_corner_is_no_wrong_size(shown, other_end_shows):
     assert ends_elsewhere(grey, surveyed(shown, grey, shown.block)) is None
 
 
+def test_broken_edges_that_shorten_all_alike_are_no_wrong_size(shown):
+    grey = shown.image.astype(float)
+    block = shown.block
+    outward = np.where(np.arange(len(block.edges_x_mm)) % 2, 0.6, -0.6)
+    longer = replace(block, edges_x_mm=tuple(np.array(block.edges_x_mm) + outward))
+    assert ends_elsewhere(grey, surveyed(shown, grey, longer)) is None
+
+
 def test_an_edge_that_vanishes_in_what_lies_behind_it_tells_nothing(shown):
     """The whole picture one grey but for noise: there are no ends to be found."""
     grey = shown.image.astype(float)

@@ -59,13 +59,16 @@ def ends_elsewhere(grey: Floats, found: Survey) -> Objection | None:
 
     One edge may be cut short by anything that lies before it. Crests and base are not in the
     block's own shadow; where two of their edges end at one other place, and no more where
-    they should, the plane that ends them lies there.
+    they should, the plane that ends them lies there. Broken edges cut all of them short alike:
+    where most end elsewhere nothing is told by it.
 
     Args:
         grey: (H, W) the picture, NaN where it must not count.
         found: the edges measured in it.
     """
     everywhere = [end for way in _ways(found) if (end := _end(grey, found, way)) is not None]
+    if 2 * sum(end.moved for end in everywhere) > len(everywhere):
+        return None
     for axis, at_mm, edges in planes(found.frame):
         ends = [end for end in everywhere if axis == 0 and end.at_mm == at_mm]
         moved = [end for end in ends if end.moved]
