@@ -31,6 +31,8 @@ _THERE, _GONE, _OVER_BESIDE = 0.6, 0.3, 4.0
 _LESS, _MORE, _KNOWN_PX, _ALONG_PX = 0.1, 0.15, 6, 5
 # An end that is hidden, and so is unclear by more than this beyond what the blur leaves, is none.
 _UNCLEAR_PX = 3.0
+# Where an edge ends, its light is mixed with what lies beyond for so many px and blurs.
+_CLEAR_PX, _CLEAR_BLURS = 3.0, 1.5
 # Ends are the same, moved, where they are moved alike to so many px, or to this share.
 _ALIKE_PX, _ALIKE = 4.0, 0.15
 # A share of an edge that is rounding.
@@ -118,35 +120,40 @@ def _ways(found: Survey) -> Iterator[_Way]:
 def _end(grey: Floats, found: Survey, way: _Way) -> _End | None:
     """Where the edge ends on its way; None where the picture does not tell."""
     out = np.array([way.outward, 0.0, 0.0])
-    ends = project(found.camera, np.array([way.corner_mm - 0.05 * out, way.corner_mm + 0.05 * out]))
+    ends = project(found.camera, way.corner_mm + np.array([[-0.05], [0.05]]) * out)
     px_per_mm = 10.0 * float(np.hypot(*(ends[1] - ends[0])))
-    own = np.flatnonzero(found.used & (found.at.edge == way.edge))
     furthest_px = _FURTHEST_MM * px_per_mm
+    own = np.flatnonzero(found.used & (found.at.edge == way.edge))
     if len(own) < _ENOUGH or furthest_px < 2 * _NEAREST_PX:
         return None
-    most = furthest_px + _FURTHER_PX
-    within_px, beyond_px = (
-        min(way.within_mm * px_per_mm, most),
-        min(way.beyond_mm * px_per_mm, most),
-    )
-    along = np.arange(np.ceil(-within_px), beyond_px)
-    points = way.corner_mm + along[:, None] / px_per_mm * out
-    at = stations_at(found, points, np.array([1.0, 0.0, 0.0]), int(own[0]))
+    at = _along(found, way, px_per_mm, int(own[0]))
     if len(at.edge) < 2 * _KNOWN_PX:
         return None
-    along = (at.points_mm - way.corner_mm) @ out * px_per_mm
-    own_step, _ = _contrast(grey, chosen(found.at, own), found.blur_px)
-    height = _median(own_step)
+    on_edge, _ = _contrast(grey, chosen(found.at, own), found.blur_px)
     step, beside = _contrast(grey, at, found.blur_px)
-    usual = 1.4826 * _median(np.abs([_gathered(one) for one in beside]))
-    if not abs(height) > _OVER_BESIDE * usual:
+    usual, noise = _median(on_edge), _median(np.abs([_gathered(one) for one in beside])) / 0.6745
+    if not abs(usual) > _OVER_BESIDE * noise:
         return None
-    clear_px = 3.0 + 1.5 * max(1.0, found.blur_px)
-    by_px = _stops(along, _gathered(step) / height, clear_px, furthest_px)
+    along_px = (at.points_mm - way.corner_mm) @ out * px_per_mm
+    clear_px = _CLEAR_PX + _CLEAR_BLURS * max(1.0, found.blur_px)
+    by_px = _stops(along_px, _gathered(step) / usual, clear_px, furthest_px)
     if by_px is None:
         return None
     moved = abs(by_px) > max(_NEAREST_PX, clear_px)
     return _End(float(way.corner_mm[0]), way.outward * by_px / px_per_mm, px_per_mm, moved)
+
+
+def _along(found: Survey, way: _Way, px_per_mm: float, row: int) -> Stations:
+    """Stations every px along a way, as far as it is followed and in the picture.
+
+    ``row``: of a station on the edge itself.
+    """
+    most_px = _FURTHEST_MM * px_per_mm + _FURTHER_PX
+    first = -min(way.within_mm * px_per_mm, most_px)
+    last = min(way.beyond_mm * px_per_mm, most_px)
+    offset_mm = np.zeros((int(np.ceil(last - np.ceil(first))), 3))
+    offset_mm[:, 0] = way.outward * (np.ceil(first) + np.arange(len(offset_mm))) / px_per_mm
+    return stations_at(found, way.corner_mm + offset_mm, np.array([1.0, 0.0, 0.0]), row)
 
 
 def _median(values: Floats) -> float:
