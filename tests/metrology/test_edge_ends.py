@@ -27,7 +27,7 @@ def surveyed(shown: Rendered, grey: np.ndarray, block: Crenellated) -> Survey:
     return found
 
 
-def missized(block: Crenellated, edge: int, by_mm: float) -> Crenellated:
+def with_wrong_size(block: Crenellated, edge: int, by_mm: float) -> Crenellated:
     edges = list(block.edges_x_mm)
     edges[edge] += by_mm
     return replace(block, edges_x_mm=tuple(edges))
@@ -50,10 +50,13 @@ def test_a_block_that_is_as_its_certificate_says(shown):
 @pytest.mark.parametrize("by_mm", [-1.4, -0.9, 0.9, 1.4])
 def test_the_size_that_is_wrong_is_told_and_by_how_much(shown, edge, by_mm):
     grey = shown.image.astype(float)
-    found = surveyed(shown, grey, missized(shown.block, edge, by_mm))
+    found = surveyed(shown, grey, with_wrong_size(shown.block, edge, by_mm))
     against = ends_elsewhere(grey, found)
     assert against is not None
     assert against.definite
+    # Something over both ends of a crest shortens it as well; nothing makes it longer.
+    shorter = (by_mm > 0) == (edge % 2 == 1)
+    assert against.alone == (shorter and edge in (1, 4))
     wrong = f"crest:{edge // 2}:{'LR'[edge % 2]}"
     assert found.frame.names[against.edges[0]] == wrong
     px_per_mm = against.off_px / abs(by_mm)
@@ -77,9 +80,49 @@ def test_broken_edges_that_shorten_all_alike_are_no_wrong_size(shown):
     assert ends_elsewhere(grey, surveyed(shown, grey, longer)) is None
 
 
-def test_an_edge_that_vanishes_in_what_lies_behind_it_tells_nothing(shown):
-    """The whole picture one grey but for noise: there are no ends to be found."""
+@pytest.mark.parametrize("side", ["crest:1:R", "crest:3:R"])
+@pytest.mark.parametrize("level", [40.0, 128.0, 220.0])
+def test_things_over_both_ends_of_an_edge_that_shows_between_them(shown, side, level):
+    grey = covered(shown, shown.image.astype(float), f"{side}:front", level)
+    grey = covered(shown, grey, f"{side}:back", level)
+    assert ends_elsewhere(grey, surveyed(shown, grey, shown.block)) is None
+
+
+def striped(
+    shown: Rendered, side: str, left: int, right: int, level: float, askew: int = 0
+) -> np.ndarray:
+    """The picture with a strip along an upper edge of the block, from so many px left of it,
+    and ``askew`` more of them at its front."""
+    begin, end = (
+        project(shown.camera, corners(shown.block)[f"{side}:{at}"][None])[0]
+        for at in ("front", "back")
+    )
     grey = shown.image.astype(float)
-    found = surveyed(shown, grey, missized(shown.block, 1, 1.4))
-    flat = np.random.default_rng(0).normal(100.0, 1.0, grey.shape)
-    assert ends_elsewhere(flat, found) is None
+    rows = np.arange(int(end[1]) - 14, int(begin[1]) + 15)
+    columns = np.interp(rows, [end[1], begin[1]], [end[0], begin[0]])
+    further = np.linspace(0, askew, len(rows)).astype(int)
+    for row, column, more in zip(rows, columns, further, strict=True):
+        grey[row, round(column) - left - more : round(column) + right] = level
+    return grey
+
+
+def test_an_end_of_the_base_where_it_should_be_outweighs_crests_that_end_short(shown):
+    grey = striped(shown, "crest:3:R", 14, 15, 128.0)
+    assert ends_elsewhere(grey, surveyed(shown, grey, shown.block)) is None
+
+
+@pytest.mark.parametrize("askew", [0, 20])
+def test_a_strip_along_an_edge_is_no_wrong_size_where_the_floor_shows_it_in_place(shown, askew):
+    grey = striped(shown, "crest:1:R", 14, 15, 128.0, askew)
+    assert ends_elsewhere(grey, surveyed(shown, grey, shown.block)) is None
+
+
+def test_two_ends_moved_by_different_lengths_tell_nothing(shown):
+    grey = covered(shown, shown.image.astype(float), "crest:0:R:front")
+    found = surveyed(shown, grey, with_wrong_size(shown.block, 1, 0.9))
+    assert ends_elsewhere(grey, found) is None
+
+
+def test_ends_within_what_is_clipped_are_not_known(shown):
+    grey = striped(shown, "crest:1:R", 6, 36, np.nan)
+    assert ends_elsewhere(grey, surveyed(shown, grey, shown.block)) is None

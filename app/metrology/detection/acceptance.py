@@ -54,9 +54,9 @@ def judged(grey: Floats, found: Survey, certificate_mm: float) -> tuple[Survey, 
         return found, Objection("too few of its edges could be measured")
     against = (
         _shifted(found, certificate_mm)
-        or ends_elsewhere(grey, found)
         or missized(grey, found)
         or overrun(grey, found)
+        or ends_elsewhere(grey, found)
         or astray(found, parts, certificate_mm)
     )
     return found, against

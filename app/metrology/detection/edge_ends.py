@@ -5,13 +5,13 @@ itself are hidden: by faces of equal brightness, or lost among shadows' borders.
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from app.metrology.camera import project
 from app.metrology.detection.edge_points import Stations, profiles
-from app.metrology.detection.edge_sizes import lines_along_x, planes
+from app.metrology.detection.edge_sizes import FURTHEST_MM, in_place, lines_along_x, planes
 from app.metrology.detection.edge_step import chosen
 from app.metrology.detection.edge_survey import Survey, stations_at
 from app.metrology.detection.objection import Objection, elsewhere
@@ -20,9 +20,9 @@ from app.metrology.frames import Floats
 
 # Lines of the block are judged by at least so many points of their kind.
 _ENOUGH = 6
-# By how much, in mm, a corner may be thought wrong, and what is too little to be told so, px;
-# an edge is followed by so many px more than that to either side.
-_FURTHEST_MM, _NEAREST_PX, _FURTHER_PX = 2.6, 5.0, 14.0
+# What is too little to be told as another size, px; an edge is followed by so many px more
+# than a size may be thought wrong, to either side.
+_NEAREST_PX, _FURTHER_PX = 5.0, 14.0
 # An edge is where its step is at least this share of its usual one, and not where it is less
 # than that; its usual one stands out so many times from what lies beside it.
 _THERE, _GONE, _OVER_BESIDE = 0.6, 0.3, 4.0
@@ -43,43 +43,55 @@ _OWN_WAY = 0.6
 
 @dataclass(frozen=True)
 class _End:
-    """Where an edge seems to end: ``by_mm`` along X from its plane at ``at_mm``; ``moved``:
-    that is more than the picture leaves unclear."""
+    """Where an edge seems to end: ``by_mm`` outward of its plane at ``at_mm``, as far as the
+    picture is clear, to ``unclear_px``."""
 
     at_mm: float
     by_mm: float
     px_per_mm: float
-    moved: bool
+    unclear_px: float
 
     @property
     def by_px(self) -> float:
         return abs(self.by_mm) * self.px_per_mm
 
+    @property
+    def moved(self) -> bool:
+        return self.by_px > self.unclear_px
+
 
 def ends_elsewhere(grey: Floats, found: Survey) -> Objection | None:
     """A size along X that the picture shows to be another, as edges end elsewhere, if any.
 
-    One edge may be cut short by anything that lies before it. Crests and base are not in the
-    block's own shadow; where two of their edges end at one other place, and no more where
-    they should, the plane that ends them lies there. Broken edges cut all of them short alike:
-    where most end elsewhere nothing is told by it.
+    One edge may be cut short by anything that lies before it. Where two edges of crests and
+    base end at one other place, none where it should, and no edge in the plane that ends them
+    is seen in its place, that plane lies there. Broken edges cut all of them short alike: so
+    each is compared with the others of the block.
 
     Args:
         grey: (H, W) the picture, NaN where it must not count.
         found: the edges measured in it.
     """
-    everywhere = [end for way in _ways(found) if (end := _end(grey, found, way)) is not None]
-    if 2 * sum(end.moved for end in everywhere) > len(everywhere):
-        return None
+    everywhere = _beyond_others(
+        [end for way in _ways(found) if (end := _end(grey, found, way)) is not None]
+    )
     for axis, at_mm, edges in planes(found.frame):
         ends = [end for end in everywhere if axis == 0 and end.at_mm == at_mm]
         moved = [end for end in ends if end.moved]
         together = max((_alike(end, moved) for end in moved), key=len, default=[])
-        if len(together) > 1 and len(together) > len(ends) - len(moved):
+        if len(together) > 1 and len(moved) == len(ends) and not in_place(found, edges, axis):
             by_mm = float(np.mean([end.by_mm for end in together]))
             by_px = max(end.by_px for end in together)
-            return elsewhere(found.frame.names[edges[0]], abs(by_mm), by_px, edges)
+            # What lies over two ends shortens both alike; nothing makes an edge longer.
+            alone = by_mm < 0 and len(together) < 3
+            return elsewhere(found.frame.names[edges[0]], abs(by_mm), by_px, edges, alone)
     return None
+
+
+def _beyond_others(ends: list[_End]) -> list[_End]:
+    """Where ends lie beside where most do."""
+    usual_mm = float(np.median([end.by_mm for end in ends])) if ends else 0.0
+    return [replace(end, by_mm=end.by_mm - usual_mm) for end in ends]
 
 
 def _alike(end: _End, others: list[_End]) -> list[_End]:
@@ -90,7 +102,10 @@ def _alike(end: _End, others: list[_End]) -> list[_End]:
 
 @dataclass(frozen=True)
 class _Way:
-    """The way along an edge through its corner (3,), which lies ``outward`` (1 or -1) along X."""
+    """The way along an edge through its corner (3,), which lies ``outward`` (1 or -1) along X.
+
+    ``within_mm``: as far as the edge is in sight; ``beyond_mm``: as far as no other edge is.
+    """
 
     edge: int
     corner_mm: Floats
@@ -122,7 +137,7 @@ def _end(grey: Floats, found: Survey, way: _Way) -> _End | None:
     out = np.array([way.outward, 0.0, 0.0])
     ends = project(found.camera, way.corner_mm + np.array([[-0.05], [0.05]]) * out)
     px_per_mm = 10.0 * float(np.hypot(*(ends[1] - ends[0])))
-    furthest_px = _FURTHEST_MM * px_per_mm
+    furthest_px = FURTHEST_MM * px_per_mm
     own = np.flatnonzero(found.used & (found.at.edge == way.edge))
     if len(own) < _ENOUGH or furthest_px < 2 * _NEAREST_PX:
         return None
@@ -139,8 +154,8 @@ def _end(grey: Floats, found: Survey, way: _Way) -> _End | None:
     by_px = _stops(along_px, _gathered(step) / usual, clear_px, furthest_px)
     if by_px is None:
         return None
-    moved = abs(by_px) > max(_NEAREST_PX, clear_px)
-    return _End(float(way.corner_mm[0]), way.outward * by_px / px_per_mm, px_per_mm, moved)
+    unclear_px = max(_NEAREST_PX, clear_px)
+    return _End(float(way.corner_mm[0]), by_px / px_per_mm, px_per_mm, unclear_px)
 
 
 def _along(found: Survey, way: _Way, px_per_mm: float, row: int) -> Stations:
@@ -148,7 +163,7 @@ def _along(found: Survey, way: _Way, px_per_mm: float, row: int) -> Stations:
 
     ``row``: of a station on the edge itself.
     """
-    most_px = _FURTHEST_MM * px_per_mm + _FURTHER_PX
+    most_px = FURTHEST_MM * px_per_mm + _FURTHER_PX
     first = -min(way.within_mm * px_per_mm, most_px)
     last = min(way.beyond_mm * px_per_mm, most_px)
     offset_mm = np.zeros((int(np.ceil(last - np.ceil(first))), 3))

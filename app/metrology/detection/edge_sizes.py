@@ -30,6 +30,11 @@ _LEFT_BLURS = 0.03
 _TELLING_POINTS, _TELLING_PX = 4, 2.0
 # Pieces further off than this many deviations weigh less (Huber), and rounds of that.
 _HUBER, _ROUNDS = 2.5, 3
+# By how much, in mm, a size may be thought wrong.
+FURTHEST_MM = 2.6
+# An edge is where it should be where at least so many of its points, and this share of them,
+# lie within so many px of it, and might be moved by twice that were the size wrong.
+_A_FEW, _MOST_OF_IT, _IN_PLACE_PX = 4, 0.6, 1.6
 
 
 @dataclass(frozen=True)
@@ -79,6 +84,23 @@ def lines_along_x(frame: Wireframe, kinds: tuple[str, ...]) -> list[list[int]]:
         if words[0] in kinds and words[-1] in ("front", "back"):
             lines.setdefault((words[0], words[-1]), []).append(edge)
     return list(lines.values())
+
+
+def in_place(found: Survey, edges: tuple[int, ...], axis: int) -> int:
+    """How many of a plane's edges are seen, all but whole, where the certificate puts them.
+
+    Only those count that a shift of the plane would move in the picture.
+    """
+    at = found.at
+    count = 0
+    for edge in edges:
+        rows = np.flatnonzero(at.edge == edge)
+        ahead = project(found.camera, at.points_mm[rows] + 0.1 * np.eye(3)[axis]) - at.uv_px[rows]
+        px_per_mm = 10.0 * np.abs((ahead * at.normal[rows]).sum(axis=1))
+        there = found.used[rows] & (np.abs(found.off_px[rows]) < _IN_PLACE_PX)
+        there &= px_per_mm * FURTHEST_MM > 2 * _IN_PLACE_PX
+        count += int(there.sum()) >= max(_A_FEW, _MOST_OF_IT * len(rows))
+    return count
 
 
 def shifts(found: Survey, certificate_mm: float) -> list[Shift]:

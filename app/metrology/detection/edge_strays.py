@@ -8,13 +8,13 @@ from numpy.typing import NDArray
 
 from app.metrology.camera import project
 from app.metrology.detection.edge_points import Stations, profiles, stations
-from app.metrology.detection.edge_sizes import planes
+from app.metrology.detection.edge_sizes import FURTHEST_MM, in_place, planes
 from app.metrology.detection.edge_survey import Survey
 from app.metrology.detection.objection import Objection, elsewhere
 from app.metrology.frames import Floats
 
-# By how much, in mm, a size may be thought wrong, and what is too little to be told so, px.
-_FURTHEST_MM, _NEAREST_PX = 2.6, 1.6
+# What is too little to be told as another size, px.
+_NEAREST_PX = 1.6
 # Stations are so far apart; lines are followed over so many of them.
 _SPACING_PX, _AVERAGED = 3.0, 13
 # A line counts by its height over the edges' usual one, and over what lies beside it.
@@ -27,8 +27,6 @@ _STANDS_OUT, _FREE, _HERE = 0.15, 0.4, 0.25
 _APART_PX = 6.0
 # Share of one edge, or of each of two, that shows there.
 _MOST_OF_IT, _PART_OF_IT = 0.6, 0.3
-# Points of an edge that say it is there.
-_A_FEW = 4
 # Length, px, that the edges of a size must have in the picture to say anything.
 _LENGTH_PX = 25.0
 # How far a line may run beside an edge, in px, and be the edge's.
@@ -51,7 +49,7 @@ def missized(grey: Floats, found: Survey) -> Objection | None:
     lines = _lines_about(grey, found)
     for axis, _, edges in planes(found.frame):
         rows = np.flatnonzero(np.isin(lines.at.edge, edges))
-        told = _elsewhere(found, lines, rows, axis, _in_place(found, edges, axis))
+        told = _elsewhere(found, lines, rows, axis, in_place(found, edges, axis))
         if told is not None:
             name = found.frame.names[lines.at.edge[rows[0]]]
             return elsewhere(name, abs(told.by_mm), told.by_px, edges, told.alone)
@@ -90,7 +88,7 @@ def _lines_about(grey: Floats, found: Survey) -> _Lines:
     at = stations(found.frame, found.camera, _SPACING_PX, _STRAIGHT_PX)
     depth = at.points_mm @ found.camera.rotation[2] + found.camera.translation_mm[2]
     px_per_mm = found.camera.matrix[0, 0] / float(np.median(depth))
-    reach = int(np.ceil(_FURTHEST_MM * px_per_mm)) + 2
+    reach = int(np.ceil(FURTHEST_MM * px_per_mm)) + 2
     slope = np.gradient(profiles(smooth, at.uv_px, at.normal, reach), axis=1)
     blur = float(np.hypot(found.blur_px, max(1.0, found.blur_px)))
     usual = float(np.median(np.abs(found.step[found.used]))) / (_ROOT_TWO_PI * blur)
@@ -118,30 +116,13 @@ def _averaged(slope: Floats) -> Floats:
     return np.asarray(total / np.maximum(share, 1e-3), dtype=np.float64)
 
 
-def _in_place(found: Survey, edges: tuple[int, ...], axis: int) -> int:
-    """How many of a plane's edges are seen, all but whole, where the certificate puts them.
-
-    Only those count that a shift of the plane would move in the picture.
-    """
-    at = found.at
-    count = 0
-    for edge in edges:
-        rows = np.flatnonzero(at.edge == edge)
-        ahead = project(found.camera, at.points_mm[rows] + 0.1 * np.eye(3)[axis]) - at.uv_px[rows]
-        px_per_mm = 10.0 * np.abs((ahead * at.normal[rows]).sum(axis=1))
-        there = found.used[rows] & (np.abs(found.off_px[rows]) < _NEAREST_PX)
-        there &= px_per_mm * _FURTHEST_MM > 2 * _NEAREST_PX
-        count += int(there.sum()) >= max(_A_FEW, _MOST_OF_IT * len(rows))
-    return count
-
-
 def _elsewhere(
-    found: Survey, lines: _Lines, rows: NDArray[np.int64], axis: int, in_place: int
+    found: Survey, lines: _Lines, rows: NDArray[np.int64], axis: int, staying: int
 ) -> _Elsewhere | None:
     """How far along an axis the edges at some stations lie elsewhere; None if they do not.
 
     Every shift of their plane moves each station's edge along its normal by a known amount.
-    ``in_place``: how many of the edges are seen where they should be; as many must lie
+    ``staying``: how many of the edges are seen where they should be; as many must lie
     elsewhere, and one more.
     """
     at = lines.at
@@ -149,13 +130,13 @@ def _elsewhere(
     ahead = project(found.camera, at.points_mm[rows] + 0.1 * along) - at.uv_px[rows]
     px_per_mm = 10.0 * (ahead * at.normal[rows]).sum(axis=1)
     length = at.length_px[rows]
-    telling = np.abs(px_per_mm) * _FURTHEST_MM > 2 * _NEAREST_PX
+    telling = np.abs(px_per_mm) * FURTHEST_MM > 2 * _NEAREST_PX
     if float(length[telling].sum()) < _LENGTH_PX:
         return None
     rows, px_per_mm, length = rows[telling], px_per_mm[telling], length[telling]
     fastest = float(np.abs(px_per_mm).max())
     reach = lines.there.shape[1] // 2
-    steps = np.arange(-_FURTHEST_MM, _FURTHEST_MM, 0.5 / fastest)
+    steps = np.arange(-FURTHEST_MM, FURTHEST_MM, 0.5 / fastest)
     away = np.rint(steps[:, None] * px_per_mm).astype(np.int64)
     column = np.clip(away + reach, 0, 2 * reach)
     free = lines.free[rows, column] & (np.abs(away) >= _NEAREST_PX)
@@ -172,7 +153,7 @@ def _elsewhere(
     like_edges = max(shows) > _MOST_OF_IT or sum(one > _PART_OF_IT for one in shows) > 1
     stands_out = like_edges and share[best] - here - second > _STANDS_OUT
     most = sum(one > _MOST_OF_IT for one in shows)
-    if most <= in_place and in_place > 0:
+    if most <= staying and staying > 0:
         return None
     several = most > 1
     told = (stands_out and here < _HERE * share[best]) or (several and here < share[best] / 2)
