@@ -13,7 +13,7 @@ from app.metrology.camera import project
 from app.metrology.detection.edge_points import Stations, profiles
 from app.metrology.detection.edge_sizes import FURTHEST_MM, in_place, lines_along_x, planes
 from app.metrology.detection.edge_step import chosen
-from app.metrology.detection.edge_survey import Survey, stations_at
+from app.metrology.detection.edge_survey import Survey, stations_along_x
 from app.metrology.detection.objection import Objection, elsewhere
 from app.metrology.detection.visibility import seen
 from app.metrology.frames import Floats
@@ -168,7 +168,7 @@ def _along(found: Survey, way: _Way, px_per_mm: float, row: int) -> Stations:
     last = min(way.beyond_mm * px_per_mm, most_px)
     offset_mm = np.zeros((int(np.ceil(last - np.ceil(first))), 3))
     offset_mm[:, 0] = way.outward * (np.ceil(first) + np.arange(len(offset_mm))) / px_per_mm
-    return stations_at(found, way.corner_mm + offset_mm, np.array([1.0, 0.0, 0.0]), row)
+    return stations_along_x(found, way.corner_mm + offset_mm, row)
 
 
 def _median(values: Floats) -> float:

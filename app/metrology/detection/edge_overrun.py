@@ -9,7 +9,7 @@ from app.metrology.camera import project
 from app.metrology.detection.edge_points import Stations
 from app.metrology.detection.edge_sizes import lines_along_x
 from app.metrology.detection.edge_step import chosen, measure
-from app.metrology.detection.edge_survey import Survey, stations_at
+from app.metrology.detection.edge_survey import Survey, stations_along_x
 from app.metrology.detection.objection import Objection, in_words
 from app.metrology.frames import Floats
 
@@ -96,4 +96,4 @@ def _beyond(found: Survey, corner: Floats, reach_mm: float, row: int) -> Station
         return chosen(found.at, np.zeros(len(found.at.edge), dtype=bool))
     share = np.arange(clear, length, 2.0)[:, None] / length
     points = corner + share * np.array([reach_mm, 0.0, 0.0])
-    return stations_at(found, points, np.array([1.0, 0.0, 0.0]), row)
+    return stations_along_x(found, points, row)

@@ -11,13 +11,15 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.camera import project
+from app.metrology.camera import Camera, project
 from app.metrology.detection.edge_fit import (
     WITH_K1,
     WITH_K2,
     held_rows,
     residuals_with_jacobian,
 )
+from app.metrology.detection.edge_points import Stations
+from app.metrology.detection.edge_step import chosen
 from app.metrology.detection.edge_survey import Survey
 from app.metrology.detection.visibility import Wireframe
 from app.metrology.frames import Floats
@@ -86,6 +88,12 @@ def lines_along_x(frame: Wireframe, kinds: tuple[str, ...]) -> list[list[int]]:
     return list(lines.values())
 
 
+def moves_px_per_mm(camera: Camera, at: Stations, axis: int) -> Floats:
+    """(N,) how far a shift along an axis moves each station's edge across, along its normal."""
+    ahead = project(camera, at.points_mm + 0.1 * np.eye(3)[axis]) - at.uv_px
+    return np.asarray(10.0 * (ahead * at.normal).sum(axis=1))
+
+
 def in_place(found: Survey, edges: tuple[int, ...], axis: int) -> int:
     """How many of a plane's edges are seen, all but whole, where the certificate puts them.
 
@@ -95,10 +103,9 @@ def in_place(found: Survey, edges: tuple[int, ...], axis: int) -> int:
     count = 0
     for edge in edges:
         rows = np.flatnonzero(at.edge == edge)
-        ahead = project(found.camera, at.points_mm[rows] + 0.1 * np.eye(3)[axis]) - at.uv_px[rows]
-        px_per_mm = 10.0 * np.abs((ahead * at.normal[rows]).sum(axis=1))
         there = found.used[rows] & (np.abs(found.off_px[rows]) < _IN_PLACE_PX)
-        there &= px_per_mm * FURTHEST_MM > 2 * _IN_PLACE_PX
+        moves = np.abs(moves_px_per_mm(found.camera, chosen(at, rows), axis))
+        there &= moves * FURTHEST_MM > 2 * _IN_PLACE_PX
         count += int(there.sum()) >= max(_A_FEW, _MOST_OF_IT * len(rows))
     return count
 

@@ -6,9 +6,9 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.camera import project
 from app.metrology.detection.edge_points import Stations, profiles, stations
-from app.metrology.detection.edge_sizes import FURTHEST_MM, in_place, planes
+from app.metrology.detection.edge_sizes import FURTHEST_MM, in_place, moves_px_per_mm, planes
+from app.metrology.detection.edge_step import chosen
 from app.metrology.detection.edge_survey import Survey
 from app.metrology.detection.objection import Objection, elsewhere
 from app.metrology.frames import Floats
@@ -126,9 +126,7 @@ def _elsewhere(
     elsewhere, and one more.
     """
     at = lines.at
-    along = np.eye(3)[axis]
-    ahead = project(found.camera, at.points_mm[rows] + 0.1 * along) - at.uv_px[rows]
-    px_per_mm = 10.0 * (ahead * at.normal[rows]).sum(axis=1)
+    px_per_mm = moves_px_per_mm(found.camera, chosen(at, rows), axis)
     length = at.length_px[rows]
     telling = np.abs(px_per_mm) * FURTHEST_MM > 2 * _NEAREST_PX
     if float(length[telling].sum()) < _LENGTH_PX:

@@ -131,14 +131,14 @@ def without(found: Survey, parts: list[int], certificate_mm: float) -> Survey | 
     return _with_significant_lens(again, certificate_mm)
 
 
-def stations_at(found: Survey, points_mm: Floats, along_mm: Floats, row: int) -> Stations:
-    """Stations at points (N, 3) in the line of an edge, as far as they are in the picture.
+def stations_along_x(found: Survey, points_mm: Floats, row: int) -> Stations:
+    """Stations at points (N, 3) in the line of an edge along X, as far as in the picture.
 
-    ``along_mm`` (3,): the way the line runs; ``row``: of a station on the edge itself.
+    What else lies about them is not known. ``row``: of a station on the edge itself.
     """
     camera = found.camera
     uv = project(camera, points_mm)
-    step = project(camera, points_mm + 1e-3 * along_mm) - uv
+    step = project(camera, points_mm + np.array([1e-3, 0.0, 0.0])) - uv
     tangent = step / np.linalg.norm(step, axis=1, keepdims=True)
     normal = np.column_stack([-tangent[:, 1], tangent[:, 0]])
     limit = np.array([camera.width_px, camera.height_px]) - 1
