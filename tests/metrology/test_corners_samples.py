@@ -73,6 +73,23 @@ def test_the_camera_may_be_rolled(samples, quarter):
     assert {c.name for c in rolled.corners} == {c.name for c in upright.corners}
 
 
+@pytest.mark.parametrize(("angle_deg", "zoom"), [(87.0, 1.0), (0.0, 1.18)])
+def test_merlons_of_one_pitch_are_read_from_the_right_side(samples, angle_deg, zoom):
+    session = samples / "one-pose"
+    image = picture_of(session, 0)
+    height, width = image.shape
+    M = cv2.getRotationMatrix2D(((width - 1) / 2, (height - 1) / 2), angle_deg, zoom)
+    moved = cv2.warpAffine(
+        image, M, (width, height), flags=cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE
+    )
+    upright = detect_object(image, block_of(session))
+    expected = {c.name: M @ [c.u, c.v, 1.0] for c in upright.corners}
+    found = detect_object(moved, block_of(session))
+    off = [np.hypot(*(expected[c.name] - [c.u, c.v])) for c in found.corners if c.name in expected]
+    assert len(off) >= 20
+    assert max(off) < 1.0
+
+
 @pytest.mark.parametrize("name", ["one-pose", "metal"])
 def test_wrong_readings_are_refused(samples, name):
     session = samples / name

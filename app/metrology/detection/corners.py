@@ -26,7 +26,7 @@ from app.metrology.detection.picture import (
     picture_findings,
 )
 from app.metrology.detection.stripe_mask import stripe_mask
-from app.metrology.detection.tries import NOT_TRIED, Tried, try_placings
+from app.metrology.detection.tries import NOT_TRIED, Placed, Tried, try_placings
 from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import Stripe
@@ -103,7 +103,7 @@ def detect_object(
     findings = picture_findings(ambient)
     lit = None if stripe is None or len(stripe.u) == 0 else stripe_mask(grey, stripe)
     tries: list[Tried] = []
-    declined: list[tuple[Camera, bool]] = []
+    declined: list[Placed] = []
     try:
         refusals.refuse_unusable(findings, clipped)
         hidden = clipped if lit is None else clipped | lit

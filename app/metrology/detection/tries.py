@@ -34,14 +34,30 @@ _MORE = 0.88
 
 
 @dataclass(frozen=True)
+class Placed:
+    """A placing: its camera for the full picture, and whether it shows the block mirrored.
+
+    ``shown_px``: length of its edges that the picture shows, where it was measured.
+    """
+
+    camera: Camera
+    mirrored: bool
+    shown_px: float = np.inf
+
+
+@dataclass(frozen=True)
 class Tried:
     """One attempt: the placings that the picture bears out, best first, or, where there are
-    none, the one that it does most (``nearest``) and what speaks against it."""
+    none, the one that it does most (``nearest``) and what speaks against it.
+
+    ``doubted``: whether the block may as well stand the other way round.
+    """
 
     found: Search
     good: list[tuple[Located, Survey]]
     nearest: Survey | None = None
     against: Objection | None = None
+    doubted: bool = False
 
     @property
     def measured(self) -> Survey | None:
@@ -75,10 +91,8 @@ class Tried:
 
     @property
     def more_than_one_way(self) -> bool:
-        """Whether another placing is as good, or the other way round one as well supported."""
-        best = self.good[0][0]
-        other_way = [one.support for one in self.found.found if one.mirrored != best.mirrored]
-        return len(self.good) > 1 or max(other_way, default=0.0) > _DOUBTFUL * best.support
+        """Whether another placing is as good, or the other way round may be."""
+        return len(self.good) > 1 or self.doubted
 
     @property
     def doubtful(self) -> bool:
@@ -95,47 +109,89 @@ def try_placings(
     found: Search,
     scale: float,
     block: Crenellated,
-    declined: list[tuple[Camera, bool]],
+    declined: list[Placed],
 ) -> Tried:
     """Measures the likeliest placings but those ``declined`` before, to which it adds."""
     if not found.found or found.found[0].support < _LEAST_SUPPORT:
         return Tried(found, [])
     best = found.found[0].support
-    blur_px = edge_blur_px(grey)
-    coarse_px, made_mm = max(3.0, 2.0 / scale), block.standard_uncertainty_mm
-    masked, smooth = np.where(hidden, np.nan, grey), softened(grey, coarse_px)
-    good: list[tuple[Located, Survey]] = []
-    rejected: list[tuple[Survey, Objection]] = []
-    for rival in found.found[:_RIVALS]:
-        start = _enlarged(rival.camera, scale, grey.shape)
-        known = [(measured.camera, one.mirrored) for one, measured in good]
-        if rival.support < _RIVAL * best or _among(start, rival.mirrored, known, block, _SAME):
-            continue
-        form = wireframe(mirrored(block) if rival.mirrored else block)
-        camera = pulled(smooth, form, start, coarse_px)
-        # Several starts may lead to one placing; it is measured once.
-        if camera is None or _among(camera, rival.mirrored, known, block, _SAME):
-            continue
-        if _among(camera, rival.mirrored, declined, block, _VERY_SAME):
-            continue
-        measured = survey(masked, form, camera, blur_px, made_mm)
-        if measured is None:
-            continue
-        measured, against = acceptance.judged(masked, measured, made_mm)
-        if against is not None:
-            rejected.append((measured, against))
-            declined.append((camera, rival.mirrored))
-        elif not _among(measured.camera, rival.mirrored, known, block, _SAME):
-            good.append((rival, measured))
-    good.sort(key=lambda one: -_shown_px(one[1]))
+    looks = _Looks(grey, hidden, scale, block, declined)
+    for rank, rival in enumerate(found.found):
+        # The other way round may be drawn as well by one that comes late.
+        if rival.support >= (_RIVAL if rank < _RIVALS else _DOUBTFUL) * best:
+            looks.at(rival)
+    good = sorted(looks.good, key=lambda one: -_shown_px(one[1]))
     if good:
-        enough = _MORE * _shown_px(good[0][1])
-        return Tried(found, [one for one in good if _shown_px(one[1]) >= enough])
+        enough_px = _MORE * _shown_px(good[0][1])
+        rivals = [one for one in good if _shown_px(one[1]) >= enough_px]
+        return Tried(found, rivals, doubted=looks.doubted(good[0][0], enough_px))
     # What hardly looks like the block says nothing against it either.
     if best < acceptance.LEAST_SUPPORT:
         return Tried(found, [])
-    nearest = max(rejected, key=lambda one: _shown_px(one[0]), default=(None, None))
+    nearest = max(looks.rejected, key=lambda one: _shown_px(one[0]), default=(None, None))
     return Tried(found, [], *nearest)
+
+
+class _Looks:
+    """The placings of one try as the full picture shows them: ``good``, or ``rejected``."""
+
+    def __init__(
+        self,
+        grey: Floats,
+        hidden: NDArray[np.bool_],
+        scale: float,
+        block: Crenellated,
+        declined: list[Placed],
+    ) -> None:
+        self._coarse_px = max(3.0, 2.0 / scale)
+        self._blur_px = edge_blur_px(grey)
+        self._masked = np.where(hidden, np.nan, grey)
+        self._smooth = softened(grey, self._coarse_px)
+        self._scale, self._block, self._declined = scale, block, declined
+        self._others: list[tuple[Located, float]] = []
+        self.good: list[tuple[Located, Survey]] = []
+        self.rejected: list[tuple[Survey, Objection]] = []
+
+    def at(self, rival: Located) -> None:
+        """Measures a placing, unless it was before."""
+        block, reverse = self._block, rival.mirrored
+        known = [Placed(one.camera, other.mirrored) for other, one in self.good]
+        start = _enlarged(rival.camera, self._scale, self._masked.shape)
+        if _like(start, reverse, known, block, _SAME):
+            return
+        form = wireframe(mirrored(block) if reverse else block)
+        camera = pulled(self._smooth, form, start, self._coarse_px)
+        if camera is None:
+            self._others.append((rival, np.inf))
+            return
+        # Several starts may lead to one placing; it is measured once.
+        before = _like(camera, reverse, self._declined, block, _VERY_SAME)
+        if before is not None:
+            self._others.append((rival, before.shown_px))
+        if before is not None or _like(camera, reverse, known, block, _SAME):
+            return
+        made_mm = block.standard_uncertainty_mm
+        measured = survey(self._masked, form, camera, self._blur_px, made_mm)
+        if measured is None:
+            self._others.append((rival, np.inf))
+            return
+        measured, against = acceptance.judged(self._masked, measured, made_mm)
+        if against is not None:
+            self.rejected.append((measured, against))
+            self._declined.append(Placed(camera, reverse, _shown_px(measured)))
+            self._others.append((rival, _shown_px(measured)))
+        elif not _like(measured.camera, reverse, known, block, _SAME):
+            self.good.append((rival, measured))
+
+    def doubted(self, best: Located, enough_px: float) -> bool:
+        """Whether the other way round is drawn about as well, and the full picture does not
+        show that it explains less: it could not be measured, or as much of it shows."""
+        return any(
+            one.mirrored != best.mirrored
+            and one.support > _DOUBTFUL * best.support
+            and shown_px >= enough_px
+            for one, shown_px in self._others
+        )
 
 
 def _shown_px(measured: Survey) -> float:
@@ -143,25 +199,18 @@ def _shown_px(measured: Survey) -> float:
     return float(measured.at.length_px[measured.used].sum())
 
 
-def _among(
-    camera: Camera,
-    reverse: bool,
-    placings: list[tuple[Camera, bool]],
-    block: Crenellated,
-    share: float,
-) -> bool:
-    """Whether a placing draws the crests where another does, to a share of the longer side.
-
-    A placing is a camera, and whether it shows the block mirrored.
-    """
+def _like(
+    camera: Camera, reverse: bool, placings: list[Placed], block: Crenellated, share: float
+) -> Placed | None:
+    """The placing that draws the crests where another does, to a share of the longer side."""
     points = np.array([at for name, at in corners_of(block).items() if name.startswith("crest")])
-    for other, other_reverse in placings:
-        if other_reverse != reverse:
+    for other in placings:
+        if other.mirrored != reverse:
             continue
-        apart = project(camera, points) - project(other, points)
+        apart = project(camera, points) - project(other.camera, points)
         if np.hypot(*apart.T).max() < share * max(camera.width_px, camera.height_px):
-            return True
-    return False
+            return other
+    return None
 
 
 def _enlarged(camera: Camera, scale: float, shape: tuple[int, ...]) -> Camera:
