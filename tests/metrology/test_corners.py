@@ -8,9 +8,11 @@ import pytest
 
 from app.metrology.camera import project
 from app.metrology.crenellated import corners as corners_of
+from app.metrology.detection.corner_fit import corners_where_edges_meet
 from app.metrology.detection.corners import ObjectDetection, detect_object
 from app.metrology.detection.directions import Directions
 from app.metrology.detection.edge_points import stations
+from app.metrology.detection.edge_survey import survey
 from app.metrology.detection.identify import placings
 from app.metrology.detection.segments import Segments
 from app.metrology.detection.visibility import wireframe
@@ -169,6 +171,23 @@ def test_a_noisy_picture(plain):
     noisy = np.clip(plain.image + noise, 0, 255).astype(np.uint8)
     found = detect_object(noisy, plain.block)
     assert np.median(corner_errors(found, plain)) < 0.6
+
+
+def test_edges_of_a_few_long_pieces_make_corners(plain):
+    """As in noise: what each piece gathers is worth many, but short edges have few of them."""
+    found = survey(plain.image.astype(float), wireframe(plain.block), plain.camera, 0.7, 0.002)
+    at, used, length = found.at, found.used.copy(), found.at.length_px.copy()
+    fronts = [k for k, name in enumerate(found.frame.names) if name.startswith("crest:1:front")]
+    rows = np.flatnonzero(used & np.isin(at.edge, fronts))
+    middle = rows[len(rows) // 2]
+    used[rows], used[middle], length[middle] = False, True, length[rows].sum()
+    few = replace(found, at=replace(at, length_px=length), used=used)
+    corners = {corner.name: corner for corner in corners_where_edges_meet(few, plain.block)}
+    for name in ("crest:1:L:front", "crest:1:R:front"):
+        true = project(plain.camera, corners_of(plain.block)[name][None])[0]
+        corner = corners[name]
+        off = np.array([corner.u, corner.v]) - true
+        assert off @ np.linalg.solve(corner.covariance_px2 + 0.05**2 * np.eye(2), off) < 12.0
 
 
 def test_a_block_half_out_of_the_picture_is_refused(plain):

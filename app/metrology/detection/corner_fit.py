@@ -21,6 +21,8 @@ _FURTHEST_PX, _ASTRAY = 1.0, 5.0
 _USUAL = 2.0
 # What lies askew to the drawn edge by more, over its length and its own deviation, is not it.
 _ASKEW_SIGMAS, _ASKEW_PX = 4.0, 0.7
+# Points that tell how an edge runs, and how much of it, px, fewer must stand for.
+_POINTS, _LENGTH_PX = 3, 15.0
 
 
 @dataclass(frozen=True)
@@ -78,7 +80,8 @@ class _Line:
 
 def _line(measured: Survey, part: int) -> _Line | None:
     rows = np.flatnonzero(measured.used & (measured.at.part == part))
-    if len(rows) < 3:
+    length = measured.at.length_px[rows]
+    if len(rows) < _POINTS and length.sum() < _LENGTH_PX:
         return None
     uv, off = measured.at.uv_px[rows], measured.off_px[rows]
     weight = 1 / measured.sigma_px[rows] ** 2
@@ -86,12 +89,19 @@ def _line(measured: Survey, part: int) -> _Line | None:
     direction = np.array([normal[1], -normal[0]]) / np.linalg.norm(normal)
     middle = weight @ uv / weight.sum()
     s = (uv - middle) @ direction
-    spread = float(weight @ s**2)
-    if spread <= 0:
+    first, last, spread = float(s.min()), float(s.max()), float(weight @ s**2)
+    slope = 0.0
+    if len(rows) < _POINTS:
+        # They gather so much light each that they are few: the edge runs as the camera has it,
+        # no better known than from so much light in many points.
+        first, last = first - length[s.argmin()] / 2, last + length[s.argmax()] / 2
+        spread = float(weight.sum() * length.sum() ** 2 / 12)
+    elif spread <= 0:
         return None
-    slope = float((weight * s) @ off / spread)
-    if abs(slope) > max(_ASKEW_SIGMAS / np.sqrt(spread), _ASKEW_PX / np.ptp(s)):
-        return None
+    else:
+        slope = float((weight * s) @ off / spread)
+        if abs(slope) > max(_ASKEW_SIGMAS / np.sqrt(spread), _ASKEW_PX / (last - first)):
+            return None
     return _Line(
         middle,
         direction,
@@ -99,7 +109,7 @@ def _line(measured: Survey, part: int) -> _Line | None:
         slope,
         float(1 / weight.sum()),
         float(1 / spread),
-        (float(2 * s.min() - s.max()), float(2 * s.max() - s.min())),
+        (2 * first - last, 2 * last - first),
     )
 
 
