@@ -8,6 +8,7 @@ import pytest
 from app.metrology.camera import project
 from app.metrology.crenellated import Crenellated, corners
 from app.metrology.detection.edge_ends import ends_elsewhere
+from app.metrology.detection.edge_sizes import in_place, planes
 from app.metrology.detection.edge_survey import Survey, survey
 from app.metrology.detection.visibility import wireframe
 from tests.metrology.rendered_block import Rendered, rendered
@@ -72,6 +73,23 @@ def test_a_thing_over_one_corner_is_no_wrong_size(shown, other_end_shows):
     assert ends_elsewhere(grey, surveyed(shown, grey, shown.block)) is None
 
 
+@pytest.mark.parametrize("by_mm", [-1.4, 0.9])
+def test_one_end_that_lines_elsewhere_bear_out(shown, by_mm):
+    grey = covered(shown, shown.image.astype(float), "crest:1:R:front", np.nan)
+    found = surveyed(shown, grey, with_wrong_size(shown.block, 3, by_mm))
+    against = ends_elsewhere(grey, found)
+    assert against is not None
+    assert found.frame.names[against.edges[0]] == "crest:1:R"
+
+
+@pytest.mark.parametrize("by_mm", [-1.4, 1.4])
+def test_a_wrong_size_in_a_noisy_picture(shown, by_mm):
+    grey = shown.image + np.random.default_rng(5).normal(0.0, 20.0, shown.image.shape)
+    assert ends_elsewhere(grey, surveyed(shown, grey, shown.block)) is None
+    against = ends_elsewhere(grey, surveyed(shown, grey, with_wrong_size(shown.block, 4, by_mm)))
+    assert against is not None
+
+
 def test_broken_edges_that_shorten_all_alike_are_no_wrong_size(shown):
     grey = shown.image.astype(float)
     block = shown.block
@@ -126,3 +144,17 @@ def test_two_ends_moved_by_different_lengths_tell_nothing(shown):
 def test_ends_within_what_is_clipped_are_not_known(shown):
     grey = striped(shown, "crest:1:R", 6, 36, np.nan)
     assert ends_elsewhere(grey, surveyed(shown, grey, shown.block)) is None
+
+
+@pytest.mark.parametrize("right", [0, 8])
+def test_a_line_where_a_floor_is_drawn_by_chance_does_not_outweigh_edges_that_go_on(shown, right):
+    claimed = with_wrong_size(shown.block, 1, -1.4)
+    grey = striped(replace(shown, block=claimed), "floor:0:L", 8 - right, right, 220.0)
+    found = surveyed(shown, grey, claimed)
+    edges = next(
+        e for axis, at, e in planes(found.frame) if (axis, at) == (0, claimed.edges_x_mm[1])
+    )
+    assert in_place(found, edges, 0) == 1
+    against = ends_elsewhere(grey, found)
+    assert against is not None
+    assert against.edges == edges

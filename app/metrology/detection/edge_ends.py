@@ -13,13 +13,14 @@ from app.metrology.camera import project
 from app.metrology.detection.edge_points import Stations, profiles
 from app.metrology.detection.edge_sizes import FURTHEST_MM, in_place, lines_along_x, planes
 from app.metrology.detection.edge_step import chosen
+from app.metrology.detection.edge_strays import lie_at
 from app.metrology.detection.edge_survey import Survey, stations_along_x
 from app.metrology.detection.objection import Objection, elsewhere
 from app.metrology.detection.visibility import seen
 from app.metrology.frames import Floats
 
-# Lines of the block are judged by at least so many points of their kind.
-_ENOUGH = 6
+# An edge's step is told from at least so much of it, px.
+_ENOUGH_PX = 25.0
 # What is too little to be told as another size, px; an edge is followed by so many px more
 # than a size may be thought wrong, to either side.
 _NEAREST_PX, _FURTHER_PX = 5.0, 14.0
@@ -43,10 +44,11 @@ _OWN_WAY = 0.6
 
 @dataclass(frozen=True)
 class _End:
-    """Where an edge seems to end: ``by_mm`` outward of its plane at ``at_mm``, as far as the
-    picture is clear, to ``unclear_px``."""
+    """Where an edge seems to end: ``by_mm`` ``outward`` (1 or -1 along X) of its plane at
+    ``at_mm``, as far as the picture is clear, to ``unclear_px``."""
 
     at_mm: float
+    outward: float
     by_mm: float
     px_per_mm: float
     unclear_px: float
@@ -64,9 +66,11 @@ def ends_elsewhere(grey: Floats, found: Survey) -> Objection | None:
     """A size along X that the picture shows to be another, as edges end elsewhere, if any.
 
     One edge may be cut short by anything that lies before it. Where two edges of crests and
-    base end at one other place, none where it should, and no edge in the plane that ends them
-    is seen in its place, that plane lies there. Broken edges cut all of them short alike: so
-    each is compared with the others of the block.
+    base end at one other place, or one does and lines run where that would put the plane's
+    own edges, none ends where it should, and no edge in the plane that ends them is seen in
+    its place, that plane lies there; where they go on beyond their ends, which nothing else
+    does to two, fewer edges may be in place than ends are not. Broken edges cut all of them
+    short alike: so each is compared with the others of the block.
 
     Args:
         grey: (H, W) the picture, NaN where it must not count.
@@ -79,13 +83,24 @@ def ends_elsewhere(grey: Floats, found: Survey) -> Objection | None:
         ends = [end for end in everywhere if axis == 0 and end.at_mm == at_mm]
         moved = [end for end in ends if end.moved]
         together = max((_alike(end, moved) for end in moved), key=len, default=[])
-        if len(together) > 1 and len(moved) == len(ends) and not in_place(found, edges, axis):
-            by_mm = float(np.mean([end.by_mm for end in together]))
+        if not together or len(moved) < len(ends):
+            continue
+        by_mm = float(np.mean([end.by_mm for end in together]))
+        # Another edge of the block may lie, by chance, where one of the plane's is drawn.
+        by_chance = len(together) - 1 if by_mm > 0 else 0
+        if in_place(found, edges, axis) > by_chance:
+            continue
+        if len(together) > 1 or _borne_out(grey, found, edges, together[0]):
             by_px = max(end.by_px for end in together)
             # What lies over two ends shortens both alike; nothing makes an edge longer.
             alone = by_mm < 0 and len(together) < 3
             return elsewhere(found.frame.names[edges[0]], abs(by_mm), by_px, edges, alone)
     return None
+
+
+def _borne_out(grey: Floats, found: Survey, edges: tuple[int, ...], end: _End) -> bool:
+    """Whether lines run where the edges of an end's plane would lie, ended the plane there."""
+    return lie_at(grey, found, edges, 0, end.outward * end.by_mm, _ALIKE_PX)
 
 
 def _beyond_others(ends: list[_End]) -> list[_End]:
@@ -139,7 +154,8 @@ def _end(grey: Floats, found: Survey, way: _Way) -> _End | None:
     px_per_mm = 10.0 * float(np.hypot(*(ends[1] - ends[0])))
     furthest_px = FURTHEST_MM * px_per_mm
     own = np.flatnonzero(found.used & (found.at.edge == way.edge))
-    if len(own) < _ENOUGH or furthest_px < 2 * _NEAREST_PX:
+    enough = found.at.length_px[own].sum() > _ENOUGH_PX
+    if not enough or furthest_px < 2 * _NEAREST_PX:
         return None
     at = _along(found, way, px_per_mm, int(own[0]))
     if len(at.edge) < 2 * _KNOWN_PX:
@@ -155,7 +171,7 @@ def _end(grey: Floats, found: Survey, way: _Way) -> _End | None:
     if by_px is None:
         return None
     unclear_px = max(_NEAREST_PX, clear_px)
-    return _End(float(way.corner_mm[0]), by_px / px_per_mm, px_per_mm, unclear_px)
+    return _End(float(way.corner_mm[0]), way.outward, by_px / px_per_mm, px_per_mm, unclear_px)
 
 
 def _along(found: Survey, way: _Way, px_per_mm: float, row: int) -> Stations:

@@ -34,9 +34,9 @@ _TELLING_POINTS, _TELLING_PX = 4, 2.0
 _HUBER, _ROUNDS = 2.5, 3
 # By how much, in mm, a size may be thought wrong.
 FURTHEST_MM = 2.6
-# An edge is where it should be where at least so many of its points, and this share of them,
+# An edge is where it should be where at least so many px of it, and this share of its points,
 # lie within so many px of it, and might be moved by twice that were the size wrong.
-_A_FEW, _MOST_OF_IT, _IN_PLACE_PX = 4, 0.6, 1.6
+_ENOUGH_PX, _MOST_OF_IT, _IN_PLACE_PX = 18.0, 0.6, 1.6
 
 
 @dataclass(frozen=True)
@@ -106,7 +106,8 @@ def in_place(found: Survey, edges: tuple[int, ...], axis: int) -> int:
         there = found.used[rows] & (np.abs(found.off_px[rows]) < _IN_PLACE_PX)
         moves = np.abs(moves_px_per_mm(found.camera, chosen(at, rows), axis))
         there &= moves * FURTHEST_MM > 2 * _IN_PLACE_PX
-        count += int(there.sum()) >= max(_A_FEW, _MOST_OF_IT * len(rows))
+        enough = at.length_px[rows][there].sum() > _ENOUGH_PX
+        count += bool(enough and there.sum() >= _MOST_OF_IT * len(rows))
     return count
 
 

@@ -23,6 +23,8 @@ _STEP, _OVER_NOISE = 0.1, 5.0
 # shows where the certificate puts them and what shows somewhere else; of those edges at least
 # so many free of others; and how much may show where the certificate puts them.
 _STANDS_OUT, _FREE, _HERE = 0.15, 0.4, 0.25
+# What bears out a place that ends of edges tell must stand out by so much.
+_BEARS_OUT = 0.08
 # The next likely place is so far from the likeliest at least.
 _APART_PX = 6.0
 # Share of one edge, or of each of two, that shows there.
@@ -54,6 +56,31 @@ def missized(grey: Floats, found: Survey) -> Objection | None:
             name = found.frame.names[lines.at.edge[rows[0]]]
             return elsewhere(name, abs(told.by_mm), told.by_px, edges, told.alone)
     return None
+
+
+def lie_at(
+    grey: Floats, found: Survey, edges: tuple[int, ...], axis: int, by_mm: float, off_px: float
+) -> bool:
+    """Whether lines run where a plane's edges would lie, were it shifted along its axis, rather
+    than elsewhere.
+
+    ``by_mm``: the shift, good to ``off_px`` in the picture.
+    """
+    lines = _lines_about(grey, found)
+    rows = np.flatnonzero(np.isin(lines.at.edge, edges))
+    px_per_mm = moves_px_per_mm(found.camera, chosen(lines.at, rows), axis)
+    fastest = float(np.abs(px_per_mm).max(initial=0.0))
+    if fastest * abs(by_mm) < _NEAREST_PX:
+        return False
+    steps, away = _shifts(px_per_mm)
+    edge, length = lines.at.edge[rows], lines.at.length_px[rows]
+    seen, _ = _seen_at(lines, rows, away)
+    share = seen @ length / length.sum()
+    there = np.abs(steps - by_mm) * fastest <= off_px
+    best = int(np.argmax(np.where(there, share, -1.0)))
+    second = float(share[np.abs(steps - steps[best]) * fastest > _APART_PX].max(initial=0.0))
+    shows = _shares(seen[best], length, edge)
+    return bool(shows.max() > _PART_OF_IT and share[best] - second > _BEARS_OUT)
 
 
 @dataclass(frozen=True)
@@ -134,36 +161,50 @@ def _elsewhere(
     rows, px_per_mm, length = rows[telling], px_per_mm[telling], length[telling]
     fastest = float(np.abs(px_per_mm).max())
     reach = lines.there.shape[1] // 2
-    steps = np.arange(-FURTHEST_MM, FURTHEST_MM, 0.5 / fastest)
-    away = np.rint(steps[:, None] * px_per_mm).astype(np.int64)
-    column = np.clip(away + reach, 0, 2 * reach)
-    free = lines.free[rows, column] & (np.abs(away) >= _NEAREST_PX)
-    seen = lines.there[rows, column] & free
+    steps, away = _shifts(px_per_mm)
+    seen, free = _seen_at(lines, rows, away)
     share = seen @ length / np.maximum(free @ length, _FREE * length.sum())
     best = int(np.argmax(share))
     here = float(lines.there[rows, reach] @ length / length.sum())
     # In texture, and between parallel lines, something lies everywhere.
     apart = np.abs(steps - steps[best]) * fastest > _APART_PX
     second = float(share[apart].max(initial=0.0))
-    # One line alone may be a shadow's; it must be there for most of the edge.
     edge = at.edge[rows]
-    shows = [_share(seen[best], length, edge == one) for one in np.unique(edge)]
-    like_edges = max(shows) > _MOST_OF_IT or sum(one > _PART_OF_IT for one in shows) > 1
+    shows = _shares(seen[best], length, edge)
+    most = int(np.sum(shows > _MOST_OF_IT))
+    # One line alone may be a shadow's; it must be there for most of the edge.
+    like_edges = most > 0 or np.sum(shows > _PART_OF_IT) > 1
     stands_out = like_edges and share[best] - here - second > _STANDS_OUT
-    most = sum(one > _MOST_OF_IT for one in shows)
     if most <= staying and staying > 0:
         return None
     several = most > 1
     told = (stands_out and here < _HERE * share[best]) or (several and here < share[best] / 2)
     if not told:
         return None
-    stays = [_share(lines.there[rows, reach], length, edge == one) for one in np.unique(edge)]
-    say = np.array(shows) - np.array(stays)
+    say = shows - _shares(lines.there[rows, reach], length, edge)
     alone = bool(np.sum(say > _PART_OF_IT) < 2 and np.any(say < -_PART_OF_IT))
     return _Elsewhere(float(steps[best]), float(np.abs(away[best]).max()), alone)
 
 
-def _share(there: NDArray[np.bool_], length: Floats, rows: NDArray[np.bool_]) -> float:
-    """Share of some stations' length at which a line lies."""
-    total = float(length[rows].sum())
-    return float(length[rows & there].sum()) / total if total > _LENGTH_PX else 0.0
+def _shifts(px_per_mm: Floats) -> tuple[Floats, NDArray[np.int64]]:
+    """Shifts (S,), mm, every half px of the fastest station, and where they move all (S, N), px."""
+    steps = np.arange(-FURTHEST_MM, FURTHEST_MM, 0.5 / float(np.abs(px_per_mm).max()))
+    return steps, np.rint(steps[:, None] * px_per_mm).astype(np.int64)
+
+
+def _seen_at(
+    lines: _Lines, rows: NDArray[np.int64], away_px: NDArray[np.int64]
+) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Whether a line is seen so far (..., R) away from stations (R,), and whether one might be."""
+    reach = lines.there.shape[1] // 2
+    column = np.clip(away_px + reach, 0, 2 * reach)
+    free = lines.free[rows, column] & (np.abs(away_px) >= _NEAREST_PX)
+    return lines.there[rows, column] & free, free
+
+
+def _shares(there: NDArray[np.bool_], length: Floats, edge: NDArray[np.int64]) -> Floats:
+    """Of each edge (E,), the share of its stations' length at which a line lies."""
+    every, number = np.unique(edge, return_inverse=True)
+    total = np.bincount(number, length, len(every))
+    shown = np.bincount(number, length * there, len(every))
+    return np.where(total > _LENGTH_PX, shown / np.maximum(total, _LENGTH_PX), 0.0)
