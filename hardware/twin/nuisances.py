@@ -81,20 +81,42 @@ def draw_shot(seed: int) -> Shot:
 
 
 def any_comb(rng: np.random.Generator) -> Comb:
-    """A block of three to six merlons, of any proportions, that is not its own mirror image."""
+    """A block of three to six merlons that is not its own mirror image.
+
+    Of any proportions, or, as often, as workshops make them: of one pitch, but for one or two
+    of its widths.
+    """
     count = int(rng.integers(3, 7))
-    total = rng.uniform(32.0, 60.0)
-    while True:
-        widths = np.round(rng.uniform(1.0, 2.6, 2 * count - 1), 1)
-        widths = np.round(widths / widths.sum() * total, 1)
-        if widths.min() >= 2.5 and np.max(np.abs(widths - widths[::-1])) >= 1.5:
-            break
-    edges = np.concatenate([[0.0], np.cumsum(widths)]) - np.round(total / 2)
+    widths = _regular_widths(rng, count) if rng.random() < 0.5 else _any_widths(rng, count)
+    edges = np.concatenate([[0.0], np.cumsum(widths)]) - np.round(widths.sum() / 2)
     depth = float(np.round(rng.uniform(14.0, 34.0), 1))
     front = -float(np.round(depth * rng.uniform(0.3, 0.7), 1))
     crest = float(np.round(rng.uniform(7.0, 19.0), 1))
     base = -float(np.round(rng.uniform(5.0, 18.0), 1))
     return Comb(tuple(round(float(x), 1) for x in edges), front, front + depth, crest, 0.0, base)
+
+
+def _any_widths(rng: np.random.Generator, count: int) -> Floats:
+    """Widths of merlons and grooves in turn, mm, that differ by 1.5 from their mirror image."""
+    total = rng.uniform(32.0, 60.0)
+    while True:
+        widths: Floats = np.round(rng.uniform(1.0, 2.6, 2 * count - 1), 1)
+        widths = np.round(widths / widths.sum() * total, 1)
+        if widths.min() >= 2.5 and np.max(np.abs(widths - widths[::-1])) >= 1.5:
+            return widths
+
+
+def _regular_widths(rng: np.random.Generator, count: int) -> Floats:
+    """The same of one pitch, whole mm, but for one or two, which differ by 1 mm or more."""
+    while True:
+        merlon, groove = rng.integers(4, 10, 2)
+        even = np.arange(2 * count - 1) % 2 == 0
+        widths: Floats = np.where(even, merlon, groove).astype(np.float64)
+        odd = rng.choice(len(widths), int(rng.integers(1, 3)), replace=False)
+        widths[odd] += rng.choice([-2.0, -1.0, 1.0, 2.0, 3.0], len(odd))
+        apart = np.max(np.abs(widths - widths[::-1]))
+        if widths.min() >= 3.0 and widths.sum() <= 60.0 and apart >= 1.0:
+            return widths
 
 
 def _hull(comb: Comb) -> tuple[Floats, Floats]:

@@ -80,8 +80,8 @@ def test_straight_edges_are_shown_where_there_is_no_block(plain):
 
 
 def test_a_shadow_s_edge_is_not_called_another_object():
-    """A crest as bright as its side, and a shadow along that: like a wider merlon."""
-    shot = draw_shot(5264)
+    """A shadow along a crest: like a merlon of another width."""
+    shot = draw_shot(5082)
     with pytest.raises(DetectionRefusal) as caught:
         found_in(shot, certificate_of(shot.certificate))
     refusal = caught.value
