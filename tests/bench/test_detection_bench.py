@@ -45,3 +45,8 @@ def test_the_table_counts_every_picture(shot: Shot) -> None:
     assert (bench.right, bench.wrong, bench.believed) == (1, 1, 0)
     assert any(line.split()[:5] == ["all", "3", "33.3", "%", "1"] for line in bench.lines())
     assert "refused as object-unclear: 1" in bench.lines()
+
+
+def test_shadows_that_run_along_hidden_sides_are_no_wrong_size() -> None:
+    """A comb of one pitch, its crests as bright as its floors: they end where they should."""
+    assert search(draw_shot(5031), 5031).outcome == "right"

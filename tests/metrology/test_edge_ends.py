@@ -7,9 +7,11 @@ import pytest
 
 from app.metrology.camera import project
 from app.metrology.crenellated import Crenellated, corners
-from app.metrology.detection.edge_ends import ends_elsewhere
+from app.metrology.detection.edge_ends import ends_elsewhere, ends_of, in_place_by
 from app.metrology.detection.edge_sizes import in_place, planes
+from app.metrology.detection.edge_strays import missized
 from app.metrology.detection.edge_survey import Survey, survey
+from app.metrology.detection.objection import Objection
 from app.metrology.detection.visibility import wireframe
 from tests.metrology.rendered_block import Rendered, rendered
 
@@ -28,6 +30,10 @@ def surveyed(shown: Rendered, grey: np.ndarray, block: Crenellated) -> Survey:
     return found
 
 
+def elsewhere_by_ends(grey: np.ndarray, found: Survey) -> Objection | None:
+    return ends_elsewhere(grey, found, ends_of(grey, found))
+
+
 def with_wrong_size(block: Crenellated, edge: int, by_mm: float) -> Crenellated:
     edges = list(block.edges_x_mm)
     edges[edge] += by_mm
@@ -44,7 +50,7 @@ def covered(shown: Rendered, grey: np.ndarray, corner: str, level: float = 128.0
 
 def test_a_block_that_is_as_its_certificate_says(shown):
     grey = shown.image.astype(float)
-    assert ends_elsewhere(grey, surveyed(shown, grey, shown.block)) is None
+    assert elsewhere_by_ends(grey, surveyed(shown, grey, shown.block)) is None
 
 
 @pytest.mark.parametrize("edge", [0, 1, 4, 7])
@@ -52,7 +58,7 @@ def test_a_block_that_is_as_its_certificate_says(shown):
 def test_the_size_that_is_wrong_is_told_and_by_how_much(shown, edge, by_mm):
     grey = shown.image.astype(float)
     found = surveyed(shown, grey, with_wrong_size(shown.block, edge, by_mm))
-    against = ends_elsewhere(grey, found)
+    against = elsewhere_by_ends(grey, found)
     assert against is not None
     assert against.definite
     # Something over both ends of a crest shortens it as well; nothing makes it longer.
@@ -70,14 +76,14 @@ def test_a_thing_over_one_corner_is_no_wrong_size(shown, other_end_shows):
     grey = covered(shown, shown.image.astype(float), "crest:1:R:back")
     if not other_end_shows:
         grey = covered(shown, grey, "crest:1:R:front", np.nan)
-    assert ends_elsewhere(grey, surveyed(shown, grey, shown.block)) is None
+    assert elsewhere_by_ends(grey, surveyed(shown, grey, shown.block)) is None
 
 
 @pytest.mark.parametrize("by_mm", [-1.4, 0.9])
 def test_one_end_that_lines_elsewhere_bear_out(shown, by_mm):
     grey = covered(shown, shown.image.astype(float), "crest:1:R:front", np.nan)
     found = surveyed(shown, grey, with_wrong_size(shown.block, 3, by_mm))
-    against = ends_elsewhere(grey, found)
+    against = elsewhere_by_ends(grey, found)
     assert against is not None
     assert found.frame.names[against.edges[0]] == "crest:1:R"
 
@@ -85,8 +91,8 @@ def test_one_end_that_lines_elsewhere_bear_out(shown, by_mm):
 @pytest.mark.parametrize("by_mm", [-1.4, 1.4])
 def test_a_wrong_size_in_a_noisy_picture(shown, by_mm):
     grey = shown.image + np.random.default_rng(5).normal(0.0, 20.0, shown.image.shape)
-    assert ends_elsewhere(grey, surveyed(shown, grey, shown.block)) is None
-    against = ends_elsewhere(grey, surveyed(shown, grey, with_wrong_size(shown.block, 4, by_mm)))
+    assert elsewhere_by_ends(grey, surveyed(shown, grey, shown.block)) is None
+    against = elsewhere_by_ends(grey, surveyed(shown, grey, with_wrong_size(shown.block, 4, by_mm)))
     assert against is not None
 
 
@@ -95,7 +101,7 @@ def test_broken_edges_that_shorten_all_alike_are_no_wrong_size(shown):
     block = shown.block
     outward = np.where(np.arange(len(block.edges_x_mm)) % 2, 0.6, -0.6)
     longer = replace(block, edges_x_mm=tuple(np.array(block.edges_x_mm) + outward))
-    assert ends_elsewhere(grey, surveyed(shown, grey, longer)) is None
+    assert elsewhere_by_ends(grey, surveyed(shown, grey, longer)) is None
 
 
 @pytest.mark.parametrize("side", ["crest:1:R", "crest:3:R"])
@@ -103,7 +109,7 @@ def test_broken_edges_that_shorten_all_alike_are_no_wrong_size(shown):
 def test_things_over_both_ends_of_an_edge_that_shows_between_them(shown, side, level):
     grey = covered(shown, shown.image.astype(float), f"{side}:front", level)
     grey = covered(shown, grey, f"{side}:back", level)
-    assert ends_elsewhere(grey, surveyed(shown, grey, shown.block)) is None
+    assert elsewhere_by_ends(grey, surveyed(shown, grey, shown.block)) is None
 
 
 def striped(
@@ -126,24 +132,24 @@ def striped(
 
 def test_an_end_of_the_base_where_it_should_be_outweighs_crests_that_end_short(shown):
     grey = striped(shown, "crest:3:R", 14, 15, 128.0)
-    assert ends_elsewhere(grey, surveyed(shown, grey, shown.block)) is None
+    assert elsewhere_by_ends(grey, surveyed(shown, grey, shown.block)) is None
 
 
 @pytest.mark.parametrize("askew", [0, 20])
 def test_a_strip_along_an_edge_is_no_wrong_size_where_the_floor_shows_it_in_place(shown, askew):
     grey = striped(shown, "crest:1:R", 14, 15, 128.0, askew)
-    assert ends_elsewhere(grey, surveyed(shown, grey, shown.block)) is None
+    assert elsewhere_by_ends(grey, surveyed(shown, grey, shown.block)) is None
 
 
 def test_two_ends_moved_by_different_lengths_tell_nothing(shown):
     grey = covered(shown, shown.image.astype(float), "crest:0:R:front")
     found = surveyed(shown, grey, with_wrong_size(shown.block, 1, 0.9))
-    assert ends_elsewhere(grey, found) is None
+    assert elsewhere_by_ends(grey, found) is None
 
 
 def test_ends_within_what_is_clipped_are_not_known(shown):
     grey = striped(shown, "crest:1:R", 6, 36, np.nan)
-    assert ends_elsewhere(grey, surveyed(shown, grey, shown.block)) is None
+    assert elsewhere_by_ends(grey, surveyed(shown, grey, shown.block)) is None
 
 
 @pytest.mark.parametrize("right", [0, 8])
@@ -155,6 +161,21 @@ def test_a_line_where_a_floor_is_drawn_by_chance_does_not_outweigh_edges_that_go
         e for axis, at, e in planes(found.frame) if (axis, at) == (0, claimed.edges_x_mm[1])
     )
     assert in_place(found, edges, 0) == 1
-    against = ends_elsewhere(grey, found)
+    against = elsewhere_by_ends(grey, found)
     assert against is not None
     assert against.edges == edges
+
+
+def test_ends_in_place_gainsay_lines_elsewhere(shown):
+    grey = shown.image.astype(float)
+    ends = ends_of(grey, surveyed(shown, grey, shown.block))
+    at_mm = shown.block.edges_x_mm[4]
+    assert in_place_by(ends, at_mm, 1.4)
+    assert in_place_by(ends, at_mm, -1.4)
+    # Within what the blur leaves unclear, an end says nothing.
+    assert not in_place_by(ends, at_mm, 0.1)
+    wrong = with_wrong_size(shown.block, 4, 1.4)
+    found = surveyed(shown, grey, wrong)
+    assert not in_place_by(ends_of(grey, found), wrong.edges_x_mm[4], -1.4)
+    assert missized(grey, found, lambda at_mm, by_mm: False) is not None
+    assert missized(grey, found, lambda at_mm, by_mm: True) is None

@@ -1,10 +1,12 @@
 """Whether what was found is the object of the certificate, and enough of it to be used."""
 
+from functools import partial
+
 import numpy as np
 
 from app.metrology.camera import project
 from app.metrology.crenellated import Crenellated
-from app.metrology.detection.edge_ends import ends_elsewhere
+from app.metrology.detection.edge_ends import ends_elsewhere, ends_of, in_place_by
 from app.metrology.detection.edge_overrun import overrun
 from app.metrology.detection.edge_parts import astray, parts_of, without_odd_ones
 from app.metrology.detection.edge_sizes import shifts
@@ -52,11 +54,12 @@ def judged(grey: Floats, found: Survey, certificate_mm: float) -> tuple[Survey, 
     parts = parts_of(found, certificate_mm)
     if not parts:
         return found, Objection("too few of its edges could be measured")
+    ends = ends_of(grey, found)
     against = (
         _shifted(found, certificate_mm)
-        or missized(grey, found)
+        or missized(grey, found, partial(in_place_by, ends))
         or overrun(grey, found)
-        or ends_elsewhere(grey, found)
+        or ends_elsewhere(grey, found, ends)
         or astray(found, parts, certificate_mm)
     )
     return found, against

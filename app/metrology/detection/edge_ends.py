@@ -4,7 +4,7 @@ An edge that ends elsewhere tells of a wrong size where the edges of the shifted
 itself are hidden: by faces of equal brightness, or lost among shadows' borders.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -43,7 +43,7 @@ _OWN_WAY = 0.6
 
 
 @dataclass(frozen=True)
-class _End:
+class End:
     """Where an edge seems to end: ``by_mm`` ``outward`` (1 or -1 along X) of its plane at
     ``at_mm``, as far as the picture is clear, to ``unclear_px``."""
 
@@ -62,23 +62,42 @@ class _End:
         return self.by_px > self.unclear_px
 
 
-def ends_elsewhere(grey: Floats, found: Survey) -> Objection | None:
+def ends_of(grey: Floats, found: Survey) -> list[End]:
+    """Where the edges of crests and base along X end, as far as the picture tells.
+
+    Broken edges cut all of them short alike: so each is compared with the others of the block.
+
+    Args:
+        grey: (H, W) the picture, NaN where it must not count.
+        found: the edges measured in it.
+    """
+    ends = [end for way in _ways(found) if (end := _end(grey, found, way)) is not None]
+    usual_mm = float(np.median([end.by_mm for end in ends])) if ends else 0.0
+    return [replace(end, by_mm=end.by_mm - usual_mm) for end in ends]
+
+
+def in_place_by(ends: Sequence[End], at_mm: float, by_mm: float) -> bool:
+    """Whether edges end where they should at a plane along X, rather than ``by_mm`` further."""
+    own = [end for end in ends if end.at_mm == at_mm]
+    away = [abs(end.outward * by_mm - end.by_mm) * end.px_per_mm for end in own]
+    stand = [not end.moved and px > end.unclear_px for end, px in zip(own, away, strict=True)]
+    return bool(own) and all(stand)
+
+
+def ends_elsewhere(grey: Floats, found: Survey, everywhere: Sequence[End]) -> Objection | None:
     """A size along X that the picture shows to be another, as edges end elsewhere, if any.
 
     One edge may be cut short by anything that lies before it. Where two edges of crests and
     base end at one other place, or one does and lines run where that would put the plane's
     own edges, none ends where it should, and no edge in the plane that ends them is seen in
     its place, that plane lies there; where they go on beyond their ends, which nothing else
-    does to two, fewer edges may be in place than ends are not. Broken edges cut all of them
-    short alike: so each is compared with the others of the block.
+    does to two, fewer edges may be in place than ends are not.
 
     Args:
         grey: (H, W) the picture, NaN where it must not count.
         found: the edges measured in it.
+        everywhere: where its edges end.
     """
-    everywhere = _beyond_others(
-        [end for way in _ways(found) if (end := _end(grey, found, way)) is not None]
-    )
     for axis, at_mm, edges in planes(found.frame):
         ends = [end for end in everywhere if axis == 0 and end.at_mm == at_mm]
         moved = [end for end in ends if end.moved]
@@ -98,18 +117,12 @@ def ends_elsewhere(grey: Floats, found: Survey) -> Objection | None:
     return None
 
 
-def _borne_out(grey: Floats, found: Survey, edges: tuple[int, ...], end: _End) -> bool:
+def _borne_out(grey: Floats, found: Survey, edges: tuple[int, ...], end: End) -> bool:
     """Whether lines run where the edges of an end's plane would lie, ended the plane there."""
     return lie_at(grey, found, edges, 0, end.outward * end.by_mm, _ALIKE_PX)
 
 
-def _beyond_others(ends: list[_End]) -> list[_End]:
-    """Where ends lie beside where most do."""
-    usual_mm = float(np.median([end.by_mm for end in ends])) if ends else 0.0
-    return [replace(end, by_mm=end.by_mm - usual_mm) for end in ends]
-
-
-def _alike(end: _End, others: list[_End]) -> list[_End]:
+def _alike(end: End, others: list[End]) -> list[End]:
     """The ends that are moved by as much as one of them."""
     near_mm = max(_ALIKE_PX, _ALIKE * end.by_px) / end.px_per_mm
     return [one for one in others if abs(one.by_mm - end.by_mm) < near_mm]
@@ -147,7 +160,7 @@ def _ways(found: Survey) -> Iterator[_Way]:
                     yield _Way(edge, end, 1.0, shown, _OWN_WAY * after)
 
 
-def _end(grey: Floats, found: Survey, way: _Way) -> _End | None:
+def _end(grey: Floats, found: Survey, way: _Way) -> End | None:
     """Where the edge ends on its way; None where the picture does not tell."""
     out = np.array([way.outward, 0.0, 0.0])
     ends = project(found.camera, way.corner_mm + np.array([[-0.05], [0.05]]) * out)
@@ -171,7 +184,7 @@ def _end(grey: Floats, found: Survey, way: _Way) -> _End | None:
     if by_px is None:
         return None
     unclear_px = max(_NEAREST_PX, clear_px)
-    return _End(float(way.corner_mm[0]), way.outward, by_px / px_per_mm, px_per_mm, unclear_px)
+    return End(float(way.corner_mm[0]), way.outward, by_px / px_per_mm, px_per_mm, unclear_px)
 
 
 def _along(found: Survey, way: _Way, px_per_mm: float, row: int) -> Stations:

@@ -1,5 +1,6 @@
 """What the picture shows elsewhere than where the certificate puts it."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import cv2
@@ -37,7 +38,9 @@ _STRAIGHT_PX = 1.5
 _ROOT_TWO_PI = 2.5066
 
 
-def missized(grey: Floats, found: Survey) -> Objection | None:
+def missized(
+    grey: Floats, found: Survey, in_place_by_ends: Callable[[float, float], bool]
+) -> Objection | None:
     """A size of the certificate that the picture shows to be another, if any.
 
     Faces of equal brightness, shadows and things in the way hide edges, which is no
@@ -47,12 +50,14 @@ def missized(grey: Floats, found: Survey) -> Objection | None:
     Args:
         grey: (H, W) the picture, NaN where it must not count.
         found: the edges measured in it.
+        in_place_by_ends: whether edges end in the plane at so many mm along X, rather than so
+            many mm further: then lines there are shadows' borders, or shading.
     """
     lines = _lines_about(grey, found)
-    for axis, _, edges in planes(found.frame):
+    for axis, at_mm, edges in planes(found.frame):
         rows = np.flatnonzero(np.isin(lines.at.edge, edges))
         told = _elsewhere(found, lines, rows, axis, in_place(found, edges, axis))
-        if told is not None:
+        if told is not None and not (axis == 0 and in_place_by_ends(at_mm, told.by_mm)):
             name = found.frame.names[lines.at.edge[rows[0]]]
             return elsewhere(name, abs(told.by_mm), told.by_px, edges, told.alone)
     return None
