@@ -8,6 +8,7 @@ import pytest
 
 from app.metrology.camera import project
 from app.metrology.crenellated import corners as corners_of
+from app.metrology.detection.acceptance import too_little_left
 from app.metrology.detection.corner_fit import corners_where_edges_meet
 from app.metrology.detection.corners import ObjectDetection, detect_object
 from app.metrology.detection.directions import Directions
@@ -193,6 +194,18 @@ def test_edges_of_a_few_long_pieces_make_corners(plain):
 def test_a_block_half_out_of_the_picture_is_refused(plain):
     shown = np.ascontiguousarray(plain.image[:, : plain.image.shape[1] // 3])
     assert refused(shown, plain.block).code in ("object-cut-off", "object-does-not-match")
+
+
+def test_a_cut_off_block_needs_a_level_below_its_crests(plain):
+    found = survey(plain.image.astype(float), wireframe(plain.block), plain.camera, 0.7, 0.002)
+
+    def without(*kinds):
+        names = np.array(found.frame.names)[found.at.edge]
+        left_out = np.array([name.startswith(kinds) for name in names])
+        return replace(found, used=found.used & ~left_out)
+
+    assert not too_little_left(without("floor"), plain.block, 0.8)
+    assert too_little_left(without("floor", "base"), plain.block, 0.8)
 
 
 def test_twelve_bits(plain):

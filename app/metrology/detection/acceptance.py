@@ -29,7 +29,8 @@ _K1, _K2 = 1.2, 3.0
 LEAST_SHOWN = 0.35
 # Of the points that show, how many must agree with the edge they were looked for on.
 _LEAST_AGREEING = 0.8
-# and of the edges of floors and base.
+# and of the edges below the crests.
+_BELOW = ("floor", "base")
 _LEAST_LOWER = 0.05
 # Sides of merlons that tell which part of the object is seen, and the share of its edges.
 _SIDES, _LEAST_IN_FRAME = 4, 0.4
@@ -115,7 +116,7 @@ def _implausible(found: Survey) -> Objection | None:
 
 def _lower_shown(found: Survey) -> float:
     """Share of the lower edges' length that shows: without them any height would do."""
-    lower = np.array([name.startswith(("floor", "base")) for name in found.frame.names])
+    lower = np.array([name.startswith(_BELOW) for name in found.frame.names])
     rows = lower[found.at.edge]
     shown = float(found.at.length_px[rows & found.used].sum())
     return shown / max(float(found.at.length_px[rows].sum()), 1e-9)
@@ -136,15 +137,16 @@ def symmetric(block: Crenellated) -> bool:
 def too_little_left(found: Survey, block: Crenellated, share: float) -> bool:
     """Whether the frame leaves too little of the block.
 
-    A camera needs both levels, and four of the crests' sides: as many as two merlons have.
+    A camera needs two levels, the crests' and one below, and four of the crests' sides: as many
+    as two merlons have.
     ``share``: of the visible edges in the frame.
     """
     names = {found.frame.names[edge] for edge in found.at.edge[found.used]}
     sides = sum(
         f"crest:{i}:{side}" in names for i in range(block.merlon_count) for side in ("L", "R")
     )
-    level = any(name.startswith("floor:") for name in names)
-    return share < WHOLE and (sides < _SIDES or not level or share < _LEAST_IN_FRAME)
+    below = any(name.startswith(_BELOW) for name in names)
+    return share < WHOLE and (sides < _SIDES or not below or share < _LEAST_IN_FRAME)
 
 
 def in_frame(found: Survey) -> float:

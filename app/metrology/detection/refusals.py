@@ -152,4 +152,4 @@ def refuse_blurred(found: Survey) -> None:
 
 def too_much_cut_off(block: Crenellated, share: float) -> Refusal:
     """The refusal for a block of which the frame leaves too little to tell it or to use it."""
-    return cut_off(block, share, "a camera needs both levels and four sides of its merlons")
+    return cut_off(block, share, "a camera needs two levels and four sides of its merlons")
