@@ -165,6 +165,7 @@ class Broker:
             await self._send(client, "presence", self._presence("online"), retain=True)
             for kind in ("presence", "report", "event"):
                 await client.subscribe(f"{settings.prefix}/+/{kind}", qos=1)
+            _end_if_cancelled()
             self._state = BrokerState(True, "", time.monotonic(), 0)
             self.fleet.broker(True)
             log.info("connected to the broker at %s:%s", settings.host, settings.port)
@@ -227,6 +228,7 @@ class Broker:
         self, client: aiomqtt.Client, kind: str, payload: Payload, *, retain: bool, qos: int = 1
     ) -> None:
         await client.publish(self._topic(kind), payload.model_dump_json(), qos=qos, retain=retain)
+        _end_if_cancelled()
 
     def _presence(self, state: str) -> Presence:
         return Presence.model_validate(
@@ -240,6 +242,17 @@ class Broker:
 
     def _topic(self, kind: str) -> str:
         return topic(self._settings.prefix, self._station, kind)
+
+
+def _end_if_cancelled() -> None:
+    """Ends the running task where it was cancelled while the client waited for an answer.
+
+    The client waits with ``asyncio.wait_for``, which up to Python 3.11 forgets a cancellation
+    that comes together with the answer.
+    """
+    task = asyncio.current_task()
+    if task is not None and task.cancelling():
+        raise asyncio.CancelledError
 
 
 async def _ended(tasks: list[asyncio.Task[None]]) -> None:

@@ -217,3 +217,21 @@ def test_what_is_published_is_as_the_schema_says(broker: Mosquitto) -> None:
             assert not validator.is_valid({**payload, "station": 5})
 
     asyncio.run(asyncio.wait_for(listen(), PATIENCE_S))
+
+
+def test_a_station_ends_at_once_also_amid_its_events(broker: Mosquitto) -> None:
+    """A cancellation that comes together with the broker's answer is not forgotten."""
+
+    async def run() -> None:
+        for turn in range(40):
+            watch = Watch(BrokerSettings("127.0.0.1", broker.port), "ending")
+            running = asyncio.create_task(watch.broker.run())
+            await watch.until(lambda watch=watch: watch.broker.state.connected)  # type: ignore[misc]
+            for number in range(60):
+                watch.broker.event(event_of("ending", watch.instance, number))
+            await asyncio.sleep(0.0004 * turn)
+            running.cancel()
+            done, _ = await asyncio.wait([running], timeout=PATIENCE_S)
+            assert done, f"still there in turn {turn}"
+
+    asyncio.run(run())
