@@ -55,15 +55,22 @@ def judged(grey: Floats, found: Survey, certificate_mm: float) -> tuple[Survey, 
     parts = parts_of(found, certificate_mm)
     if not parts:
         return found, Objection("too few of its edges could be measured")
-    ends = ends_of(grey, found)
     against = (
         _shifted(found, certificate_mm)
-        or missized(grey, found, partial(in_place_by, ends))
-        or overrun(grey, found)
-        or ends_elsewhere(grey, found, ends)
+        or _seen_elsewhere(grey, found)
         or astray(found, parts, certificate_mm)
     )
     return found, against
+
+
+def _seen_elsewhere(grey: Floats, found: Survey) -> Objection | None:
+    """Edges that the picture shows elsewhere, or to end elsewhere, than the certificate says."""
+    ends = ends_of(grey, found)
+    return (
+        missized(grey, found, partial(in_place_by, ends))
+        or overrun(grey, found)
+        or ends_elsewhere(grey, found, ends)
+    )
 
 
 def _shifted(found: Survey, certificate_mm: float) -> Objection | None:

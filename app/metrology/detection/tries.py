@@ -155,7 +155,7 @@ class _Looks:
     def at(self, rival: Located) -> None:
         """Measures a placing, unless it was before."""
         block, reverse = self._block, rival.mirrored
-        known = [Placed(one.camera, other.mirrored) for other, one in self.good]
+        known = [Placed(found.camera, located.mirrored) for located, found in self.good]
         start = _enlarged(rival.camera, self._scale, self._masked.shape)
         if _like(start, reverse, known, block, _SAME):
             return
