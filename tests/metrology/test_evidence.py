@@ -79,15 +79,22 @@ def test_straight_edges_are_shown_where_there_is_no_block(plain):
     assert refusal.marks
 
 
-def test_a_shadow_s_edge_is_not_called_another_object():
-    """A shadow along a crest: like a merlon of another width."""
-    shot = draw_shot(5082)
+def test_a_single_edge_elsewhere_is_not_called_another_object(plain):
+    """A shadow along a crest is like a merlon of another width."""
+    against = Objection("the left edge of merlon 3's crest lies 90 µm off", True, (1,), True, 1.4)
+    refusal = contradicted(plain.block, against, [], 0.7)
+    assert refusal.code == "object-unclear"
+    assert "merlon 3's crest" in refusal.why
+    assert "shadow" in refusal.why
+
+
+def test_floors_and_base_in_shadow_are_not_called_another_object():
+    shot = draw_shot(5130)
     with pytest.raises(DetectionRefusal) as caught:
         found_in(shot, certificate_of(shot.certificate))
     refusal = caught.value
     assert (refusal.code, refusal.fault) == ("object-unclear", "lighting")
-    assert "merlon 3's crest" in refusal.why
-    assert "shadow" in refusal.why
+    assert "none of the edges of its floors and its base" in refusal.why
 
 
 SOFT = PictureFinding("image-soft", "soft", "focus the camera", 3.0, 2.0)

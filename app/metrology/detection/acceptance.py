@@ -8,7 +8,7 @@ from app.metrology.camera import project
 from app.metrology.crenellated import Crenellated
 from app.metrology.detection.edge_ends import ends_elsewhere, ends_of, in_place_by
 from app.metrology.detection.edge_overrun import overrun
-from app.metrology.detection.edge_parts import astray, parts_of, without_odd_ones
+from app.metrology.detection.edge_parts import astray, parts_of, without_lone_one, without_odd_ones
 from app.metrology.detection.edge_sizes import shifts
 from app.metrology.detection.edge_strays import missized
 from app.metrology.detection.edge_survey import Survey
@@ -51,7 +51,7 @@ def judged(grey: Floats, found: Survey, certificate_mm: float) -> tuple[Survey, 
     against = _unclear(found) or _implausible(found)
     if against is not None:
         return found, against
-    found = without_odd_ones(found, certificate_mm)
+    found = without_lone_one(without_odd_ones(found, certificate_mm), certificate_mm)
     parts = parts_of(found, certificate_mm)
     if not parts:
         return found, Objection("too few of its edges could be measured")
@@ -100,7 +100,7 @@ def _unclear(found: Survey) -> Objection | None:
         return Objection(text, edges=missing)
     if _lower_shown(found) < _LEAST_LOWER:
         text = "none of the edges of its floors and its base shows in the picture"
-        return Objection(text, edges=missing)
+        return Objection(text, edges=missing, hidden=True)
     return None
 
 

@@ -183,6 +183,7 @@ def _why_not(
     why = "no placing of its edges explains those in the picture"
     if best.against is not None:
         why = best.against.text
+        seen_well = seen_well and not best.against.hidden
     return refusals.mismatch(block, why) if seen_well else refusals.unclear(block, why)
 
 

@@ -14,6 +14,8 @@ _SIGMAS = 5.0
 # An edge alone this many off, its neighbours being where they should, is left out; and the
 # share of the parts of edges that may be.
 _ODD, _FEW = 3.5, 0.1
+# A single edge less than this off, px, is left out.
+_LONE_PX = 1.0
 # A plane that all edges together put elsewhere by less, over its deviation, is where it should be.
 _STAYS = 3.0
 # What a camera model and an edge's finish may do to a whole edge, over the longer side.
@@ -86,6 +88,19 @@ def without_odd_ones(found: Survey, certificate_mm: float) -> Survey:
     if not odd or len(odd) > _FEW * len(parts) or rest >= _ODD:
         return found
     return without(found, [part.number for part in odd], certificate_mm) or found
+
+
+def without_lone_one(found: Survey, certificate_mm: float) -> Survey:
+    """The survey without a single edge that lies a little off, where all else is in place then.
+
+    Too little to be told from a shadow's border or a worn edge; what it alone tells of the
+    block, the picture does not show.
+    """
+    displaced = _displaced(parts_of(found, certificate_mm), _SIGMAS)
+    little = max((part.distance_px for part in displaced), default=np.inf) < _LONE_PX
+    if not little or not _alone(found, displaced, certificate_mm):
+        return found
+    return without(found, [part.number for part in displaced], certificate_mm) or found
 
 
 def _planes_stay(part: Part, planes: list[Shift]) -> bool:

@@ -12,7 +12,8 @@ class Objection:
     ``definite``: it shows other measures, rather than too little; ``edges``: rows in the
     wireframe of those that disagree. ``alone``: a single edge says so, and nothing bears it
     out; a shadow or something before the block may look like that. ``off_px``: how far the
-    picture shows them elsewhere, at most.
+    picture shows them elsewhere, at most. ``hidden``: what shows is in its place, but edges
+    without which it cannot be told do not.
     """
 
     text: str
@@ -20,6 +21,7 @@ class Objection:
     edges: tuple[int, ...] = ()
     alone: bool = False
     off_px: float = np.inf
+    hidden: bool = False
 
 
 def in_words(edge: str) -> str:
