@@ -88,8 +88,9 @@ def _about_arm(seen: Evidence) -> list[Finding]:
         Finding(
             "neutral",
             "arm-unseen",
-            "Errors of the arm's own model cannot be seen from one picture in one pose, and are "
-            "not in this figure.",
+            "Errors of the arm's own model, joint angles that are not the picture's, and an object "
+            "moved since it was touched cannot be seen from one picture in one pose, and are not "
+            "in this figure.",
         )
     ]
     found += far_sensor(seen.budget.pivot_mm, "Check that the picture's joint angles are its own.")

@@ -25,6 +25,7 @@ from app.metrology.adjustment.mounting import (
 )
 from app.metrology.adjustment.not_seen import NotSeen, refuse_nothing_seen
 from app.metrology.adjustment.pose_results import (
+    NO_LINE,
     PoseResult,
     left_out,
     line_left_out,
@@ -241,13 +242,11 @@ def _assembled(
         raise unsettled()
     camera, plane, T_flange_sensor = sensor_of(state, T_cam_sensor)
     used = [
-        replace(pose, reason=line_left_out(lines_out[pose.number]))
-        if pose.number in lines_out
-        else pose
+        replace(pose, reason=_about_line(pose, lines_out))
         for pose in pose_results(found, inputs.seen, inputs.block)
     ]
     out = left_out([pose.number for pose in inputs.seen], mounting)
-    unseen = tuple(PoseResult(one.number, False, str(one.refusal)) for one in inputs.unseen)
+    unseen = [PoseResult(one.number, False, str(one.refusal).rstrip(".")) for one in inputs.unseen]
     poses = tuple(sorted((*used, *out, *unseen), key=lambda pose: pose.number))
     evidence = JointEvidence(
         inputs.block,
@@ -274,6 +273,13 @@ def _assembled(
         joint_findings(evidence),
         worst_of_all(found, alignment, inputs.features, used),
     )
+
+
+def _about_line(pose: PoseResult, lines_out: dict[int, float]) -> str:
+    """What is wrong with the laser's line of a pose that was used, if anything."""
+    if pose.number in lines_out:
+        return line_left_out(lines_out[pose.number])
+    return "" if pose.stripe_points else NO_LINE
 
 
 def _refuse_unusable(inputs: JointInputs) -> None:

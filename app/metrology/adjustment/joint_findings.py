@@ -10,6 +10,7 @@ from app.metrology.adjustment.block_start import SeenPose
 from app.metrology.adjustment.pose_results import PoseResult
 from app.metrology.adjustment.scales import Scales
 from app.metrology.adjustment.solve import Adjusted
+from app.metrology.adjustment.tip_told import about_tip
 from app.metrology.adjustment.uncertainty import Known
 from app.metrology.alignment import Alignment
 from app.metrology.crenellated import Crenellated
@@ -35,11 +36,6 @@ NOISY = 2.5
 WORST_POSE = 1.5
 # Turns between the poses below which they tell little more than one.
 ALIKE_DEG = 8.0
-# A tip's diameter is doubted beyond this many deviations, and this much.
-TIP_SIGMAS, TIP_MM = 4.0, 0.02
-# A share of the contacts' information below which they tell nothing of the tip's radius: on
-# three faces it goes with the block's place, and what is left is rounding.
-UNSEEN = 1e-6
 
 
 @dataclass(frozen=True)
@@ -76,53 +72,28 @@ def joint_findings(evidence: JointEvidence) -> tuple[Finding, ...]:
     return gravest_first(found)
 
 
-def about_tip(found: Adjusted) -> list[Finding]:
-    """Whether contacts and pictures would agree better with a tip of another diameter.
-
-    The tip's radius is added to the adjustment as one more unknown, in one step.
-    """
-    contacts = found.linear.contacts
-    if contacts is None:
-        return []
-    weight = 1 / contacts.variances(found.scales)
-    by_radius = -np.ones(len(weight))
-    J = contacts.jacobian
-    pulled = J.T @ (weight * by_radius)
-    free = float(weight.sum() - pulled @ found.covariance @ pulled)
-    if free <= UNSEEN * float(weight.sum()):
-        return []
-    radius_mm = -float(by_radius @ (weight * contacts.residuals_mm)) / free
-    sd_mm = free**-0.5
-    if abs(radius_mm) < max(TIP_SIGMAS * sd_mm, TIP_MM / 2):
-        return []
-    assert found.problem.touches is not None
-    given = 2 * found.problem.touches.radius_mm
-    return [
-        Finding(
-            "attention",
-            "tip-diameter",
-            f"Contacts and pictures agree better with a tip of {given + 2 * radius_mm:.3f} mm "
-            f"(± {2 * sd_mm:.3f}) than with {given:.3f} mm.",
-            "Check which tip is mounted, its diameter, and that this is the block.",
-        )
-    ]
-
-
 def _about_poses(evidence: JointEvidence) -> list[Finding]:
     used = [pose for pose in evidence.poses if pose.used]
     out = [pose for pose in evidence.poses if not pose.used]
+    seen = {pose.number for pose in evidence.seen}  # others' reasons say what to do
     found = [
         Finding(
             "attention",
             "pose-left-out",
             f"Pose {pose.number} was left out: {pose.reason}.",
-            "Check that picture and joint angles are of one moment, or take the pose again.",
+            "Check that picture and joint angles are of one moment, or take the pose again."
+            if pose.number in seen
+            else "",
             pose.number,
         )
         for pose in out
     ]
     if len(used) == 1:
-        text = "One pose alone was used: errors of the arm's links show in the contacts only."
+        text = (
+            "One pose alone was used: errors of the arm's links show in the contacts only; joint "
+            "angles that are not the picture's, and an object moved since it was touched, do not "
+            "show."
+        )
         return [*found, Finding("neutral", "one-pose", text, "Take more poses, tilted and turned.")]
     off = [pose.off_um for pose in used]
     furthest = used[int(np.argmax(off))]
@@ -222,7 +193,7 @@ def _about_pictures(evidence: JointEvidence) -> list[Finding]:
 
 
 def _about_lines(evidence: JointEvidence) -> list[Finding]:
-    return [
+    moved = [
         Finding(
             "attention",
             "laser-moved",
@@ -234,6 +205,19 @@ def _about_lines(evidence: JointEvidence) -> list[Finding]:
         )
         for number, off_mm in sorted(evidence.lines_out.items())
     ]
+    missing = [
+        Finding(
+            "attention",
+            "line-missing",
+            f"Pose {pose.number} shows no laser line on the object: used without it.",
+            "Check that the laser was on, that its line crossed the object, and the exposure; take "
+            "the pose again.",
+            pose.number,
+        )
+        for pose in evidence.poses
+        if pose.used and not pose.stripe_points and pose.number not in evidence.lines_out
+    ]
+    return [*moved, *missing]
 
 
 def _about_stripe(evidence: JointEvidence) -> Finding:

@@ -21,6 +21,8 @@ from app.metrology.scene import Rows, with_coordinates
 # many times what is usual among all poses, and this.
 FITS_TIMES, FITS_MM = 5.0, 1.0
 SHOWN_STRIPE_POINTS = 60
+NO_LINE = "its picture shows no laser line on the object"
+"""Of a pose that was used, but for its laser line."""
 
 
 @dataclass(frozen=True)

@@ -71,6 +71,24 @@ def test_no_line_is_named_where_all_agree(found: JointCalibration) -> None:
     assert about(found, "laser-plane")[0].quality == "good"
 
 
+def test_a_laser_picture_without_a_line_is_named(
+    inputs: JointInputs, found: JointCalibration
+) -> None:
+    seen = list(inputs.seen)
+    none = np.zeros(0)
+    dark = replace(seen[3].stripe, u=none, v=none, intensity=none, sigma_px=none)
+    seen[3] = replace(seen[3], stripe=dark)
+    result = calibrate_joint(replace(inputs, seen=tuple(seen)))
+    (said,) = about(result, "line-missing")
+    assert (said.quality, said.pose) == ("attention", seen[3].number)
+    assert "the laser was on" in said.remedy
+    of_pose = next(pose for pose in result.poses if pose.number == said.pose)
+    assert of_pose.used
+    assert of_pose.reason == "its picture shows no laser line on the object"
+    assert apart_um(result, found) < found.known.total_um
+    assert not about(found, "line-missing")
+
+
 def test_laser_pictures_that_were_exchanged_are_named(
     inputs: JointInputs, found: JointCalibration
 ) -> None:
