@@ -115,7 +115,10 @@ def solve_step(state: CalibrationState, live: Live) -> Body:
     if refused is not None:
         why = f": {refused.why}" if refused.why else ""
         remedy = refused.remedy or "Go back, and take the picture or the points again."
-        findings.insert(0, Finding("bad", f"{refused.what.rstrip('.')}{why}.", remedy))
+        text = sentence(f"{refused.what.rstrip('.')}{why}")
+        # of the shown picture it may be said already, after what is at fault
+        if not any(finding.text.endswith(text) for finding in findings):
+            findings.insert(0, Finding("bad", text, sentence(remedy)))
     unusable = refused is not None or any(finding.quality == "bad" for finding in findings)
     more = advice is not None and advice.worth_it and not unusable
     if advice is not None and not (more or unusable):

@@ -6,12 +6,13 @@ THINGS = (
     "camera laser tip calibration verification scan frames"
 )
 HOW = "warmer colder above below on off none unknown ambient both once"
+AT_FAULT = "exposure focus framing lighting"
 IN_TABLES = (
     "used unchanged changed missing pass fail undecided no depth edges stripe distortion corner "
     "contact points pictures number integer string boolean"
 )
 WORDS = (
-    *(word for words in (FACES, THINGS, HOW, IN_TABLES) for word in words.split()),
+    *(word for words in (FACES, THINGS, HOW, AT_FAULT, IN_TABLES) for word in words.split()),
     *("List", "Tuple", "Plane", "Sphere", "Cylinder", "Plate", "left of", "right of"),
     # names in the papers of simulated devices
     *("Simulated six-axis arm", "Simulated crenellated block", "Simulated stripe sensor"),

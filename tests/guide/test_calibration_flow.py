@@ -218,9 +218,13 @@ def test_a_refused_solve_says_why_and_offers_the_ways_back(
     view = view_of(state, live_of(state, arm, block))
     assert view.step == "solve"
     assert isinstance(view.picture, StillPicture)
-    assert view.findings[0].text == "the picture is dark: 2 % of full scale."
-    assert view.findings[0].remedy == "Raise the exposure"
+    said = "The picture is dark: 2 % of full scale."
+    assert view.findings == [Finding("bad", said, "Raise the exposure.")]
     assert action(view, "retake").primary
+    of_picture = Finding("bad", f"Exposure is at fault. {said}", "Raise the exposure.")
+    declined = Outcome([], [], [], [of_picture], None, fault="exposure")
+    told = view_of(state, live_of(state, arm, block, seen=declined))
+    assert told.findings == [of_picture]
     state = state_after(*rows, ("solve_refused", refused), ("point_voided", {"index": 3}))
     assert view_of(state, live_of(state, arm, block)).findings == []
 

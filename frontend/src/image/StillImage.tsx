@@ -3,6 +3,7 @@ import { type CSSProperties, useState } from "react";
 
 import type { ImageCorner, ImageMark, WorstPoint } from "../api/resultTypes";
 import type { Vec3 } from "../api/types";
+import { labelSides } from "../object/labelSides";
 import { figures } from "../parts/format";
 import { measured } from "../parts/lengths";
 import { cornerWords } from "../result/names";
@@ -139,18 +140,20 @@ export function StillImage(props: StillImageProps) {
   );
 }
 
-/** The points that fit worst, each with its residual beside it. */
+/** The points that fit worst, each with its residual beside it, none over another. */
 function Worst({ worst, width_px, size }: { worst: WorstPoint[]; width_px: number; size: number }) {
+  const spots = worst.flatMap(({ at_px }, index) => (at_px ? [{ index, at: [at_px[0] - width_px / 2, at_px[1]] as [number, number] }] : []));
+  const sides = labelSides(spots, { wide: 4.6 * size, tall: 1.1 * size }, width_px / 2);
   return worst.map(
-    ({ kind, name, value, unit, at_px }) =>
+    ({ kind, name, value, unit, at_px }, index) =>
       at_px && (
         <g key={kind + name} transform={`translate(${at_px[0]} ${at_px[1]})`} className={styles.worst}>
           {kind === "stripe" && <path d={`M0 ${-size / 2}V${size / 2}`} className={styles.tick} />}
           <text
-            x={at_px[0] > 0.85 * width_px ? -size * 0.7 : size * 0.7}
+            x={sides.get(index) === "left" ? -size * 0.7 : size * 0.7}
             y={-size * 0.5}
             fontSize={size}
-            textAnchor={at_px[0] > 0.85 * width_px ? "end" : "start"}
+            textAnchor={sides.get(index) === "left" ? "end" : "start"}
           >
             {measured(value, unit, unit === "px" ? 2 : 0)}
           </text>
