@@ -112,15 +112,15 @@ def _words(state: ArmState, seat: SeatTaken | None) -> tuple[str, str]:
     if state.artefact.kind == "bar":
         return (
             "Put the tip into an end of the ball bar",
-            f"Clamp the bar somewhere else in the reach, {where}, and put the tip into one end.",
+            f"Clamp the bar firmly in the reach, {where}, and put the tip into one end.",
         )
     if state.artefact.kind == "sphere":
-        return "Clamp the sphere", f"Clamp it firmly somewhere else in the reach, {where}."
+        return "Clamp the sphere", f"Clamp it firmly in the reach, {where}."
     if done >= SEATS_WANTED:
         return "Enough places", "Identify the arm, or take more to know it better."
     return (
         f"Put the tip into seat {done + 1}",
-        f"Clamp the seat somewhere else in the reach, {where}, and put the tip into it.",
+        f"Clamp the seat firmly in the reach, {where}, and put the tip into it.",
     )
 
 
