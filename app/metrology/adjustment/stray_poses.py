@@ -13,6 +13,9 @@ ASTRAY_TIMES = 5.0
 # A pose's noise is so many times that of the encoders' papers, too.
 ASTRAY_AT_LEAST = 4.0
 FEWEST_POSES = 4
+# One stray of few draws the others along, so that none stands out: it is told by so many times
+# less noise in all without it.
+LESS_NOISE_TIMES = 5.0
 # Of a pose's readings, the share that its own picture must tell for it to be judged.
 LEAST_TOLD = 0.05
 
@@ -25,21 +28,40 @@ def without_strays(
     Fewer than half of all poses are set aside.
     """
     total = len(mounting.contradicts)
-    while (stray := stray_pose(found)) is not None:
-        place = np.flatnonzero(~mounting.contradicts)[stray]
-        contradicts = mounting.contradicts.copy()
-        contradicts[place] = True
-        if 2 * contradicts.sum() >= total:
+    while 2 * (mounting.contradicts.sum() + 1) < total:
+        left = _without_stray(found)
+        if left is None:
             break
-        out = np.arange(len(found.problem.views)) == stray
-        start = replace(found.state, noise=found.state.noise[~out])
-        found = adjust(found.problem.without_poses(out), start)
+        stray, found = left
+        contradicts = mounting.contradicts.copy()
+        contradicts[np.flatnonzero(~mounting.contradicts)[stray]] = True
         X, T_arm_obj = found.state.T_flange_cam, found.state.T_arm_obj
         off_mm = off_place_mm(mounting.T_arm_flange, mounting.T_cam_obj, X, T_arm_obj, reach_mm)
         mounting = replace(
             mounting, T_flange_cam=X, T_arm_obj=T_arm_obj, off_mm=off_mm, contradicts=contradicts
         )
     return found, mounting
+
+
+def _without_stray(found: Adjusted) -> tuple[int, Adjusted] | None:
+    """The place of the pose that is astray, and the adjustment without it; None where none is."""
+    stray = stray_pose(found)
+    if stray is not None:
+        return stray, _without(found, stray)
+    noise = pose_noise(found)
+    usual = found.problem.motion.usual_factor
+    if len(noise) < FEWEST_POSES or found.scales.noise < ASTRAY_AT_LEAST * usual:
+        return None
+    suspect = int(np.argmax(noise))
+    rest = _without(found, suspect)
+    calmer = rest.scales.noise * LESS_NOISE_TIMES < found.scales.noise
+    return (suspect, rest) if calmer else None
+
+
+def _without(found: Adjusted, pose: int) -> Adjusted:
+    out = np.arange(len(found.problem.views)) == pose
+    start = replace(found.state, noise=found.state.noise[~out])
+    return adjust(found.problem.without_poses(out), start)
 
 
 def stray_pose(found: Adjusted) -> int | None:

@@ -73,6 +73,16 @@ def test_a_pose_that_is_slightly_astray_is_left_out_too(
     assert result.known.total_um < 1.2 * found.known.total_um
 
 
+def test_one_stray_of_few_is_left_out_though_it_draws_the_others_along(
+    inputs: JointInputs,
+) -> None:
+    few = replace(inputs, seen=inputs.seen[:4], q_rad=inputs.q_rad[:4].copy())
+    few.q_rad[1, 2] += np.radians(0.1)
+    result = calibrate_joint(few)
+    assert [pose.number for pose in result.poses if not pose.used] == [1]
+    assert "arm-scatter" not in codes(result)
+
+
 def test_poses_that_agree_with_none_are_refused(inputs: JointInputs) -> None:
     rng = np.random.default_rng(1)
     q = inputs.q_rad + rng.uniform(-0.05, 0.05, inputs.q_rad.shape)
