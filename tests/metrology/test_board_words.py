@@ -130,6 +130,18 @@ def test_the_lines_before_a_laser_moved_are_named_and_left_out() -> None:
     assert error_um(found) < 3 * found.known.total_um < 900
 
 
+def test_swapped_poses_are_named_though_their_lines_are_left_out_too() -> None:
+    given = session(4, Errors(drift_mm=(3.0, 2.5)))
+    readings = given.readings.copy()
+    readings[[0, 1]] = readings[[1, 0]]
+    found = calibrate_board(replace(given, readings=readings))
+    out = {pose.number for pose in found.poses if not pose.used}
+    assert out == {given.seen[0].number, given.seen[1].number}
+    told = [one.text for one in found.findings if one.code == "pose-left-out"]
+    assert {int(text.split()[1].rstrip(":")) for text in told} == out
+    assert "laser-moved" in {one.code for one in found.findings}
+
+
 def test_a_laser_that_moved_at_the_end_is_nowhere_for_sure() -> None:
     moved = finding(session(4, Errors(drift_mm=(*(0.0,) * 6, 2.5, 3.0))), "laser-moved")
     assert moved.quality == "bad"

@@ -172,6 +172,7 @@ def _about_bend(evidence: BoardEvidence) -> Finding:
 def _about_poses(evidence: BoardEvidence) -> list[Finding]:
     used = [pose for pose in evidence.poses if pose.used]
     seen = {pose.number for pose in evidence.seen}  # others' reasons say what to do
+    about_lines = evidence.lines_before | evidence.lines_apart  # are told with the lines
     said = [
         Finding(
             "attention",
@@ -183,7 +184,7 @@ def _about_poses(evidence: BoardEvidence) -> list[Finding]:
             else "",
         )
         for pose in evidence.poses
-        if pose.reason and pose.number not in evidence.lines_before | evidence.lines_apart
+        if pose.reason and not (pose.used and pose.number in about_lines)
     ]
     off = [pose.off_um for pose in used]
     furthest = used[int(np.argmax(off))]
