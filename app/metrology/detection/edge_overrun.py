@@ -19,9 +19,10 @@ _ENOUGH = 6
 _STRAIGHT_PX = 1.5
 # How far beyond the block's ends its lines are followed, over its length; how many stations
 # in a row, every two pixels, must see one go on, for which share of the way: for most of it
-# where tool marks run beside it, which are looked for so many px away.
+# where tool marks run beside it, which are looked for so many px away. Noise may spoil a few.
 _BEYOND = 0.3
 _IN_A_ROW, _OF_THE_WAY, _MOST_OF_THE_WAY = 8, 0.3, 0.6
+_NEARLY_ALL = 0.9
 _BESIDE_PX = (*range(-24, -5, 3), *range(6, 25, 3))
 
 
@@ -60,7 +61,9 @@ def _runs_on(grey: Floats, found: Survey, beyond: Stations, step: float) -> bool
     """Whether a step like an edge's own is seen at enough stations (every 2 px) in a row."""
     seen = measure(grey, beyond, found.blur_px)
     like = np.abs(seen.offset_px) < _STRAIGHT_PX / 2
-    like &= np.abs(seen.step - step) < np.minimum(0.4 * abs(step), abs(step) - 6 * seen.step_sigma)
+    # In noise a step may differ more; but not by so much that nothing at all would be like it.
+    apart = np.clip(2 * seen.step_sigma, 0.4 * abs(step), 0.6 * abs(step))
+    like &= (np.abs(seen.step - step) < apart) & (3 * seen.step_sigma < abs(step))
     if not _in_a_row(like, _OF_THE_WAY):
         return False
     return _in_a_row(like, _MOST_OF_THE_WAY) or not _marked(grey, found, beyond, step)
@@ -72,7 +75,7 @@ def _in_a_row(like: NDArray[np.bool_], share: float) -> bool:
     if len(like) < row:
         return False
     streak = np.convolve(like.astype(np.int64), np.ones(row, dtype=np.int64), "valid")
-    return bool(streak.max() == row)
+    return bool(streak.max() >= _NEARLY_ALL * row)
 
 
 def _marked(grey: Floats, found: Survey, beyond: Stations, step: float) -> bool:
@@ -81,7 +84,7 @@ def _marked(grey: Floats, found: Survey, beyond: Stations, step: float) -> bool:
         beside = replace(beyond, uv_px=beyond.uv_px + away * beyond.normal)
         seen = measure(grey, beside, found.blur_px)
         there = np.abs(seen.offset_px) < _STRAIGHT_PX / 2
-        there &= np.abs(seen.step) > np.maximum(0.6 * abs(step), 6 * seen.step_sigma)
+        there &= np.abs(seen.step) > np.maximum(0.6 * abs(step), 2 * seen.step_sigma)
         if _in_a_row(there, _OF_THE_WAY):
             return True
     return False

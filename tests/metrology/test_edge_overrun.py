@@ -1,0 +1,43 @@
+"""Edges that run on beyond where a certificate ends the block, in clear pictures and noisy ones."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from app.metrology.crenellated import Crenellated
+from app.metrology.detection.edge_overrun import overrun
+from app.metrology.detection.edge_survey import survey
+from app.metrology.detection.objection import Objection
+from app.metrology.detection.visibility import wireframe
+from tests.metrology.rendered_block import Rendered, rendered
+
+MADE_MM = 0.002
+
+
+@pytest.fixture(scope="module")
+def shown() -> Rendered:
+    return rendered(1, merlons=4)
+
+
+def runs_on(shown: Rendered, block: Crenellated, noise: float) -> Objection | None:
+    """What is objected to ``block`` in the picture, with so many grey levels of noise added."""
+    rng = np.random.default_rng(7)
+    grey = shown.image + noise * rng.standard_normal(shown.image.shape)
+    found = survey(grey, wireframe(block), shown.camera, 0.7, MADE_MM)
+    assert found is not None
+    return overrun(grey, found)
+
+
+@pytest.mark.parametrize("noise", [0.0, 15.0, 22.0])
+@pytest.mark.parametrize("kept", [slice(2, None), slice(0, -2)])
+def test_a_block_longer_than_its_certificate_is_told(shown, noise, kept):
+    shorter = replace(shown.block, edges_x_mm=shown.block.edges_x_mm[kept])
+    against = runs_on(shown, shorter, noise)
+    assert against is not None
+    assert "goes on beyond its" in against.text
+
+
+@pytest.mark.parametrize("noise", [0.0, 15.0, 22.0])
+def test_the_block_of_the_certificate_ends_where_it_should(shown, noise):
+    assert runs_on(shown, shown.block, noise) is None
