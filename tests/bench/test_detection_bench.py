@@ -50,3 +50,15 @@ def test_the_table_counts_every_picture(shot: Shot) -> None:
 def test_shadows_that_run_along_hidden_sides_are_no_wrong_size() -> None:
     """A comb of one pitch, its crests as bright as its floors: they end where they should."""
     assert search(draw_shot(5031), 5031).outcome == "right"
+
+
+def test_a_narrow_merlon_s_wrong_side_is_told_amid_tool_marks() -> None:
+    assert not deceive(draw_shot(5111), 5111).accepted
+
+
+def test_a_wrong_size_that_the_picture_hides_is_named() -> None:
+    """Cut off by the frame, and faces alike: merlon 1's right side does not show."""
+    found = deceive(draw_shot(5137), 5137)
+    assert found.believed
+    assert found.named
+    assert any("(1 of them with the remark" in line for line in DetectionBench([], [found]).lines())

@@ -20,7 +20,7 @@ from app.metrology.detection.visibility import seen
 from app.metrology.frames import Floats
 
 # An edge's step is told from at least so much of it, px.
-_ENOUGH_PX = 25.0
+_ENOUGH_PX = 16.0
 # What is too little to be told as another size, px; an edge is followed by so many px more
 # than a size may be thought wrong, to either side.
 _NEAREST_PX, _FURTHER_PX = 5.0, 14.0

@@ -144,12 +144,12 @@ def unseen(found: Survey) -> tuple[str, ...]:
     hidden = []
     for (axis, _, _), points in zip(faces, telling, strict=True):
         if points < _TELLING_POINTS:
-            hidden.append(_plane_in_words(axis, count[axis]))
+            hidden.append(plane_in_words(axis, count[axis]))
         count[axis] += 1
     return tuple(hidden)
 
 
-def _plane_in_words(axis: int, number: int) -> str:
+def plane_in_words(axis: int, number: int) -> str:
     """The name of the so-manieth plane along an axis: merlons are counted from the left."""
     if axis == 0:
         return f"the {('left', 'right')[number % 2]} side of merlon {number // 2 + 1}"
