@@ -140,7 +140,9 @@ def _refuse_gainsaid(
     for one in before:
         as_much = one.shown_px > _AS_MUCH * tried.shown_px
         if one.nearest is not None and one.against is not None and one.against.definite and as_much:
-            raise refusals.contradicted(block, one.against, findings, one.nearest.blur_px)
+            raise refusals.contradicted(
+                block, one.against, findings, one.nearest.blur_px, one.share_shown
+            )
 
 
 def _the_one(tried: Tried, findings: list[PictureFinding], block: Crenellated) -> Survey:
@@ -177,7 +179,9 @@ def _why_not(
         if acceptance.too_little_left(best.nearest, block, share):
             return refusals.too_much_cut_off(block, share)
     if best.nearest is not None and best.against is not None and best.against.definite:
-        return refusals.contradicted(block, best.against, findings, best.nearest.blur_px)
+        return refusals.contradicted(
+            block, best.against, findings, best.nearest.blur_px, best.share_shown
+        )
     if not any(block_like):
         return refusals.unfound(tries[0].found)
     why = "no placing of its edges explains those in the picture"

@@ -12,6 +12,8 @@ from app.metrology.refusal import Refusal
 
 # Share of the edges in the frame that makes the object whole.
 WHOLE = 0.9
+# A placing that less of the visible edges bears out may be a wrong one.
+_HALF = 0.5
 
 
 def refuse_unusable(findings: list[PictureFinding], clipped: NDArray[np.bool_]) -> None:
@@ -73,12 +75,16 @@ def mismatch(block: Crenellated, why: str) -> Refusal:
 
 
 def contradicted(
-    block: Crenellated, against: Objection, findings: list[PictureFinding], blur_px: float
+    block: Crenellated,
+    against: Objection,
+    findings: list[PictureFinding],
+    blur_px: float,
+    shown: float,
 ) -> Refusal:
     """The refusal for a block that a placing shows, but for what is objected to that.
 
     ``blur_px``: the blur at the block's own edges; a picture that was found soft is softer
-    elsewhere.
+    elsewhere. ``shown``: the share of its visible edges that shows.
     """
     if against.alone:
         return unclear(
@@ -95,6 +101,9 @@ def contradicted(
             f"{against.text}, less than the {width_px:.0f} px that the picture's edges are wide",
             soft.remedy,
         )
+    if shown < _HALF:
+        few = f"only {100 * shown:.0f} % of its visible edges show in the picture"
+        return unclear(block, f"{against.text}, and {few}")
     return mismatch(block, against.text)
 
 
