@@ -19,10 +19,11 @@ _ENOUGH = 6
 _STRAIGHT_PX = 1.5
 # How far beyond the block's ends its lines are followed, over its length; how many stations
 # in a row, every two pixels, must see one go on, for which share of the way: for most of it
-# where tool marks run beside it, which are looked for so many px away. Noise may spoil a few.
+# where tool marks run beside it, which are looked for so many px away.
 _BEYOND = 0.3
 _IN_A_ROW, _OF_THE_WAY, _MOST_OF_THE_WAY = 8, 0.3, 0.6
-_NEARLY_ALL = 0.9
+# Where noise leaves none of them certain, so many must, but for a few.
+_IN_NOISE, _NEARLY_ALL = 24, 0.9
 _BESIDE_PX = (*range(-24, -5, 3), *range(6, 25, 3))
 
 
@@ -60,22 +61,30 @@ def overrun(grey: Floats, found: Survey) -> Objection | None:
 def _runs_on(grey: Floats, found: Survey, beyond: Stations, step: float) -> bool:
     """Whether a step like an edge's own is seen at enough stations (every 2 px) in a row."""
     seen = measure(grey, beyond, found.blur_px)
-    like = np.abs(seen.offset_px) < _STRAIGHT_PX / 2
-    # In noise a step may differ more; but not by so much that nothing at all would be like it.
-    apart = np.clip(2 * seen.step_sigma, 0.4 * abs(step), 0.6 * abs(step))
-    like &= (np.abs(seen.step - step) < apart) & (3 * seen.step_sigma < abs(step))
-    if not _in_a_row(like, _OF_THE_WAY):
-        return False
-    return _in_a_row(like, _MOST_OF_THE_WAY) or not _marked(grey, found, beyond, step)
+    straight = np.abs(seen.offset_px) < _STRAIGHT_PX / 2
+    apart = np.abs(seen.step - step)
+    clear = straight & (apart < np.minimum(0.4 * abs(step), abs(step) - 6 * seen.step_sigma))
+    if _in_a_row(clear, _OF_THE_WAY):
+        return _in_a_row(clear, _MOST_OF_THE_WAY) or not _marked(grey, found, beyond, step)
+    # Not so far apart that nothing at all would be like it.
+    noisy = np.clip(2 * seen.step_sigma, 0.4 * abs(step), 0.6 * abs(step))
+    faint = straight & (apart < noisy) & (3 * seen.step_sigma < abs(step))
+    long = _in_a_row(faint, _OF_THE_WAY, _IN_NOISE, _NEARLY_ALL)
+    return long and not _marked(grey, found, beyond, step)
 
 
-def _in_a_row(like: NDArray[np.bool_], share: float) -> bool:
-    """Whether so many neighbouring stations, for this share of the way, are alike."""
-    row = max(_IN_A_ROW, int(share * len(like)))
+def _in_a_row(
+    like: NDArray[np.bool_], share: float, least: int = _IN_A_ROW, of_them: float = 1.0
+) -> bool:
+    """Whether neighbouring stations, for this share of the way and ``least``, are alike.
+
+    ``of_them``: the share of these that must be.
+    """
+    row = max(least, int(share * len(like)))
     if len(like) < row:
         return False
     streak = np.convolve(like.astype(np.int64), np.ones(row, dtype=np.int64), "valid")
-    return bool(streak.max() >= _NEARLY_ALL * row)
+    return bool(streak.max() >= of_them * row)
 
 
 def _marked(grey: Floats, found: Survey, beyond: Stations, step: float) -> bool:
