@@ -282,11 +282,15 @@ def compare(
     in_volume = moved_um(result.known.volume.uv_px)
     if not np.all(np.isfinite(in_volume)):
         return None
-    over = result.known.map.uv_px
+    over = result.known.map
+    on_map = moved_um(over.uv_px)
     moved = [
         MovedPoint(round(float(u), 1), round(float(v), 1), round(float(um), 2))
-        for (u, v), um in zip(over, moved_um(over), strict=True)
+        for (u, v), um in zip(over.uv_px, on_map, strict=True)
         if np.isfinite(um)
     ]
+    # The map is drawn beside the figure: none of its points within the depths says more.
+    drawn = on_map[over.calibrated & np.isfinite(on_map)]
     rms_um = float(np.sqrt(np.mean(in_volume**2)))
-    return Comparison(in_use.name, float(in_volume.max()), rms_um, moved)
+    most_um = float(max(in_volume.max(), drawn.max(initial=0.0)))
+    return Comparison(in_use.name, most_um, rms_um, moved)

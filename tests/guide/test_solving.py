@@ -5,6 +5,7 @@ import shutil
 from dataclasses import dataclass
 from pathlib import Path
 
+import cv2
 import numpy as np
 import pytest
 
@@ -130,6 +131,12 @@ def test_a_calibration_is_compared_with_the_one_in_use(
     assert shifted.rms_um == pytest.approx(100.0, rel=1e-6)
     assert shifted.max_um == pytest.approx(100.0, rel=1e-6)
     assert {point.moved_um for point in shifted.map} == {100.0}
+    turned = np.array(sheet.probe_matrix)
+    turned[:3, :3] @= cv2.Rodrigues(np.array([0.0, 0.0, 1e-3]))[0]
+    tilted = compared(probe_matrix=turned.tolist())
+    assert tilted is not None
+    drawn = zip(tilted.map, result.known.map.calibrated, strict=True)
+    assert tilted.max_um > max(point.moved_um for point, inside in drawn if inside) - 0.01
     other = {"arm": "A", "object": "B", "sensor": "another"}
     assert compared(serial_numbers=other) is None
     in_use.file.write_text("damaged")
