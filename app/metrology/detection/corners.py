@@ -51,6 +51,9 @@ _ATTEMPTS: tuple[tuple[int, Cleaning], ...] = (
     (320, "fine"),
     (1280, "fine"),
 )
+# Where a picture is not seen well, a placing that less of the visible edges bears out may be
+# a wrong one.
+_HALF = 0.5
 # A try that draws this share of another's edges says as much.
 _AS_MUCH = 0.8
 
@@ -140,9 +143,7 @@ def _refuse_gainsaid(
     for one in before:
         as_much = one.shown_px > _AS_MUCH * tried.shown_px
         if one.nearest is not None and one.against is not None and one.against.definite and as_much:
-            raise refusals.contradicted(
-                block, one.against, findings, one.nearest.blur_px, one.share_shown
-            )
+            raise refusals.contradicted(block, one.against, findings, one.nearest.blur_px)
 
 
 def _the_one(tried: Tried, findings: list[PictureFinding], block: Crenellated) -> Survey:
@@ -179,9 +180,9 @@ def _why_not(
         if acceptance.too_little_left(best.nearest, block, share):
             return refusals.too_much_cut_off(block, share)
     if best.nearest is not None and best.against is not None and best.against.definite:
-        return refusals.contradicted(
-            block, best.against, findings, best.nearest.blur_px, best.share_shown
-        )
+        if not seen_well and best.share_shown < _HALF:
+            return refusals.hardly_shown(block, best.against, best.share_shown)
+        return refusals.contradicted(block, best.against, findings, best.nearest.blur_px)
     if not any(block_like):
         return refusals.unfound(tries[0].found)
     why = "no placing of its edges explains those in the picture"

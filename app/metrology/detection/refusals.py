@@ -12,8 +12,6 @@ from app.metrology.refusal import Refusal
 
 # Share of the edges in the frame that makes the object whole.
 WHOLE = 0.9
-# A placing that less of the visible edges bears out may be a wrong one.
-_HALF = 0.5
 
 
 def refuse_unusable(findings: list[PictureFinding], clipped: NDArray[np.bool_]) -> None:
@@ -74,17 +72,22 @@ def mismatch(block: Crenellated, why: str) -> Refusal:
     )
 
 
+def hardly_shown(block: Crenellated, against: Objection, shown: float) -> Refusal:
+    """The refusal for a block whose placing is as doubtful as what is objected to it.
+
+    ``shown``: the share of its visible edges that shows.
+    """
+    few = f"only {100 * shown:.0f} % of its visible edges show in the picture"
+    return unclear(block, f"{against.text}, and {few}")
+
+
 def contradicted(
-    block: Crenellated,
-    against: Objection,
-    findings: list[PictureFinding],
-    blur_px: float,
-    shown: float,
+    block: Crenellated, against: Objection, findings: list[PictureFinding], blur_px: float
 ) -> Refusal:
     """The refusal for a block that a placing shows, but for what is objected to that.
 
     ``blur_px``: the blur at the block's own edges; a picture that was found soft is softer
-    elsewhere. ``shown``: the share of its visible edges that shows.
+    elsewhere.
     """
     if against.alone:
         return unclear(
@@ -101,9 +104,6 @@ def contradicted(
             f"{against.text}, less than the {width_px:.0f} px that the picture's edges are wide",
             soft.remedy,
         )
-    if shown < _HALF:
-        few = f"only {100 * shown:.0f} % of its visible edges show in the picture"
-        return unclear(block, f"{against.text}, and {few}")
     return mismatch(block, against.text)
 
 
