@@ -190,7 +190,7 @@ def fit_laser_plane(
         plane = _refined(_least_median_plane(X, own, per_sigma), X, per_sigma)
     kept = _agreeing(plane, X, per_sigma)
     _require_both(own[kept], len(on))
-    _refuse_edge_on(camera, plane, X[kept])
+    refuse_edge_on(plane, X[kept] - camera.centre_mm)
     residuals = X @ plane.normal - plane.offset_mm
     sigma = np.abs(per_sigma @ plane.normal)
     correlation = neighbours_alike(stripe.uv_px[on][kept], (residuals / sigma)[kept])
@@ -305,8 +305,12 @@ def _refined(plane: LaserPlane, points: Floats, per_sigma: Floats) -> LaserPlane
     return plane
 
 
-def _refuse_edge_on(camera: Camera, plane: LaserPlane, points: Floats) -> None:
-    sight = points - camera.centre_mm
+def refuse_edge_on(plane: LaserPlane, sight: Floats) -> None:
+    """Refuses a plane that the camera looks along, by its lines of sight (M, 3) to the stripe.
+
+    Raises:
+        Refusal: ``laser-through-camera``.
+    """
     sine = np.abs(sight @ plane.normal) / np.linalg.norm(sight, axis=1)
     angle = float(np.degrees(np.arcsin(np.median(sine))))
     if angle < LEAST_ANGLE_DEG:

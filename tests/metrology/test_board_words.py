@@ -192,3 +192,9 @@ def test_the_truth_is_where_it_was_put() -> None:
     state = calibrate_board(session(7, none)).adjusted.state
     assert np.linalg.norm((state.T_flange_cam - T_FLANGE_CAM)[:3, 3]) < 0.02
     assert np.linalg.norm((state.T_arm_obj - T_ARM_OBJ)[:3, 3]) < 0.05
+
+
+def test_a_laser_plane_through_the_camera_is_refused() -> None:
+    normal = np.array([1.0, 0.1, 0.0]) / np.hypot(1.0, 0.1)
+    told = refusal(session(0, normal=normal, offset_mm=0.5))
+    assert told.code == "laser-through-camera"

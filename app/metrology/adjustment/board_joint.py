@@ -6,6 +6,8 @@ Without contacts the board's place in the arm's frame is found with everything e
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from app.metrology.adjustment.board_findings import ROBOT_ROW, BoardEvidence, board_findings
 from app.metrology.adjustment.board_lines import scatter_told
 from app.metrology.adjustment.board_problem import BoardInputs, BoardStart, board_problem
@@ -26,13 +28,13 @@ from app.metrology.adjustment.stray_poses import without_strays
 from app.metrology.adjustment.stripe_results import depth_range_mm, sorted_anew, stripe_rms_mm
 from app.metrology.adjustment.uncertainty import Known, known, sensor_of
 from app.metrology.arm import Arm, RobotArm
-from app.metrology.camera import Camera
+from app.metrology.camera import Camera, rays
 from app.metrology.chessboard.board import Chessboard
 from app.metrology.chessboard.corners import detect_board, outshining
 from app.metrology.detection.picture import picture_findings
 from app.metrology.findings import Finding, WorstPoint
 from app.metrology.frames import Floats, inverse
-from app.metrology.laser_plane import LaserPlane
+from app.metrology.laser_plane import LaserPlane, refuse_edge_on
 from app.metrology.stripe import extract_stripe
 from app.metrology.stripe_flanks import Image
 
@@ -118,6 +120,8 @@ def _adjusted(inputs: BoardInputs, start: BoardStart) -> tuple[Adjusted, Mountin
 
 def _assembled(inputs: BoardInputs, found: Adjusted, start: BoardStart) -> BoardCalibration:
     state = found.state
+    stripes = np.concatenate([view.stripe_px() for view in found.problem.views])
+    refuse_edge_on(state.plane, rays(state.camera, stripes)[1])
     T_cam_sensor = inverse(found.problem.motion.T_arm_flange[0] @ state.T_flange_cam)
     T_cam_sensor = T_cam_sensor @ state.T_arm_obj
     worth = _named_for(inputs.arm, known(found, T_cam_sensor))
