@@ -32,6 +32,13 @@ TOGETHER_PX, TOGETHER_SIGMAS = 0.3, 1.5
 MODEL_PX = 0.02
 # A wrong measure can be told where it moves an edge that shows by so many pixels.
 TELLING_PX = 2.0
+# Sizes beside the merlons': what they are called, their fields, axes and planes along these.
+_OTHER_SIZES = (
+    ("front", "front_y_mm", 1, 0),
+    ("back", "back_y_mm", 1, 1),
+    ("crest", "crest_z_mm", 2, 2),
+    ("base", "base_z_mm", 2, 0),
+)
 # The size of picture that times are stated for.
 TIMED_PX = 1280 * 1024
 
@@ -245,23 +252,15 @@ def _missized(block: Crenellated, rng: np.random.Generator) -> tuple[Crenellated
     """The certificate with one size off by 0.3 to 2 mm, which, and what of the block that is."""
     by = float(rng.choice([-1.0, 1.0]) * rng.uniform(0.3, 2.0))
     count = len(block.edges_x_mm)
-    which = int(rng.integers(count + 4))
+    which = int(rng.integers(count + len(_OTHER_SIZES)))
     if which < count:
         edges = list(block.edges_x_mm)
         edges[which] += by
         wrong = replace(block, edges_x_mm=tuple(edges))
         return wrong, f"edge {which} by {by:+.2f} mm", plane_in_words(0, which)
-    if which == count:
-        wrong = replace(block, front_y_mm=block.front_y_mm + by)
-        return wrong, f"front by {by:+.2f} mm", plane_in_words(1, 0)
-    if which == count + 1:
-        wrong = replace(block, back_y_mm=block.back_y_mm + by)
-        return wrong, f"back by {by:+.2f} mm", plane_in_words(1, 1)
-    if which == count + 2:
-        wrong = replace(block, crest_z_mm=block.crest_z_mm + by)
-        return wrong, f"crest by {by:+.2f} mm", plane_in_words(2, 2)
-    wrong = replace(block, base_z_mm=block.base_z_mm + by)
-    return wrong, f"base by {by:+.2f} mm", plane_in_words(2, 0)
+    name, field, axis, number = _OTHER_SIZES[which - count]
+    wrong = replace(block, **{field: getattr(block, field) + by})
+    return wrong, f"{name} by {by:+.2f} mm", plane_in_words(axis, number)
 
 
 def _moved_px(shot: Shot, claimed: Crenellated) -> float:
