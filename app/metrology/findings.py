@@ -22,6 +22,7 @@ STRIPE_RMS_PX = 1.0
 # Contacts on opposite faces may lie so much further apart than they should: this many
 # standard deviations, and this much in any case.
 OPENING_SIGMAS, OPENING_MM = 4.0, 0.03
+OPPOSITE = (("front", "back"), ("left", "right"))
 # Pixels of today's sensors are square to this share, and a camera is known so well.
 SQUARE, SQUARE_SIGMAS = 0.001, 4.0
 # Further than any hand-held sensor reaches from the arm's last joint.
@@ -159,8 +160,8 @@ def about_size(alignment: Alignment, features: Sequence[str], block: Crenellated
     """Whether the block's size and the tip's diameter were seen, and right: contacts on
     opposite faces tell their sum, others move with the block."""
     labels = np.array(features)
-    checked = []
-    for pair in (("front", "back"), ("left", "right")):
+    openings_mm: dict[tuple[str, str], float] = {}
+    for pair in OPPOSITE:
         own = [alignment.residuals_mm[(labels == face) & ~alignment.outliers] for face in pair]
         if not all(len(residuals) for residuals in own):
             continue
@@ -168,24 +169,40 @@ def about_size(alignment: Alignment, features: Sequence[str], block: Crenellated
         spread = sum(float(np.var(residuals)) / len(residuals) for residuals in own)
         sd_mm = float(np.sqrt(spread + 2 * block.standard_uncertainty_mm**2))
         limit_mm = max(OPENING_SIGMAS * sd_mm, OPENING_MM)
-        between = f"{pair[0]} and {pair[1]}"
         if abs(opening_mm) > limit_mm:
-            return Finding(
-                "attention",
-                "size",
-                f"The contacts on {between} lie {1e3 * abs(opening_mm):.0f} µm "
-                f"{'further apart' if opening_mm > 0 else 'closer together'} than the block's "
-                f"size and the tip's diameter say (limit {1e3 * limit_mm:.0f} µm).",
-                "Check the tip's diameter and that this is the block; then the arm's model.",
-            )
+            return size_off(pair, opening_mm, limit_mm)
+        openings_mm[pair] = opening_mm
+    return size_agrees(openings_mm) if openings_mm else size_unchecked()
+
+
+def size_off(pair: tuple[str, str], opening_mm: float, limit_mm: float) -> Finding:
+    """Contacts on two opposite faces lie so much further apart than the papers say."""
+    between = f"{pair[0]} and {pair[1]}"
+    return Finding(
+        "attention",
+        "size",
+        f"The contacts on {between} lie {1e3 * abs(opening_mm):.0f} µm "
+        f"{'further apart' if opening_mm > 0 else 'closer together'} than the block's "
+        f"size and the tip's diameter say (limit {1e3 * limit_mm:.0f} µm).",
+        "Check the tip's diameter and that this is the block; then the arm's model.",
+    )
+
+
+def size_agrees(openings_mm: Mapping[tuple[str, str], float]) -> Finding:
+    """How much further apart than the papers say contacts on opposite faces lie, all well."""
+    checked = []
+    for pair, opening_mm in openings_mm.items():
+        between = f"{pair[0]} and {pair[1]}"
         checked.append(f"{between} to {1e3 * opening_mm:+.0f} µm")
-    if checked:
-        return Finding(
-            "good",
-            "size",
-            f"The contacts agree with the block's size and the tip's diameter: "
-            f"{', '.join(checked)}.",
-        )
+    return Finding(
+        "good",
+        "size",
+        f"The contacts agree with the block's size and the tip's diameter: {', '.join(checked)}.",
+    )
+
+
+def size_unchecked() -> Finding:
+    """No two opposite faces were touched."""
     return Finding(
         "neutral",
         "size-unchecked",

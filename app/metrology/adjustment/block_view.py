@@ -115,6 +115,7 @@ def block_touches(
         np.array([faces[face][0] for face in features]),
         np.array([faces[face][1] for face in features]),
         arm.tip.radius_mm,
+        np.zeros(len(features)),
         tip_centres(arm, q_rad),
         np.array(
             [

@@ -10,8 +10,8 @@ from app.metrology.adjustment.board_start import SeenBoard, SizeByMotion
 from app.metrology.adjustment.joint_findings import ALIKE_DEG, largest_turn_deg
 from app.metrology.adjustment.pose_results import PoseResult
 from app.metrology.adjustment.sheet import groups_of, surface
+from app.metrology.adjustment.sizes_told import about_tip
 from app.metrology.adjustment.solve import Adjusted
-from app.metrology.adjustment.tip_told import about_tip
 from app.metrology.adjustment.uncertainty import Known
 from app.metrology.chessboard.board import Chessboard, corner_points
 from app.metrology.findings import Finding, Limits, about_pixels, gravest_first, verdict

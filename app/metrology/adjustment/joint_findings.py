@@ -9,8 +9,8 @@ from scipy.spatial.transform import Rotation
 from app.metrology.adjustment.block_start import SeenPose
 from app.metrology.adjustment.pose_results import PoseResult
 from app.metrology.adjustment.scales import Scales
+from app.metrology.adjustment.sizes_told import about_sizes
 from app.metrology.adjustment.solve import Adjusted
-from app.metrology.adjustment.tip_told import about_tip
 from app.metrology.adjustment.uncertainty import Known
 from app.metrology.alignment import Alignment
 from app.metrology.crenellated import Crenellated
@@ -22,7 +22,6 @@ from app.metrology.findings import (
     Limits,
     about_contacts,
     about_pixels,
-    about_size,
     about_unseen,
     far_sensor,
     gravest_first,
@@ -59,8 +58,7 @@ def joint_findings(evidence: JointEvidence) -> tuple[Finding, ...]:
     found = (
         verdict(evidence.known.total_um, evidence.known.rows, evidence.limits),
         *about_contacts(evidence.alignment, evidence.features, evidence.limits),
-        about_size(evidence.alignment, evidence.features, evidence.block),
-        *about_tip(evidence.found),
+        *about_sizes(evidence.found),
         *_about_poses(evidence),
         *_about_arm(evidence),
         *_about_pictures(evidence),
