@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from app.metrology.alignment import Alignment
 from app.metrology.budget import BudgetRow
@@ -124,8 +125,7 @@ def about_contacts(
     However well many of them place the block, contacts that scatter by more than what is good
     of a point have a cause that may be theirs alone.
     """
-    left_out = np.flatnonzero(alignment.outliers)
-    count = len(alignment.outliers) - len(left_out)
+    count = int((~alignment.outliers).sum())
     rms_um = 1e3 * alignment.rms_mm
     found = [Finding("good", "contacts", f"{count} contacts fit the block to {rms_um:.0f} µm rms.")]
     if rms_um > limits.good_um:
@@ -139,21 +139,26 @@ def about_contacts(
                 "and the arm's model.",
             )
         ]
-    if len(left_out):
-        named = ", ".join(
-            f"{i + 1} ({features[i]}, {1e3 * alignment.residuals_mm[i]:+.0f} µm)"
-            for i in left_out[:4]
+    return [*found, *contacts_left_out(features, 1e3 * alignment.residuals_mm, alignment.outliers)]
+
+
+def contacts_left_out(
+    features: Sequence[str], residuals_um: Floats, out: NDArray[np.bool_]
+) -> list[Finding]:
+    """Which of N contacts, if any, disagree with the others, and by how much."""
+    left_out = np.flatnonzero(out)
+    if not len(left_out):
+        return []
+    named = ", ".join(f"{i + 1} ({features[i]}, {residuals_um[i]:+.0f} µm)" for i in left_out[:4])
+    return [
+        Finding(
+            "attention",
+            "contact-outliers",
+            f"{len(left_out)} of {len(out)} contacts disagree with the "
+            f"others and were left out: {named}.",
+            "Take these points again.",
         )
-        found.append(
-            Finding(
-                "attention",
-                "contact-outliers",
-                f"{len(left_out)} of {len(alignment.outliers)} contacts disagree with the "
-                f"others and were left out: {named}.",
-                "Take these points again.",
-            )
-        )
-    return found
+    ]
 
 
 def about_size(alignment: Alignment, features: Sequence[str], block: Crenellated) -> Finding:

@@ -14,7 +14,7 @@ from app.metrology.adjustment.mounting import mounting_by_motion
 from app.metrology.adjustment.robot_noise import PosesSeen, robot_noise
 from app.metrology.chessboard.board import middle_of
 from app.metrology.findings import Finding, Limits
-from app.metrology.frames import rigid
+from app.metrology.frames import Floats, rigid
 from app.metrology.refusal import Refusal
 from tests.metrology.boards import POSES, T_ARM_OBJ, T_FLANGE_CAM, TIP, seen_from
 from tests.metrology.seen_boards import PAPER, Errors, error_um, session
@@ -101,6 +101,42 @@ def test_a_certificate_that_promises_too_much_is_seen(given: BoardInputs) -> Non
 def test_another_tip_is_seen_by_the_contacts(given: BoardInputs) -> None:
     tip = finding(replace(given, contact_readings=touching(12, 4.0)), "tip-diameter")
     assert "than with 6.000 mm" in tip.text
+
+
+def slipped(rows: tuple[int, ...], by_mm: float) -> Floats:
+    """``T_arm_flange`` (12, 4, 4) of contacts, those of ``rows`` so far above the board."""
+    readings = touching(12, TIP.radius_mm)
+    readings[:, :3, 3] += np.random.default_rng(2).normal(0, 0.02, (12, 3))
+    readings[list(rows), :3, 3] += by_mm * T_ARM_OBJ[:3, 2]
+    return readings
+
+
+@pytest.mark.parametrize("rows", [(4,), (1, 7)])
+def test_contacts_that_slipped_are_left_out_and_named(
+    given: BoardInputs, rows: tuple[int, ...]
+) -> None:
+    found = calibrate_board(replace(given, contact_readings=slipped(rows, 0.6)))
+    told = {one.code: one.text for one in found.findings}
+    assert f"{12 - len(rows)} contacts lie on the board" in told["contacts"]
+    for row in rows:
+        assert f" {row + 1} (board, +" in told["contact-outliers"]
+    assert found.contacts is not None
+    assert tuple(np.flatnonzero(found.contacts.left_out)) == rows
+
+
+def test_contacts_that_only_scatter_are_all_kept(given: BoardInputs) -> None:
+    codes = [
+        one.code
+        for one in calibrate_board(replace(given, contact_readings=slipped((), 0.0))).findings
+    ]
+    assert "contacts" in codes
+    assert "contact-outliers" not in codes
+
+
+def test_contacts_of_which_a_quarter_slipped_are_not_called_good(given: BoardInputs) -> None:
+    said = finding(replace(given, contact_readings=slipped((0, 5, 10), 0.6)), "contacts")
+    assert said.quality == "attention"
+    assert "stood firm" in said.remedy
 
 
 def test_swapped_poses_are_named_with_one_another(given: BoardInputs) -> None:

@@ -14,7 +14,14 @@ from app.metrology.adjustment.sizes_told import about_tip
 from app.metrology.adjustment.solve import Adjusted
 from app.metrology.adjustment.uncertainty import Known
 from app.metrology.chessboard.board import Chessboard, corner_points
-from app.metrology.findings import Finding, Limits, about_pixels, gravest_first, verdict
+from app.metrology.findings import (
+    Finding,
+    Limits,
+    about_pixels,
+    contacts_left_out,
+    gravest_first,
+    verdict,
+)
 
 # What a budget calls a robot's share.
 ROBOT_ROW = "robot's poses"
@@ -63,7 +70,7 @@ def board_findings(evidence: BoardEvidence) -> tuple[Finding, ...]:
     found = evidence.found
     told = (
         _verdict(evidence),
-        *_about_contacts(evidence.contacts),
+        *_about_contacts(evidence),
         *_about_size(evidence),
         *_about_print(evidence),
         _about_bend(evidence),
@@ -101,21 +108,24 @@ def _verdict(evidence: BoardEvidence) -> Finding:
     return verdict(known.total_um, known.rows, limits, remedies)
 
 
-def _about_contacts(contacts: BoardContacts | None) -> list[Finding]:
-    if contacts is None:
+def _about_contacts(evidence: BoardEvidence) -> list[Finding]:
+    contacts, touches, limits = evidence.contacts, evidence.found.problem.touches, evidence.limits
+    if contacts is None or touches is None:
         return []
-    out, count = int(contacts.left_out.sum()), len(contacts.left_out)
-    text = f"{count - out} contacts lie on the board to {contacts.rms_um:.0f} µm rms."
-    if not out:
-        return [Finding("good", "contacts", text)]
-    return [
-        Finding(
-            "attention",
-            "contact-outliers",
-            f"{text} {out} of {count} disagree with the others and were left out.",
-            "Take these points again.",
+    count, rms_um = int((~contacts.left_out).sum()), contacts.rms_um
+    text = f"{count} contacts lie on the board to {rms_um:.0f} µm rms."
+    found = [Finding("good", "contacts", text)]
+    if rms_um > limits.good_um:
+        text = (
+            f"{count} contacts lie on the board to {rms_um:.0f} µm rms; up to "
+            f"{limits.good_um:.0f} µm is good."
         )
-    ]
+        remedy = (
+            "Check that the tip is the one of the arm's file, and that board and arm stood firm."
+        )
+        found = [Finding("attention", "contacts", text, remedy)]
+    left_out = contacts_left_out(touches.features, contacts.residuals_um, contacts.left_out)
+    return [*found, *left_out]
 
 
 def _about_size(evidence: BoardEvidence) -> list[Finding]:

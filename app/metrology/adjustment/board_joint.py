@@ -24,6 +24,7 @@ from app.metrology.adjustment.not_seen import refuse_nothing_seen
 from app.metrology.adjustment.pose_results import PoseResult, left_out, line_left_out
 from app.metrology.adjustment.sheet import corners_at
 from app.metrology.adjustment.solve import Adjusted, adjust
+from app.metrology.adjustment.stray_contacts import without_stray_contacts
 from app.metrology.adjustment.stray_poses import without_strays
 from app.metrology.adjustment.stripe_results import depth_range_mm, sorted_anew, stripe_rms_mm
 from app.metrology.adjustment.uncertainty import Known, known, sensor_of
@@ -101,11 +102,12 @@ def calibrate_board(inputs: BoardInputs, progress: Progress | None = None) -> Bo
 
 
 def _adjusted(inputs: BoardInputs, start: BoardStart) -> tuple[Adjusted, Mounting]:
-    """Adjusted twice: poses that are astray, the lines' points and how much they count, all
-    weights and the lens terms that are significant are told by the first result, as the start
-    was too coarse."""
+    """Adjusted twice: poses and contacts that are astray, the lines' points and how much they
+    count, all weights and the lens terms that are significant are told by the first result, as
+    the start was too coarse."""
     found = adjust(start.problem, start.state)
     found, mounting = without_strays(found, start.mounting, inputs.board.size_mm)
+    found = without_stray_contacts(found)
     again = sorted_anew(found)
     if not start.moved:
         off_mm, off_rad = scatter_told(found)
