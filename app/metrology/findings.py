@@ -44,6 +44,11 @@ class Limits:
 LIMITS = Limits()
 
 
+def grave(off_mm: float, limits: Limits) -> Quality:
+    """Of what moves points by so much without being in their uncertainty."""
+    return "bad" if 1e3 * abs(off_mm) > limits.usable_um else "attention"
+
+
 @dataclass(frozen=True)
 class Finding:
     """One sentence with the number and the limit, and what to do about it (may be empty).
@@ -180,11 +185,13 @@ def about_size(alignment: Alignment, features: Sequence[str], block: Crenellated
     return size_agrees(openings_mm) if openings_mm else size_unchecked()
 
 
-def size_off(pair: tuple[str, str], opening_mm: float, limit_mm: float) -> Finding:
+def size_off(
+    pair: tuple[str, str], opening_mm: float, limit_mm: float, limits: Limits = LIMITS
+) -> Finding:
     """Contacts on two opposite faces lie so much further apart than the papers say."""
     between = f"{pair[0]} and {pair[1]}"
     return Finding(
-        "attention",
+        grave(opening_mm / 2, limits),
         "size",
         f"The contacts on {between} lie {1e3 * abs(opening_mm):.0f} µm "
         f"{'further apart' if opening_mm > 0 else 'closer together'} than the block's "

@@ -117,6 +117,7 @@ def block_touches(
         arm.tip.radius_mm,
         np.zeros(len(features)),
         tip_centres(arm, q_rad),
+        moves.T_arm_flange[:, :3, :3],
         np.array(
             [
                 tip_shift(T, arm.tip.centre_mm) @ by_links

@@ -67,7 +67,8 @@ class Touches:
 
     In the object's frame a face has the normal ``normals`` (N, 3) and the offset
     ``offset_by_coordinates @ coordinates`` (N, B). Tip centres ``tips_mm`` (N, 3) are by
-    the arm's model; ``by_links`` (N, 3, 6n) is how they move with the links' errors and
+    the arm's model, the flange turned by ``R_arm_flange`` (N, 3, 3); ``by_links``
+    (N, 3, 6n) is how they move with the links' errors and
     ``noise_mm2`` (N, 3, 3) their covariance by the encoders' noise. ``kept`` (N,) are
     those that agree with one another.
     """
@@ -78,6 +79,7 @@ class Touches:
     radius_mm: float
     outward_mm: Floats
     tips_mm: Floats
+    R_arm_flange: Floats
     by_links: Floats
     noise_mm2: Floats
     kept: NDArray[np.bool_]

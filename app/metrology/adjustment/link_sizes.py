@@ -47,22 +47,31 @@ def by_link_sizes(equations: Normal, scales: Scales, free: NDArray[np.bool_]) ->
     ]
     # At the minimum the data pull the links as hard as the size told holds them back.
     pull = -start / scales.of_links(len(start) // 6) ** 2
-    found = [_at_size(S, pull, start, size) for size in sizes]
-    log = np.array([one for one, _ in found])
+    found = [likely_links(S, pull, start, size.of_links(len(start) // 6)) for size in sizes]
+    log = np.array([one + size_prior(size) for (one, *_), size in zip(found, sizes, strict=True)])
     weight = np.exp(log - log.max())
-    steps = np.array([step for _, step in found]) * np.sqrt(weight / weight.sum())[:, None]
+    steps = np.array([step for _, step, _ in found]) * np.sqrt(weight / weight.sum())[:, None]
     by = np.zeros((at.count, len(links)))
     by[links], by[others] = np.eye(len(links)), -scale[:, None] * followed
     moves = by @ steps.T
     return np.asarray(moves @ moves.T)
 
 
-def _at_size(S: Floats, pull: Floats, start: Floats, size: Scales) -> tuple[float, Floats]:
-    """Logarithm of how likely a size is, but for a constant, and the links' step (6n,) there."""
-    sd = size.of_links(len(start) // 6)
+def likely_links(
+    S: Floats, pull: Floats, start: Floats, sd: Floats
+) -> tuple[float, Floats, Floats]:
+    """How likely it is that links (and what else is unknown beside them) err by so much: the
+    logarithm but for a constant, their step (L,) there, and its covariance (L, L).
+
+    Args:
+        S: (L, L) what the data tell of them.
+        pull: (L,) the data's gradient at ``start`` (L,).
+        sd: (L,) of their errors.
+    """
     # In units of the size, so that the matrix is near the unit matrix where nothing is told.
     H = S * np.outer(sd, sd) + np.eye(len(sd))
     r = pull * sd + start / sd
-    answer = np.linalg.solve(H, r)
+    inverted = np.linalg.inv(H)
+    answer = inverted @ r
     log = 0.5 * (r @ answer - np.linalg.slogdet(H)[1] - np.sum((start / sd) ** 2))
-    return float(log) + size_prior(size), -sd * answer
+    return float(log), -sd * answer, inverted * np.outer(sd, sd)

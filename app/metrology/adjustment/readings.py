@@ -73,6 +73,7 @@ def plane_touches(
         arm.tip.radius_mm,
         np.zeros(count),
         T[:, :3, :3] @ arm.tip.centre_mm + T[:, :3, 3],
+        T[:, :3, :3],
         shifts @ moves.by_links,
         noise_mm2,
         np.ones(count, dtype=np.bool_),

@@ -15,6 +15,8 @@ from app.metrology.findings import (
     OPENING_MM,
     OPPOSITE,
     Finding,
+    Limits,
+    grave,
     size_agrees,
     size_off,
     size_unchecked,
@@ -45,16 +47,16 @@ class SizeTold:
         return abs(self.outward_mm) >= max(sigmas * self.sd_mm, least_mm)
 
 
-def about_tip(found: Adjusted) -> list[Finding]:
+def about_tip(found: Adjusted, limits: Limits) -> list[Finding]:
     """Whether contacts and pictures would agree better with a tip of another diameter."""
     touches = found.problem.touches
     if touches is None:
         return []
     told = _doubted(found, np.ones(len(touches)), TIP_MM / 2)
-    return [] if told is None else [_tip_off(found, told)]
+    return [] if told is None else [_tip_off(found, told, limits)]
 
 
-def about_sizes(found: Adjusted) -> list[Finding]:
+def about_sizes(found: Adjusted, limits: Limits) -> list[Finding]:
     """The same, and the sizes between opposite faces of the block that were touched.
 
     A wrong tip looks like a wrong size between each two faces, and the other way round: what
@@ -80,9 +82,9 @@ def about_sizes(found: Adjusted) -> list[Finding]:
         return [_agreeing(found, pairs)]
     told, pair = max(doubted, key=lambda one: abs(one[0].outward_mm) / one[0].sd_mm)
     if pair is None:
-        return [_tip_off(found, told), *([] if pairs else [size_unchecked()])]
+        return [_tip_off(found, told, limits), *([] if pairs else [size_unchecked()])]
     limit_mm = max(2 * SIGMAS * told.sd_mm, OPENING_MM)
-    return [size_off(pair, 2 * told.outward_mm, limit_mm)]
+    return [size_off(pair, 2 * told.outward_mm, limit_mm, limits)]
 
 
 def _agreeing(found: Adjusted, pairs: Mapping[tuple[str, str], Floats]) -> Finding:
@@ -94,12 +96,12 @@ def _agreeing(found: Adjusted, pairs: Mapping[tuple[str, str], Floats]) -> Findi
     return size_agrees(openings_mm) if openings_mm else size_unchecked()
 
 
-def _tip_off(found: Adjusted, told: SizeTold) -> Finding:
+def _tip_off(found: Adjusted, told: SizeTold, limits: Limits) -> Finding:
     assert found.problem.touches is not None
     given = 2 * found.problem.touches.radius_mm
     told_mm = given + 2 * told.outward_mm
     return Finding(
-        "attention",
+        grave(told.outward_mm, limits),
         "tip-diameter",
         f"Contacts and pictures agree better with a tip of {told_mm:.3f} mm "
         f"(± {2 * told.sd_mm:.3f}) than with {given:.3f} mm.",

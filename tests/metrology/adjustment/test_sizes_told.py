@@ -9,7 +9,7 @@ from app.bench.simulated import USUAL, SetUp, Station, drawn, station_of
 from app.metrology.adjustment.scales import Scales
 from app.metrology.adjustment.sizes_told import about_sizes
 from app.metrology.adjustment.solve import Adjusted, adjust
-from app.metrology.findings import Finding
+from app.metrology.findings import LIMITS, Finding
 
 ALL_AROUND = ("crest", "front", "back", "left", "right")
 
@@ -29,7 +29,7 @@ def solved(on: Station, seed: int, wrong: dict[str, float] | None = None) -> Adj
 
 
 def said(on: Station, wrong: dict[str, float]) -> Finding:
-    (finding,) = about_sizes(solved(on, 3, wrong))
+    (finding,) = about_sizes(solved(on, 3, wrong), LIMITS)
     return finding
 
 
@@ -37,7 +37,7 @@ def test_errors_of_the_arms_links_are_not_taken_for_a_size() -> None:
     poor = station(replace(USUAL, links_mm=0.03, links_rad=7.5e-5))
     for seed in range(12):
         found = solved(poor, seed)
-        assert [one.quality for one in about_sizes(found)] == ["good"]
+        assert [one.quality for one in about_sizes(found, LIMITS)] == ["good"]
 
 
 @pytest.mark.parametrize("pair", [("front", "back"), ("left", "right")])
