@@ -115,7 +115,6 @@ def block_touches(
         np.array([faces[face][0] for face in features]),
         np.array([faces[face][1] for face in features]),
         arm.tip.radius_mm,
-        np.zeros(len(features)),
         tip_centres(arm, q_rad),
         moves.T_arm_flange[:, :3, :3],
         np.array(

@@ -7,12 +7,11 @@ import numpy as np
 
 from app.metrology.adjustment.board_results import BoardContacts
 from app.metrology.adjustment.board_start import SeenBoard, SizeByMotion
+from app.metrology.adjustment.contact_faults import about_contact_faults
 from app.metrology.adjustment.joint_findings import ALIKE_DEG, largest_turn_deg
 from app.metrology.adjustment.pose_results import PoseResult
 from app.metrology.adjustment.sheet import groups_of, surface
-from app.metrology.adjustment.sizes_told import about_tip
 from app.metrology.adjustment.solve import Adjusted
-from app.metrology.adjustment.tip_place import about_tip_place
 from app.metrology.adjustment.uncertainty import Known
 from app.metrology.chessboard.board import Chessboard, corner_points
 from app.metrology.findings import (
@@ -68,14 +67,14 @@ class BoardEvidence:
 
 def board_findings(evidence: BoardEvidence) -> tuple[Finding, ...]:
     """By the uncertainty of a point, and every reason for or against it; the gravest first."""
-    found, limits = evidence.found, evidence.limits
+    found = evidence.found
     told = (
         _verdict(evidence),
         *_about_contacts(evidence),
         *_about_size(evidence),
         *_about_print(evidence),
         _about_bend(evidence),
-        *(about_tip(found, limits) or about_tip_place(found, limits)),
+        *about_contact_faults(found, evidence.limits),
         *_about_poses(evidence),
         *_about_rocking(found),
         *_about_pictures(evidence.seen),

@@ -62,8 +62,7 @@ class Papers:
 
 @dataclass(frozen=True)
 class Touches:
-    """N contact points: the tip's centre lies one radius outside the face that was touched,
-    and ``outward_mm`` (N,) further.
+    """N contact points: the tip's centre lies one radius outside the face that was touched.
 
     In the object's frame a face has the normal ``normals`` (N, 3) and the offset
     ``offset_by_coordinates @ coordinates`` (N, B). Tip centres ``tips_mm`` (N, 3) are by
@@ -77,7 +76,6 @@ class Touches:
     normals: Floats
     offset_by_coordinates: Floats
     radius_mm: float
-    outward_mm: Floats
     tips_mm: Floats
     R_arm_flange: Floats
     by_links: Floats
@@ -136,7 +134,7 @@ def contact_rows(
     T_obj_arm = inverse(T_arm_obj)
     in_obj = tips @ T_obj_arm[:3, :3].T + T_obj_arm[:3, 3]
     normals_arm = touches.normals @ T_arm_obj[:3, :3].T
-    offsets = touches.offset_by_coordinates @ coordinates + touches.radius_mm + touches.outward_mm
+    offsets = touches.offset_by_coordinates @ coordinates + touches.radius_mm
     return ContactRows(
         np.sum(touches.normals * in_obj, axis=1) - offsets,
         -np.column_stack([np.cross(tips, normals_arm), normals_arm]),

@@ -7,11 +7,10 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from app.metrology.adjustment.block_start import SeenPose
+from app.metrology.adjustment.contact_faults import about_contact_faults
 from app.metrology.adjustment.pose_results import PoseResult
 from app.metrology.adjustment.scales import Scales
-from app.metrology.adjustment.sizes_told import about_sizes
 from app.metrology.adjustment.solve import Adjusted
-from app.metrology.adjustment.tip_place import about_tip_place
 from app.metrology.adjustment.uncertainty import Known
 from app.metrology.alignment import Alignment
 from app.metrology.crenellated import Crenellated
@@ -59,7 +58,7 @@ def joint_findings(evidence: JointEvidence) -> tuple[Finding, ...]:
     found = (
         verdict(evidence.known.total_um, evidence.known.rows, evidence.limits),
         *about_contacts(evidence.alignment, evidence.features, evidence.limits),
-        *_about_tip_and_sizes(evidence),
+        *about_contact_faults(evidence.found, evidence.limits),
         *_about_poses(evidence),
         *_about_arm(evidence),
         *_about_pictures(evidence),
@@ -69,14 +68,6 @@ def joint_findings(evidence: JointEvidence) -> tuple[Finding, ...]:
         _about_stripe(evidence),
     )
     return gravest_first(found)
-
-
-def _about_tip_and_sizes(evidence: JointEvidence) -> list[Finding]:
-    """A wrong size shows in the tip's place, too, and is the plainer cause."""
-    sizes = about_sizes(evidence.found, evidence.limits)
-    if any(one.quality in ("bad", "attention") for one in sizes):
-        return sizes
-    return [*sizes, *about_tip_place(evidence.found, evidence.limits)]
 
 
 def _about_poses(evidence: JointEvidence) -> list[Finding]:

@@ -71,7 +71,6 @@ def plane_touches(
         np.tile([0.0, 0.0, 1.0], (count, 1)),
         np.zeros((count, coordinates)),
         arm.tip.radius_mm,
-        np.zeros(count),
         T[:, :3, :3] @ arm.tip.centre_mm + T[:, :3, 3],
         T[:, :3, :3],
         shifts @ moves.by_links,

@@ -1,0 +1,163 @@
+"""How likely one fault in all contacts is (a wrong tip, a block that was moved), against none.
+
+A fault makes the arm look worse than it is: its links' errors and the noise of its readings
+take it up, and it hides in them. So the fault's size is one more unknown, the sizes of links'
+errors and noise are looked at anew with it and without it, and what is compared is how well
+the one and the other explain all that was measured (Bayes factor; Kass and Raftery 1995).
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.adjustment.linear import known_beforehand, normal
+from app.metrology.adjustment.link_sizes import likely_links
+from app.metrology.adjustment.scales import USUAL_COUNT, Scales, size_prior
+from app.metrology.adjustment.solve import Adjusted
+from app.metrology.frames import Floats
+
+# Sizes of the links' errors, as factors of those told; turns and shifts go together within so
+# much (logarithms).
+FACTORS = np.exp(np.linspace(-6.0, 1.5, 13))
+TOGETHER = 1.3
+# Noise is looked at between what is usual and what was told, in steps of this factor at most.
+NOISE_STEP, MOST_NOISES = 1.5, 6
+
+
+@dataclass(frozen=True)
+class Suspect:
+    """A fault that changes the contacts' residuals (N, of those that count) by ``by`` (N, K) for
+    each unit of its K sizes. Before anything is told these scatter by one of ``sds`` (K,), each
+    as likely."""
+
+    by: Floats
+    sds: tuple[Floats, ...]
+
+
+@dataclass(frozen=True)
+class Told:
+    """Sizes (K,) of a fault, their covariance (K, K), and twice the logarithm of how much
+    likelier it is than none."""
+
+    sizes: Floats
+    covariance: Floats
+    evidence: float
+
+
+@dataclass(frozen=True)
+class _Reduced:
+    """What is told of links and all suspects' sizes (L + K), the other unknowns following them,
+    at one noise: matrix, gradient, and the logarithm of all that does not change with them."""
+
+    S: Floats
+    pull: Floats
+    log: float
+
+
+def evidence_of(found: Adjusted, suspects: Sequence[Suspect]) -> list[Told]:
+    """Of each suspect by itself, in a session with contacts, all else taken as linear at the
+    minimum."""
+    scales, start = found.scales, found.state.links
+    by = np.hstack([one.by for one in suspects])
+    none: list[float] = []
+    each: list[list[tuple[float, Floats, Floats]]] = [[] for _ in suspects]
+    for noise in _noises(found):
+        reduced = _reduced(found, by, replace(scales, noise=noise))
+        for size in _sizes(scales):
+            sd = size.of_links(len(start) // 6)
+            here = reduced.log + size_prior(size)
+            links = np.arange(len(start))
+            none.append(here + _likely(reduced, links, start, sd)[0])
+            column = len(start)
+            for told, one in zip(each, suspects, strict=True):
+                own = np.arange(column, column + one.by.shape[1])
+                column += len(own)
+                for sds in one.sds:
+                    both = np.concatenate([start, np.zeros(len(own))])
+                    log, step, covariance = _likely(
+                        reduced, np.concatenate([links, own]), both, np.concatenate([sd, sds])
+                    )
+                    size_log = here + log - np.log(len(one.sds))
+                    at = slice(len(start), None)
+                    told.append((float(size_log), step[at], covariance[at, at]))
+    return [_averaged(told, none) for told in each]
+
+
+def _likely(
+    reduced: _Reduced, which: NDArray[np.intp], start: Floats, sd: Floats
+) -> tuple[float, Floats, Floats]:
+    return likely_links(reduced.S[np.ix_(which, which)], reduced.pull[which], start, sd)
+
+
+def _averaged(told: list[tuple[float, Floats, Floats]], none: list[float]) -> Told:
+    logs = np.array([log for log, _, _ in told])
+    weight = np.exp(logs - logs.max())
+    weight /= weight.sum()
+    sizes = np.array([step for _, step, _ in told])
+    mean = weight @ sizes
+    covariance = np.einsum("s,sij->ij", weight, np.array([one for _, _, one in told]))
+    covariance += np.einsum("s,si,sj->ij", weight, sizes - mean, sizes - mean)
+    evidence = 2 * float(np.logaddexp.reduce(logs) - np.logaddexp.reduce(none))
+    return Told(mean, covariance, evidence)
+
+
+def _reduced(found: Adjusted, by: Floats, scales: Scales) -> _Reduced:
+    contacts = found.linear.contacts
+    assert contacts is not None
+    equations = normal(found.linear, found.judgements)
+    at, start = equations.linear.at, equations.linear.state.links
+    parts, g = equations.with_scales(scales)
+    N = np.sum([part for source, part in parts.items() if source != "links"], axis=0)
+    links = np.arange(at.count)[at.links]
+    others = np.setdiff1d(np.flatnonzero(found.free), links)
+    variance = contacts.variances(scales)
+    weighed = by / variance[:, None]
+    across = contacts.jacobian.T @ weighed
+    pull = np.concatenate(
+        [
+            # what the data pull with, without what holds the links back
+            g[links] - start / scales.of_links(len(start) // 6) ** 2,
+            weighed.T @ contacts.residuals_mm,
+        ]
+    )
+    scale = 1 / np.sqrt(np.diag(N)[others])
+    A = N[np.ix_(others, others)] * np.outer(scale, scale)
+    B = np.hstack([N[np.ix_(others, links)], across[others]]) * scale[:, None]
+    solved = np.linalg.solve(A, np.column_stack([B, g[others] * scale]))
+    S = np.block([[N[np.ix_(links, links)], across[links]], [across[links].T, by.T @ weighed]])
+    log = 0.5 * float((g[others] * scale) @ solved[:, -1]) + np.sum(np.log(scale))
+    log -= 0.5 * float(np.linalg.slogdet(A)[1])
+    log -= 0.5 * float(np.sum(np.log(variance) + contacts.residuals_mm**2 / variance))
+    return _Reduced(
+        S - B.T @ solved[:, :-1],
+        pull - B.T @ solved[:, -1],
+        float(log) + _noise_log(found, scales),
+    )
+
+
+def _noise_log(found: Adjusted, scales: Scales) -> float:
+    """How likely the readings' noise is at one size of it, with that size itself."""
+    ((_, _, sd, off),) = (
+        known for known in known_beforehand(found.linear, scales) if known[0] == "encoders"
+    )
+    usual = found.problem.motion.usual_factor / scales.noise
+    prior = USUAL_COUNT * (np.log(usual) - usual**2 / 2)
+    return float(prior - np.sum(np.log(sd)) - 0.5 * np.sum((off / sd) ** 2))
+
+
+def _noises(found: Adjusted) -> Floats:
+    told, usual = found.scales.noise, found.problem.motion.usual_factor
+    least = max(min(usual, told), found.problem.motion.least_factor)
+    steps = int(np.ceil(np.log(max(told / least, 1.0)) / np.log(NOISE_STEP)))
+    return np.geomspace(least, max(told, least), min(steps, MOST_NOISES) + 1)[::-1]
+
+
+def _sizes(scales: Scales) -> list[Scales]:
+    return [
+        replace(scales, links_rad=scales.links_rad * turn, links_mm=scales.links_mm * shift)
+        for turn in FACTORS
+        for shift in FACTORS
+        if abs(np.log(turn / shift)) < TOGETHER
+    ]
