@@ -56,51 +56,68 @@ class _Reduced:
     log: float
 
 
+@dataclass(frozen=True)
+class _Likely:
+    """Sizes (K,) of a fault with one noise and one size of the links' errors, their covariance
+    (K, K), and the logarithm of how likely that is."""
+
+    log: float
+    sizes: Floats
+    covariance: Floats
+
+
 def evidence_of(found: Adjusted, suspects: Sequence[Suspect]) -> list[Told]:
     """Of each suspect by itself, in a session with contacts, all else taken as linear at the
     minimum."""
     scales, start = found.scales, found.state.links
     by = np.hstack([one.by for one in suspects])
-    none: list[float] = []
-    each: list[list[tuple[float, Floats, Floats]]] = [[] for _ in suspects]
+    ends = len(start) + np.cumsum([one.by.shape[1] for one in suspects])
+    own = [np.arange(end - one.by.shape[1], end) for one, end in zip(suspects, ends, strict=True)]
+    none: list[_Likely] = []
+    each: list[list[_Likely]] = [[] for _ in suspects]
     for noise in _noises(found):
         reduced = _reduced(found, by, replace(scales, noise=noise))
         for size in _sizes(scales):
-            sd = size.of_links(len(start) // 6)
-            here = reduced.log + size_prior(size)
-            links = np.arange(len(start))
-            none.append(here + _likely(reduced, links, start, sd)[0])
-            column = len(start)
-            for told, one in zip(each, suspects, strict=True):
-                own = np.arange(column, column + one.by.shape[1])
-                column += len(own)
-                for sds in one.sds:
-                    both = np.concatenate([start, np.zeros(len(own))])
-                    log, step, covariance = _likely(
-                        reduced, np.concatenate([links, own]), both, np.concatenate([sd, sds])
-                    )
-                    size_log = here + log - np.log(len(one.sds))
-                    at = slice(len(start), None)
-                    told.append((float(size_log), step[at], covariance[at, at]))
+            prior, sd = size_prior(size), size.of_links(len(start) // 6)
+            none.append(_likely(reduced, start, sd, prior, np.arange(0), np.zeros(0)))
+            for told, suspect, columns in zip(each, suspects, own, strict=True):
+                told += [
+                    _likely(reduced, start, sd, prior - np.log(len(suspect.sds)), columns, sds)
+                    for sds in suspect.sds
+                ]
     return [_averaged(told, none) for told in each]
 
 
 def _likely(
-    reduced: _Reduced, which: NDArray[np.intp], start: Floats, sd: Floats
-) -> tuple[float, Floats, Floats]:
-    return likely_links(reduced.S[np.ix_(which, which)], reduced.pull[which], start, sd)
+    reduced: _Reduced,
+    start: Floats,
+    sd: Floats,
+    prior: float,
+    columns: NDArray[np.intp],
+    sds: Floats,
+) -> _Likely:
+    """With a fault's ``columns`` of all that is unknown beside the links, and their sds."""
+    links = len(start)
+    which = np.concatenate([np.arange(links), columns])
+    log, step, covariance = likely_links(
+        reduced.S[np.ix_(which, which)],
+        reduced.pull[which],
+        np.concatenate([start, np.zeros(len(columns))]),
+        np.concatenate([sd, sds]),
+    )
+    return _Likely(reduced.log + prior + log, step[links:], covariance[links:, links:])
 
 
-def _averaged(told: list[tuple[float, Floats, Floats]], none: list[float]) -> Told:
-    logs = np.array([log for log, _, _ in told])
+def _averaged(told: Sequence[_Likely], none: Sequence[_Likely]) -> Told:
+    logs = np.array([one.log for one in told])
     weight = np.exp(logs - logs.max())
     weight /= weight.sum()
-    sizes = np.array([step for _, step, _ in told])
+    sizes = np.array([one.sizes for one in told])
     mean = weight @ sizes
-    covariance = np.einsum("s,sij->ij", weight, np.array([one for _, _, one in told]))
+    covariance = np.einsum("s,sij->ij", weight, np.array([one.covariance for one in told]))
     covariance += np.einsum("s,si,sj->ij", weight, sizes - mean, sizes - mean)
-    evidence = 2 * float(np.logaddexp.reduce(logs) - np.logaddexp.reduce(none))
-    return Told(mean, covariance, evidence)
+    without = np.logaddexp.reduce([one.log for one in none])
+    return Told(mean, covariance, 2 * float(np.logaddexp.reduce(logs) - without))
 
 
 def _reduced(found: Adjusted, by: Floats, scales: Scales) -> _Reduced:
