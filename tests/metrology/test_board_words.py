@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 from app.metrology.adjustment.board_bundle import bundle
 from app.metrology.adjustment.board_joint import calibrate_board, see_board
@@ -101,6 +102,16 @@ def test_a_certificate_that_promises_too_much_is_seen(given: BoardInputs) -> Non
 def test_another_tip_is_seen_by_the_contacts(given: BoardInputs) -> None:
     tip = finding(replace(given, contact_readings=touching(12, 4.0)), "tip-diameter")
     assert "than with 6.000 mm" in tip.text
+    assert "its length" in tip.remedy
+
+
+def test_a_board_that_was_tilted_after_it_was_touched_is_seen(given: BoardInputs) -> None:
+    readings = slipped((), 0.0)
+    turn = Rotation.from_rotvec(np.radians(1.0) * T_ARM_OBJ[:3, 0]).as_matrix()
+    tips = readings[:, :3, :3] @ TIP.centre_mm + readings[:, :3, 3]
+    readings[:, :3, 3] += (tips - T_ARM_OBJ[:3, 3]) @ turn.T + T_ARM_OBJ[:3, 3] - tips
+    moved = finding(replace(given, contact_readings=readings), "object-moved")
+    assert "turned by 0.9" in moved.text or "turned by 1.0" in moved.text
 
 
 def slipped(rows: tuple[int, ...], by_mm: float) -> Floats:

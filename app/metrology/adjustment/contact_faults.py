@@ -118,6 +118,12 @@ def _diameter(touches: Touches, limits: Limits, told: Told) -> Finding | None:
     outward_mm = float(told.sizes[0])
     if 2 * abs(outward_mm) < DIAMETER_MM:
         return None
+    remedy = "Check which tip is mounted, its diameter, and that this is the object."
+    if len(set(touches.features)) == 1:  # by one plane the three are not told apart
+        remedy = (
+            "Check which tip is mounted, its diameter and its length, and that the object was not "
+            "moved after it was touched."
+        )
     given = 2 * touches.radius_mm
     told_mm, known_mm = given + 2 * outward_mm, 4 * float(np.sqrt(told.covariance[0, 0]))
     return Finding(
@@ -125,7 +131,7 @@ def _diameter(touches: Touches, limits: Limits, told: Told) -> Finding | None:
         "tip-diameter",
         f"Contacts and pictures agree better with a tip of {told_mm:.3f} mm "
         f"(± {known_mm:.3f}) than with {given:.3f} mm.",
-        "Check which tip is mounted, its diameter, and that this is the object.",
+        remedy,
     )
 
 
@@ -147,7 +153,7 @@ def _place(limits: Limits, told: Told) -> Finding | None:
         "tip-place",
         f"Contacts and pictures agree better with the tip's centre {off_mm:.2f} mm from where "
         f"the arm's file has it: by {x:+.2f}, {y:+.2f}, {z:+.2f} mm (± {known_mm:.2f}) in the "
-        "flange frame. Scanned points are off by about as much.",
+        "flange frame. Scanned points may be off by as much.",
         "Check which tip is mounted and that its stylus is straight and tight; have its place "
         "determined anew, and touch the object again.",
     )
@@ -157,13 +163,22 @@ def _moved_said(limits: Limits, told: Told) -> Finding | None:
     turned_rad, off_mm = (float(np.linalg.norm(part)) for part in np.split(told.sizes, 2))
     if max(off_mm, LEVER_MM * turned_rad) < MOVED_MM:
         return None
-    known_mm = 2 * float(np.sqrt(np.max(np.diag(told.covariance)[3:])))
     turned_deg = np.degrees(turned_rad)
+    along = told.sizes[3:] / max(off_mm, 1e-9)
+    known_mm = 2 * float(np.sqrt(along @ told.covariance[3:, 3:] @ along))
+    text = (
+        f"The pictures have the object {off_mm:.2f} mm (± {known_mm:.2f}) from where it was "
+        f"touched, turned by {turned_deg:.2f}°. Scanned points may be off by as much."
+    )
+    if off_mm < known_mm:
+        text = (
+            f"The pictures have the object turned by {turned_deg:.2f}° from how it was touched. "
+            "Scanned points may be off by as much."
+        )
     return Finding(
         grave(max(off_mm, LEVER_MM * turned_rad), limits),
         "object-moved",
-        f"The pictures have the object {off_mm:.2f} mm (± {known_mm:.2f}) from where it was "
-        f"touched, turned by {turned_deg:.2f}°. Scanned points are off by about as much.",
+        text,
         "Fix object and arm so that neither can move, touch the object, and take the pictures "
         "again.",
     )

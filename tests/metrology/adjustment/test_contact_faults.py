@@ -121,7 +121,7 @@ def test_an_object_moved_after_it_was_touched_is_told_from_the_tip(
     moved = (tips_mm - middle) @ turn.T + middle + shift_mm * np.array([0.6, 0.0, 0.8])
     told = said(on, 3, moved - tips_mm)[0]
     assert told.code == "object-moved"
-    assert f"object {shift_mm:.1f}" in told.text
+    assert f"object {shift_mm:.1f}" in told.text if shift_mm else "object turned by" in told.text
 
 
 def test_with_one_pose_a_moved_object_cannot_be_told() -> None:
