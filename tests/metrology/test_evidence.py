@@ -10,9 +10,11 @@ from app.bench.detection import certificate_of, found_in
 from app.metrology.camera import project
 from app.metrology.crenellated import corners as corners_of
 from app.metrology.detection.corners import DetectionRefusal, detect_object
+from app.metrology.detection.evidence import with_evidence
 from app.metrology.detection.objection import Objection
 from app.metrology.detection.picture import PictureFinding
 from app.metrology.detection.refusals import contradicted
+from app.metrology.refusal import Refusal
 from hardware.twin.nuisances import draw_shot
 from tests.metrology.rendered_block import Rendered, rendered
 
@@ -46,6 +48,15 @@ def test_overexposed_faces_are_framed(plain):
 
 def test_a_blurred_picture_is_the_focus_s_fault(plain):
     assert refused(cv2.GaussianBlur(plain.image, (0, 0), 6.0), plain.block).fault == "focus"
+
+
+def test_in_a_dim_picture_more_light_is_the_first_remedy():
+    dim = PictureFinding("image-dim", "the picture is dim", "turn up the light", 0.04, 0.15)
+    unclear = Refusal("object-unclear", "it is not seen well", "few edges show", "come nearer")
+    refusal = with_evidence(unclear, [dim], np.zeros((8, 8), np.bool_), None, None, None)
+    assert refusal.fault == "exposure"
+    assert refusal.why == "the picture is dim; few edges show"
+    assert refusal.remedy == "turn up the light; come nearer"
 
 
 def test_a_wrong_size_is_marked_where_it_disagrees(plain):

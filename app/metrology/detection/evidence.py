@@ -89,8 +89,10 @@ def with_evidence(
     fault = _FAULTS.get(refusal.code, "object")
     by_light = against is not None and against.alone
     if refusal.code in ("object-not-found", "object-unclear") and not by_light:
-        named = [_FINDING_FAULTS[one.code] for one in findings if one.code in _FINDING_FAULTS]
-        fault = named[0] if named else fault
+        named = next((one for one in findings if one.code in _FINDING_FAULTS), None)
+        if named is not None:
+            fault = _FINDING_FAULTS[named.code]
+            refusal = _first(named, refusal)
     marks: list[Mark] = []
     if fault == "exposure":
         marks += _clipped_regions(clipped)
@@ -99,6 +101,13 @@ def with_evidence(
     elif found is not None:
         marks += _segments(found, clipped.shape)
     return DetectionRefusal(refusal, fault, tuple(marks))
+
+
+def _first(named: PictureFinding, refusal: Refusal) -> Refusal:
+    """The refusal with what is to be mended first, and the figure that says so."""
+    why = "; ".join(part for part in (named.text, refusal.why) if part)
+    remedy = "; ".join(part for part in (named.remedy, refusal.remedy) if part)
+    return Refusal(refusal.code, refusal.what, why, remedy)
 
 
 def _clipped_regions(clipped: NDArray[np.bool_]) -> list[Mark]:
