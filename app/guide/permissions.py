@@ -159,6 +159,8 @@ def _solve(state: CalibrationState, live: Live, args: Args) -> str:
         return "Nothing changed since this was solved."
     if not state.picture:
         return "There is no picture of this object and sensor. Take one."
+    if all(live.looked_at[picture.number].fault for picture in state.pictures):
+        return "No picture shows the object yet. Take one anew."
     return _touch(state, live, args)
 
 

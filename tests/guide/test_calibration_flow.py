@@ -302,6 +302,11 @@ def test_every_pose_is_listed_and_a_refused_one_says_why(
     assert action(told, "retake").primary
     assert told.progress is not None
     assert (told.progress.done, told.progress.text) == (2, "2 of up to 6 poses")
+    assert action(told, "solve").enabled
+    alone = state_after(started("touch"), *contacts, captured(outcome=bad))
+    told = view_of(alone, live_of(alone, arm, block, seen=blurred))
+    assert action(told, "solve").why_not == "No picture shows the object yet. Take one anew."
+    assert action(told, "retake").enabled
 
 
 def test_few_points_are_told_how_many_more_help(
