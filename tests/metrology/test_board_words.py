@@ -17,6 +17,7 @@ from app.metrology.chessboard.board import middle_of
 from app.metrology.findings import Finding, Limits
 from app.metrology.frames import Floats, rigid
 from app.metrology.refusal import Refusal
+from app.strings.sentences import sentences_of
 from tests.metrology.boards import POSES, T_ARM_OBJ, T_FLANGE_CAM, TIP, seen_from
 from tests.metrology.seen_boards import PAPER, Errors, error_um, session
 from tests.metrology.test_board_calibration import touching
@@ -77,6 +78,9 @@ def test_what_helps_against_a_poor_robot_is_said(given: BoardInputs) -> None:
     assert "robot's poses" in told.text
     assert "more pictures" in told.remedy
     assert "--usable-um" in told.remedy
+    nearer = calibrate_board(replace(poor, limits=Limits(20.0, 150.0))).findings[0]
+    assert "like these, in all, would do" in nearer.remedy
+    assert not sentences_of("de").best(nearer.remedy).left
     easy = calibrate_board(replace(given, limits=Limits(1000.0, 2000.0))).findings[0]
     assert easy.quality == "good"
 

@@ -93,7 +93,7 @@ def _verdict(evidence: BoardEvidence) -> Finding:
     asked = int(np.ceil(poses * (known.total_um / limit) ** 2))
     more = "Take more pictures, tilted to all sides"
     if asked <= MOST_ASKED:
-        more += f": about {asked} like these, in all, would do"
+        more = f"{more}: about {asked} like these, in all, would do"
     else:
         more += (
             "; so far off, the robot's own accuracy is at fault, or its poses are not the flange's"
