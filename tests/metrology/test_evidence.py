@@ -12,7 +12,7 @@ from app.metrology.crenellated import corners as corners_of
 from app.metrology.detection.corners import DetectionRefusal, detect_object
 from app.metrology.detection.evidence import with_evidence
 from app.metrology.detection.objection import Objection
-from app.metrology.detection.picture import PictureFinding
+from app.metrology.detection.picture import PictureFinding, edge_blur_px
 from app.metrology.detection.refusals import contradicted
 from app.metrology.refusal import Refusal
 from hardware.twin.nuisances import draw_shot
@@ -57,6 +57,13 @@ def test_in_a_dim_picture_more_light_is_the_first_remedy():
     assert refusal.fault == "exposure"
     assert refusal.why == "the picture is dim; few edges show"
     assert refusal.remedy == "turn up the light; come nearer"
+
+
+def test_a_picture_with_hardly_an_edge_out_of_its_noise_is_declined(plain):
+    noise = np.random.default_rng(0).normal(size=(5, *plain.image.shape))[-1]
+    dim = np.clip(np.rint(4 + 0.027 * plain.image + 2.5 * noise), 0, 255).astype(np.uint8)
+    assert np.isinf(edge_blur_px(dim.astype(float)))
+    assert refused(dim, plain.block).fault == "exposure"
 
 
 def test_a_wrong_size_is_marked_where_it_disagrees(plain):

@@ -31,6 +31,7 @@ _SURE = 0.8
 _MOST = 0.6
 # Nor is one that explains less than this share of what the best does.
 _MORE = 0.88
+_USUAL_BLUR_PX = 1.5
 
 
 @dataclass(frozen=True)
@@ -144,7 +145,9 @@ class _Looks:
         declined: list[Placed],
     ) -> None:
         self._coarse_px = max(3.0, 2.0 / scale)
-        self._blur_px = edge_blur_px(grey)
+        blur_px = edge_blur_px(grey)
+        # Of a picture with hardly an edge out of its noise it is not known; a start must be.
+        self._blur_px = blur_px if np.isfinite(blur_px) else _USUAL_BLUR_PX
         self._masked = np.where(hidden, np.nan, grey)
         self._smooth = softened(grey, self._coarse_px)
         self._scale, self._block, self._declined = scale, block, declined
