@@ -4,6 +4,8 @@ import re
 from datetime import UTC, datetime
 
 _UNITS = re.compile(r"(?<=\d) (?=(?:µm|mm|px|nm|%|°C|°)(?:\W|$))")
+_SIGNS = re.compile(r"(?<=\S) ([×Ø]) (?=\d)")
+_LIMIT = re.compile(r"([≤≥]) (?=\d)")
 _MINUS = re.compile(r"(?<![\w-])-(?=\d)")
 UNKNOWN = "not stated"
 
@@ -41,6 +43,7 @@ def temperature(value_c: float | None) -> str:
 def tied(text: str) -> str:
     """The text with numbers not parted from their units, and minus signs as printed."""
     tight = _UNITS.sub("\u00a0", text).replace("k = ", "k\u00a0=\u00a0")
+    tight = _LIMIT.sub("\\1\u00a0", _SIGNS.sub("\u00a0\\1\u00a0", tight))
     return _MINUS.sub("−", tight)
 
 

@@ -328,6 +328,7 @@ def test_magnification_is_round(largest: float, factor: float) -> None:
 
 def test_words_are_printed_as_read() -> None:
     assert tied("-3 µm at 20261121-2026") == "−3\u00a0µm at 20261121-2026"
+    assert tied("tip Ø 3 mm, ≤ 5 µm") == "tip\u00a0Ø\u00a03\u00a0mm, ≤\u00a05\u00a0µm"
     assert moment("2026-11-21T12:00:00+02:00") == "2026-11-21 10:00 UTC"
     assert moment("yesterday") == "yesterday"
 
