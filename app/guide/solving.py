@@ -248,7 +248,7 @@ def _result(
 def _map(over: UncertaintyMap) -> Sequence[MapPoint]:
     """The map as drawn on the laser plane: along the stripe, and in depth."""
     return [
-        MapPoint(round(float(u), 1), round(float(v), 1), round(float(value), 2), bool(inside))
+        MapPoint(round(float(u), 1), round(float(v), 1), round(float(value), 3), bool(inside))
         for (u, v), value, inside in zip(over.uv_px, over.u_um, over.calibrated, strict=True)
     ]
 
@@ -285,7 +285,7 @@ def compare(
     over = result.known.map
     on_map = moved_um(over.uv_px)
     moved = [
-        MovedPoint(round(float(u), 1), round(float(v), 1), round(float(um), 2))
+        MovedPoint(round(float(u), 1), round(float(v), 1), round(float(um), 3))
         for (u, v), um in zip(over.uv_px, on_map, strict=True)
         if np.isfinite(um)
     ]
