@@ -197,7 +197,8 @@ def _picture_findings(live: Live) -> list[Finding]:
     """What is to be said of the live picture, each thing once."""
     if live.corners_seen >= FEWEST_CORNERS:
         found = Finding("good", f"{live.corners_seen} corners of the object are found.")
-        return [found, *_once(live.picture_findings)]
+        # their number stands below the picture, too: what needs attention has the room
+        return _once(live.picture_findings) or [found]
     if live.laser_on:
         return [
             Finding(

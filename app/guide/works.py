@@ -3,7 +3,7 @@
 from app.guide.advice import to_payload as to_advice
 from app.guide.advising import advise
 from app.guide.guide import Guide
-from app.guide.outcome import to_payload
+from app.guide.outcome import from_payload, to_payload
 from app.guide.solving import look_at, solve
 from app.metrology.refusal import Refusal
 from app.station.jobs import Progress
@@ -52,9 +52,12 @@ def keep_advice(guide: Guide) -> None:
     try:
         advice = advise(guide.folder, guide.known_poses(), guide.limits)
     except Refusal as refusal:
+        pictures = guide.state.pictures
         known = guide.known_poses()
-        unusable = any(isinstance(known.get(p.number), Refusal) for p in guide.state.pictures)
-        if not unusable:  # of one that is, it was told already
+        unusable = any(isinstance(known.get(one.number), Refusal) for one in pictures)
+        newest = from_payload(pictures[-1].outcome).findings if pictures else ()
+        told = any(found.quality == "bad" for found in newest)
+        if not (unusable or told):  # of a picture that is, it was told already
             _refused(guide, inputs, refusal)
         return
     if advice is not None:

@@ -195,6 +195,9 @@ def test_the_live_picture_is_told_of_once_and_in_sentences(arm: Arm, block: Cren
     assert view.findings == [Finding("attention", "The picture is dark.", "Open the iris.")]
     (hint,) = view_of(state, replace(live, laser_on=True)).findings
     assert "laser is on" in hint.text
+    (found,) = view_of(state, live_of(state, arm, block, corners_seen=20)).findings
+    assert found.text == "20 corners of the object are found."
+    assert view_of(state, replace(live, corners_seen=20)).findings == view.findings
 
 
 def test_a_running_scan_keeps_the_laser(arm: Arm, block: Crenellated) -> None:

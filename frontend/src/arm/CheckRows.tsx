@@ -20,8 +20,10 @@ export function ArmRow({ check }: { check: ArmCheckSummary }) {
           {t("arm {serial}", { serial: check.arm_serial || check.arm_name })} · {counted(check.points, "{n} point", "{n} points")} · {limit}
         </p>
       </div>
-      <Axes label="(max − min)/2" values={check.half_range_um} />
-      <Axes label="2σ" values={check.two_sigma_um} />
+      <div className={styles.figures}>
+        <Axes label="(max − min)/2" values={check.half_range_um} />
+        <Axes label="2σ" values={check.two_sigma_um} />
+      </div>
       <Reports of={`/api/arm/checks/${check.id}`} />
     </li>
   );

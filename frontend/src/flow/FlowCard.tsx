@@ -45,6 +45,7 @@ export function FlowCard({ view }: { view: FlowView }) {
       <Actions
         actions={next ? view.actions.map((action) => ({ ...action, primary: false })) : view.actions}
         busy={view.busy !== null}
+        whole={view.picture.kind === "still"}
         onAct={(action) => sendFlow(action.name, action.args)}
       >
         <Findings findings={withoutEchoes(view.findings, view.actions, (text) => isSaid(text, view, lost))} />

@@ -1,5 +1,6 @@
 import { answerForControl } from "../api/session";
 import type { DeviceState } from "../api/deviceTypes";
+import type { Finding } from "../api/types";
 import { CloseIcon } from "../parts/icons";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
@@ -7,6 +8,7 @@ import { age } from "../parts/format";
 import { useSilence } from "../state/freshness";
 import { t } from "../state/language";
 import { dismiss } from "../state/notices";
+import { usePage } from "../state/router";
 import { type Notice, useLive } from "../state/store";
 import styles from "./Banners.module.css";
 
@@ -14,14 +16,22 @@ import styles from "./Banners.module.css";
 export function Banners() {
   const notice = useLive((s) => s.notice);
   const connection = useLive((s) => s.connection);
+  const page = usePage();
+  const told = useLive((s) => page === "calibrate" && s.notice !== null && isTold(s.notice, s.flow?.findings ?? []));
   return (
     <div className={styles.banners}>
       {connection !== "live" && <LostBanner first={connection === "connecting"} />}
       {connection === "live" && <LostDevices />}
       {connection === "live" && <Asked />}
-      {notice && <NoticeBanner key={notice.id} notice={notice} />}
+      {notice && !told && <NoticeBanner key={notice.id} notice={notice} />}
     </div>
   );
+}
+
+/** Whether the card says it whole, beside what to do: it is not told over it again. */
+function isTold({ title }: Notice, findings: readonly Finding[]): boolean {
+  const told = title.toLowerCase();
+  return findings.some(({ text }) => text !== "" && told.startsWith(text.replace(/\.$/, "").toLowerCase()));
 }
 
 function LostBanner({ first }: { first: boolean }) {

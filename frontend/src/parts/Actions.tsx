@@ -9,6 +9,8 @@ interface ActionsProps {
   actions: Action[];
   /** A job is at work and shown: what waits for it needs no reason of its own. */
   busy?: boolean;
+  /** What belongs between stays as it is, and is read whole: it does not come and go by itself. */
+  whole?: boolean;
   onAct: (action: Action) => Promise<void>;
   /** What belongs between the main act and the others. */
   children?: ReactNode;
@@ -19,7 +21,7 @@ interface ActionsProps {
  * card, so that nothing that comes and goes moves them, those that give something up last and
  * quietly; disabled ones say why above them.
  */
-export function Actions({ actions, onAct, busy = false, children }: ActionsProps) {
+export function Actions({ actions, onAct, busy = false, whole = false, children }: ActionsProps) {
   const id = useId();
   const primary = mainOnes(actions);
   const others = actions.filter((action) => !action.primary && !action.confirm);
@@ -37,7 +39,7 @@ export function Actions({ actions, onAct, busy = false, children }: ActionsProps
           <ActionButton action={action} onAct={onAct} />
         </MainAct>
       ))}
-      <div className={styles.middle}>{children}</div>
+      <div className={styles.middle} data-whole={whole || undefined}>{children}</div>
       <div className={styles.foot} data-busy={busy || undefined}>
         {reasons.map(({ why, labels }, i) => (
           <p key={why} id={`${id}${i}`} className={styles.why}>
