@@ -111,6 +111,7 @@ def solve_step(state: CalibrationState, live: Live) -> Body:
     """Take another pose, or compute the calibration from the points and the pictures."""
     advice = live.advice
     findings = list(live.seen.findings) if live.seen else []
+    findings.sort(key=lambda finding: finding.quality != "bad")
     refused = state.refused if state.refused and state.refused.inputs == state.inputs else None
     if refused is not None:
         why = f": {refused.why}" if refused.why else ""

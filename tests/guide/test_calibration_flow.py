@@ -228,6 +228,10 @@ def test_a_refused_solve_says_why_and_offers_the_ways_back(
     declined = Outcome([], [], [], [of_picture], None, fault="exposure")
     told = view_of(state, live_of(state, arm, block, seen=declined))
     assert told.findings == [of_picture]
+    dim, none = Finding("attention", "It is dim."), Finding("bad", "There is no stripe.")
+    declined = Outcome([], [], [], [dim, none], None)
+    told = view_of(state_after(*rows), live_of(state, arm, block, seen=declined))
+    assert told.findings == [none, dim]
     state = state_after(*rows, ("solve_refused", refused), ("point_voided", {"index": 3}))
     assert view_of(state, live_of(state, arm, block)).findings == []
 
