@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.metrology.adjustment.board_results import BoardContacts
-from app.metrology.adjustment.board_start import SeenBoard, SizeByMotion
-from app.metrology.adjustment.contact_faults import about_contact_faults
+from app.metrology.adjustment.board_start import SeenBoard
+from app.metrology.adjustment.faults import about_board_faults
 from app.metrology.adjustment.joint_findings import ALIKE_DEG, largest_turn_deg
 from app.metrology.adjustment.pose_results import PoseResult
 from app.metrology.adjustment.sheet import groups_of, surface
@@ -36,9 +36,6 @@ REMEDIES = {
 }
 # Poses tell the same of everything: this many at most are asked for.
 MOST_ASKED = 60
-# The pattern is another size beyond this many deviations of what is known of it, and by
-# this much.
-SIZE_SIGMAS, SIZE_SHARE = 4.0, 0.002
 # Robot and pictures disagree in the board's tilt by more than this, and more than in turn.
 ROCKING_RAD, ROCKING_TIMES = 1e-3, 3.0
 # A sheet that bends by more than this times its flatness does not lie as it should.
@@ -59,7 +56,6 @@ class BoardEvidence:
     known: Known
     poses: Sequence[PoseResult]
     limits: Limits
-    size: SizeByMotion
     lines_before: dict[int, float]  # mm by pose number: of a laser that moved, left out
     lines_apart: dict[int, float]  # the same, where they count
     contacts: BoardContacts | None
@@ -71,10 +67,9 @@ def board_findings(evidence: BoardEvidence) -> tuple[Finding, ...]:
     told = (
         _verdict(evidence),
         *_about_contacts(evidence),
-        *_about_size(evidence),
+        *about_board_faults(found, evidence.board.square_mm, evidence.limits),
         *_about_print(evidence),
         _about_bend(evidence),
-        *about_contact_faults(found, evidence.limits),
         *_about_poses(evidence),
         *_about_rocking(found),
         *_about_pictures(evidence.seen),
@@ -126,24 +121,6 @@ def _about_contacts(evidence: BoardEvidence) -> list[Finding]:
         found = [Finding("attention", "contacts", text, remedy)]
     left_out = contacts_left_out(touches.features, contacts.residuals_um, contacts.left_out)
     return [*found, *left_out]
-
-
-def _about_size(evidence: BoardEvidence) -> list[Finding]:
-    """By the arm's motion, which tells it apart from the pictures."""
-    board, size = evidence.board, evidence.size
-    certified = board.standard_uncertainty_mm / float(np.max(board.extent_mm))
-    if abs(size.scale - 1) < max(SIZE_SIGMAS * float(np.hypot(size.sd, certified)), SIZE_SHARE):
-        return []
-    return [
-        Finding(
-            "bad",
-            "board-size",
-            f"By the arm's motion the squares are {size.scale * board.square_mm:.3f} mm wide (± "
-            f"{2 * size.sd * board.square_mm:.3f}), by the certificate {board.square_mm:g} mm: all "
-            "lengths would be off by as much.",
-            "Measure the pattern over all its squares, and correct square_mm.",
-        )
-    ]
 
 
 def _about_print(evidence: BoardEvidence) -> list[Finding]:

@@ -137,7 +137,6 @@ def _assembled(inputs: BoardInputs, found: Adjusted, start: BoardStart) -> Board
         worth,
         poses,
         inputs.limits,
-        start.size,
         start.lines_out if start.moved else {},
         start.apart,
         contacts,

@@ -9,10 +9,9 @@ from app.metrology.adjustment.board_bundle import Bundle, bundle, unplaced
 from app.metrology.adjustment.board_lines import Lines, lines_of
 from app.metrology.adjustment.board_start import (
     SeenBoard,
-    SizeByMotion,
     board_camera,
     numbered,
-    size_by_motion,
+    refuse_other_size,
 )
 from app.metrology.adjustment.board_view import BoardView
 from app.metrology.adjustment.evidence import Problem, Touches
@@ -75,7 +74,6 @@ class BoardStart:
     problem: Problem
     state: State
     mounting: Mounting
-    size: SizeByMotion
     lines_out: dict[int, float]
     apart: dict[int, float]
     moved: bool
@@ -93,7 +91,7 @@ def board_problem(inputs: BoardInputs) -> BoardStart:
     views, found = _bundled(inputs, moves)
     T_cam_obj = np.array([rigid(one.rotation, one.translation_mm) for one in found.cameras])
     mounting = mounting_by_motion(moves.T_arm_flange, T_cam_obj, board.size_mm)
-    size = size_by_motion(mounting, board)
+    refuse_other_size(mounting, board)
     refuse_contradictions(mounting, numbers, "board")
     lines = lines_of(views, found, numbers)
     noise = None
@@ -120,7 +118,7 @@ def board_problem(inputs: BoardInputs) -> BoardStart:
     )
     lines_out = {numbers[p]: float(abs(lines.off_mm[p])) for p in lines.left_out}
     apart = {numbers[p]: float(abs(lines.off_mm[p])) for p in lines.apart}
-    return BoardStart(problem, state, mounting, size, lines_out, apart, lines.moved)
+    return BoardStart(problem, state, mounting, lines_out, apart, lines.moved)
 
 
 def _bundled(inputs: BoardInputs, moves: FlangeMotion) -> tuple[list[BoardView], Bundle]:

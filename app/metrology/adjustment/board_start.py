@@ -130,22 +130,13 @@ def _angle_deg(T: Floats) -> float:
     return float(np.degrees(np.linalg.norm(Rotation.from_matrix(T[:3, :3]).as_rotvec())))
 
 
-@dataclass(frozen=True)
-class SizeByMotion:
-    """How much larger the squares are by the arm's motion than by the certificate, and the
-    standard deviation of that."""
-
-    scale: float
-    sd: float
-
-
-def size_by_motion(mounting: Mounting, board: Chessboard) -> SizeByMotion:
-    """The squares' size that suits the arm's motion best.
+def refuse_other_size(mounting: Mounting, board: Chessboard) -> None:
+    """Refuses squares that are clearly another size by the arm's motion.
 
     With the turns known, shifts and the one scale of all distances follow linearly.
 
     Raises:
-        Refusal: clearly another size, or poses that are not what they should be.
+        Refusal: that, or poses that are not what they should be.
     """
     kept = np.flatnonzero(~mounting.contradicts)
     # one wrong size makes all poses contradict one another: then all of them are asked
@@ -181,4 +172,3 @@ def size_by_motion(mounting: Mounting, board: Chessboard) -> SizeByMotion:
             "measure the squares, and correct square_mm; or check that every picture has its"
             " own pose, in mm",
         )
-    return SizeByMotion(scale, sd)

@@ -1,4 +1,5 @@
-"""How likely one fault in all contacts is (a wrong tip, a block that was moved), against none.
+"""How likely one fault in all contacts or papers is (a wrong tip, a block that was moved or is
+another size), against none.
 
 A fault makes the arm look worse than it is: its links' errors and the noise of its readings
 take it up, and it hides in them. So the fault's size is one more unknown, the sizes of links'
@@ -28,11 +29,13 @@ NOISE_STEP, MOST_NOISES = 1.5, 6
 
 @dataclass(frozen=True)
 class Suspect:
-    """A fault that changes the contacts' residuals (N, of those that count) by ``by`` (N, K) for
-    each unit of its K sizes. Before anything is told these scatter by one of ``sds`` (K,), each
-    as likely."""
+    """A fault that changes the contacts' residuals (N, of those that count) by ``by`` (N, K), and
+    how far the object's coordinates (B,) are off their papers by ``by_papers`` (B, K), for each
+    unit of its K sizes. Before anything is told these scatter by one of ``sds`` (K,), each as
+    likely."""
 
     by: Floats
+    by_papers: Floats
     sds: tuple[Floats, ...]
 
 
@@ -67,16 +70,16 @@ class _Likely:
 
 
 def evidence_of(found: Adjusted, suspects: Sequence[Suspect]) -> list[Told]:
-    """Of each suspect by itself, in a session with contacts, all else taken as linear at the
-    minimum."""
+    """Of each suspect by itself, all else taken as linear at the minimum."""
     scales, start = found.scales, found.state.links
     by = np.hstack([one.by for one in suspects])
+    by_papers = np.hstack([one.by_papers for one in suspects])
     ends = len(start) + np.cumsum([one.by.shape[1] for one in suspects])
     own = [np.arange(end - one.by.shape[1], end) for one, end in zip(suspects, ends, strict=True)]
     none: list[_Likely] = []
     each: list[list[_Likely]] = [[] for _ in suspects]
     for noise in _noises(found):
-        reduced = _reduced(found, by, replace(scales, noise=noise))
+        reduced = _reduced(found, by, by_papers, replace(scales, noise=noise))
         for size in _sizes(scales):
             prior, sd = size_prior(size), size.of_links(len(start) // 6)
             none.append(_likely(reduced, start, sd, prior, np.arange(0), np.zeros(0)))
@@ -120,38 +123,47 @@ def _averaged(told: Sequence[_Likely], none: Sequence[_Likely]) -> Told:
     return Told(mean, covariance, 2 * float(np.logaddexp.reduce(logs) - without))
 
 
-def _reduced(found: Adjusted, by: Floats, scales: Scales) -> _Reduced:
-    contacts = found.linear.contacts
-    assert contacts is not None
+def _reduced(found: Adjusted, by: Floats, by_papers: Floats, scales: Scales) -> _Reduced:
     equations = normal(found.linear, found.judgements)
     at, start = equations.linear.at, equations.linear.state.links
     parts, g = equations.with_scales(scales)
     N = np.sum([part for source, part in parts.items() if source != "links"], axis=0)
     links = np.arange(at.count)[at.links]
     others = np.setdiff1d(np.flatnonzero(found.free), links)
-    variance = contacts.variances(scales)
-    weighed = by / variance[:, None]
-    across = contacts.jacobian.T @ weighed
-    pull = np.concatenate(
-        [
-            # what the data pull with, without what holds the links back
-            g[links] - start / scales.of_links(len(start) // 6) ** 2,
-            weighed.T @ contacts.residuals_mm,
-        ]
-    )
+    across, among, pull, log = _of_suspects(found, by, by_papers, scales)
+    # what the data pull the links with, without what holds these back
+    pull = np.concatenate([g[links] - start / scales.of_links(len(start) // 6) ** 2, pull])
     scale = 1 / np.sqrt(np.diag(N)[others])
     A = N[np.ix_(others, others)] * np.outer(scale, scale)
     B = np.hstack([N[np.ix_(others, links)], across[others]]) * scale[:, None]
     solved = np.linalg.solve(A, np.column_stack([B, g[others] * scale]))
-    S = np.block([[N[np.ix_(links, links)], across[links]], [across[links].T, by.T @ weighed]])
-    log = 0.5 * float((g[others] * scale) @ solved[:, -1]) + np.sum(np.log(scale))
+    S = np.block([[N[np.ix_(links, links)], across[links]], [across[links].T, among]])
+    log += 0.5 * float((g[others] * scale) @ solved[:, -1]) + float(np.sum(np.log(scale)))
     log -= 0.5 * float(np.linalg.slogdet(A)[1])
-    log -= 0.5 * float(np.sum(np.log(variance) + contacts.residuals_mm**2 / variance))
-    return _Reduced(
-        S - B.T @ solved[:, :-1],
-        pull - B.T @ solved[:, -1],
-        float(log) + _noise_log(found, scales),
-    )
+    return _Reduced(S - B.T @ solved[:, :-1], pull - B.T @ solved[:, -1], log)
+
+
+def _of_suspects(
+    found: Adjusted, by: Floats, by_papers: Floats, scales: Scales
+) -> tuple[Floats, Floats, Floats, float]:
+    """The suspects' part of the normal equations (U, K), (K, K) and of the gradient (K,); and how
+    likely contacts and noise are as they are, without them."""
+    papers, at = found.problem.papers, found.layout
+    weighed = by_papers / papers.sd[:, None] ** 2
+    across = np.zeros((at.count, by.shape[1]))
+    across[at.coordinates] = weighed
+    among = by_papers.T @ weighed
+    pull = weighed.T @ (found.state.coordinates - papers.coordinates)
+    log = _noise_log(found, scales)
+    contacts = found.linear.contacts
+    if contacts is not None:
+        variance, off = contacts.variances(scales), contacts.residuals_mm
+        weighed = by / variance[:, None]
+        across += contacts.jacobian.T @ weighed
+        among += by.T @ weighed
+        pull += weighed.T @ off
+        log -= 0.5 * float(np.sum(np.log(variance) + off**2 / variance))
+    return across, among, pull, log
 
 
 def _noise_log(found: Adjusted, scales: Scales) -> float:

@@ -7,7 +7,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from app.metrology.adjustment.block_start import SeenPose
-from app.metrology.adjustment.contact_faults import about_contact_faults
+from app.metrology.adjustment.faults import about_block_faults
 from app.metrology.adjustment.pose_results import PoseResult
 from app.metrology.adjustment.scales import Scales
 from app.metrology.adjustment.solve import Adjusted
@@ -58,7 +58,7 @@ def joint_findings(evidence: JointEvidence) -> tuple[Finding, ...]:
     found = (
         verdict(evidence.known.total_um, evidence.known.rows, evidence.limits),
         *about_contacts(evidence.alignment, evidence.features, evidence.limits),
-        *about_contact_faults(evidence.found, evidence.limits),
+        *about_block_faults(evidence.found, evidence.limits),
         *_about_poses(evidence),
         *_about_arm(evidence),
         *_about_pictures(evidence),

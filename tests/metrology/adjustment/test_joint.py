@@ -160,3 +160,21 @@ def test_touches_are_asked_for_until_the_target_is_reached(
     assert advice.then_um <= 0.8 * now
     assert "more on the" in advice.words
     assert next_touches(found.alignment, inputs.features, inputs.block, 2 * now).more == ()
+
+
+@pytest.mark.parametrize("times", [0.997, 1.02])
+def test_a_block_of_another_size_is_told_by_the_arms_motion(samples: Path, times: float) -> None:
+    session = read_session(samples / "many-poses")
+    block = session.block
+    lengths = ("front_y_mm", "back_y_mm", "crest_z_mm", "floor_z_mm", "base_z_mm")
+    other = replace(
+        block,
+        edges_x_mm=tuple(times * x for x in block.edges_x_mm),
+        **{name: times * getattr(block, name) for name in lengths},
+    )
+    found = calibrate_joint(joint_inputs(replace(session, block=other)))
+    (said,) = [one for one in found.findings if one.code == "object-size"]
+    assert said.quality == "bad"
+    percent = float(said.text.split("object is ")[1].split(" %")[0])
+    assert percent == pytest.approx(100 * abs(1 / times - 1), abs=0.15)
+    assert ("smaller" if times > 1 else "larger") in said.text

@@ -7,8 +7,8 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from app.bench.simulated import USUAL, SetUp, Station, drawn, station_of
-from app.metrology.adjustment.contact_faults import about_contact_faults
 from app.metrology.adjustment.evidence import Touches
+from app.metrology.adjustment.faults import about_block_faults
 from app.metrology.adjustment.scales import Scales
 from app.metrology.adjustment.solve import adjust
 from app.metrology.findings import LIMITS, Finding
@@ -33,7 +33,7 @@ def said(on: Station, seed: int, tips_mm: Floats | None = None) -> list[Finding]
     touches = touches_of(session.problem.touches)
     off_mm = np.zeros(3) if tips_mm is None else tips_mm
     moved = replace(touches, tips_mm=touches.tips_mm + off_mm)
-    return about_contact_faults(
+    return about_block_faults(
         adjust(replace(session.problem, touches=moved), session.start), LIMITS
     )
 
