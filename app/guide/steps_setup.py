@@ -47,8 +47,8 @@ def setup_step(state: CalibrationState, live: Live) -> Body:
         actions=[offer(state, live, "confirm_setup", "These are in use", primary=True)],
         findings=[
             *_serials(live),
-            *live.library.findings,
             *([live.tip] if live.tip is not None else []),
+            *live.library.findings,
         ],
     )
 
