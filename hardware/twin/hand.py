@@ -50,6 +50,8 @@ GAUGE = "gauge"
 """Instead of a face's name, after a gauge was touched."""
 WAYS = 8
 """Of which the hand takes the shortest."""
+BESIDE = (0.0, 0.3, 0.6, -0.3)
+"""Places on a sphere between its numbered ones, tried where the arm does not get to one."""
 LEAST_HEIGHT = 0.15
 """Over a sphere's middle, as a share of its radius, that is touched: its foot is below."""
 
@@ -256,7 +258,11 @@ class Hand:
         ways: int = 1,
     ) -> JointPath:
         reach_mm = radius_mm + self.ways.gap_mm()
-        return way_onto_ball(self._arm, centre, reach_mm, index, q, self._rng, lowest, ways)
+        for beside in BESIDE:
+            with suppress(UnreachableError):
+                place = index + beside
+                return way_onto_ball(self._arm, centre, reach_mm, place, q, self._rng, lowest, ways)
+        raise UnreachableError("the arm cannot touch the ball there")
 
     def _tap(self, way: Callable[[Floats], JointPath]) -> None:
         """Goes the way onto something from where the arm is, presses, and goes back off."""

@@ -95,7 +95,7 @@ def way_onto_ball(
     arm: ArmModel,
     ball_mm: Floats,
     radius_mm: float,
-    index: int,
+    index: float,
     q_rad: Floats,
     rng: np.random.Generator,
     lowest: float = -0.1,
@@ -105,6 +105,7 @@ def way_onto_ball(
 
     Args:
         radius_mm: of the ball and the tip together, with the error of this contact.
+        index: between whole numbers, a place between.
         lowest: of the places, over the ball's middle as a share of its radius.
         ways: of so many ways the one that turns the arm least from ``q_rad``.
 
