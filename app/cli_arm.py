@@ -30,7 +30,13 @@ def identify(
     ] = False,
 ) -> None:
     """Identify the arm's own geometry from seats, spheres and ball bars touched with it."""
-    from app.files.identify import figures_of, held_figures, identify_folder, parameter_rows
+    from app.files.identify import (
+        correlated_figures,
+        figures_of,
+        held_figures,
+        identify_folder,
+        parameter_rows,
+    )
 
     began = time.perf_counter()
     with progress_bar("Identifying", not as_json) as tell:
@@ -44,6 +50,8 @@ def identify(
     print_figures(f"Arm of {folder}", figures_of(result))
     columns = ("parameter", "before", "after", "change", "uncertainty (k = 1)")
     print_table("Moved", columns, parameter_rows(result))
+    if pairs := correlated_figures(result):
+        print_figures("Correlated (told together, each alone less well)", pairs)
     print_figures("Held", held_figures(result))
     print(f"{output} written in {seconds:.2f} s")
     print("The flange's frame is now this arm's: calibrate its sensors again with it.")

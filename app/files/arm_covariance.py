@@ -29,6 +29,14 @@ class HeldPart(Part):
     reason: str
 
 
+class CorrelationPart(Part):
+    """Two moved parameters that the places hardly tell apart."""
+
+    first: str
+    second: str
+    coefficient: Number
+
+
 class DeviationsPart(Part):
     """How far places that the fit did not see disagree; None where none was touched so."""
 
@@ -58,6 +66,8 @@ class IdentificationPart(Part):
     covariance: tuple[tuple[Number, ...], ...]
     """Of ``parameters``, in their units, k = 1."""
     held: tuple[HeldPart, ...]
+    correlated: Annotated[tuple[CorrelationPart, ...], Field(default=())]
+    """Pairs of ``parameters`` whose correlation is beyond ±0.95, the strongest first."""
     volume_before_um: NotNegative
     """Rms of the tip over the reach: by how much the arm differed from what it is now."""
     volume_after_um: NotNegative

@@ -9,6 +9,7 @@ import numpy as np
 
 from app.files.arm import ArmFile, arm_sheet
 from app.files.arm_covariance import (
+    CorrelationPart,
     DeviationsPart,
     HeldPart,
     IdentificationInput,
@@ -86,6 +87,10 @@ def identification_part(
         ),
         covariance=tuple(tuple(row) for row in _covariance_in_degrees(result).tolist()),
         held=tuple(HeldPart(name=_in_degrees(h.name), reason=h.why) for h in result.held),
+        correlated=tuple(
+            CorrelationPart(first=first, second=second, coefficient=rho)
+            for first, second, rho in correlations_of(result)
+        ),
         volume_before_um=result.volume_before_mm * 1e3,
         volume_after_um=result.volume_after_mm * 1e3,
         size_known=result.size_known,
@@ -105,7 +110,9 @@ def identification_part(
 
 def outlier_text(outlier: Outlier) -> str:
     """One point that was left out, in words."""
-    return f"{outlier.place}, point {outlier.number}: {outlier.distance_mm * 1e3:.0f} µm off"
+    far_mm = outlier.distance_mm
+    far = f"{far_mm * 1e3:.0f} µm" if far_mm < 1.0 else f"{far_mm:.1f} mm"
+    return f"{outlier.place}, point {outlier.number}: {far} off"
 
 
 def figures_of(result: Identification) -> list[tuple[str, str]]:
@@ -182,6 +189,16 @@ def held_figures(result: Identification) -> list[tuple[str, str]]:
         if ".error." not in held.name or held.reason in ("redundant", "unobserved"):
             by_reason.setdefault(held.why, []).append(_in_degrees(held.name))
     return [(", ".join(names), why) for why, names in by_reason.items()]
+
+
+def correlations_of(result: Identification) -> list[tuple[str, str, float]]:
+    """Pairs of moved parameters that the places hardly tell apart, by the file's names."""
+    return [(_in_degrees(a), _in_degrees(b), rho) for a, b, rho in result.correlated]
+
+
+def correlated_figures(result: Identification) -> list[tuple[str, str]]:
+    """The same to print."""
+    return [(f"{a}, {b}", f"{rho:+.3f}") for a, b, rho in correlations_of(result)]
 
 
 def _validation_part(validation: Validation) -> ValidationPart:

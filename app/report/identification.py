@@ -164,6 +164,10 @@ def _parameters(found: IdentificationPart) -> list[Block]:
     if kept:
         rest = [(", ".join(names), why) for why, names in kept.items()]
         blocks.append(Table(("Kept", "Why"), rest, (60, 40), 2, small=True))
+    if found.correlated:
+        pairs = [(f"{p.first}, {p.second}", f"{p.coefficient:+.3f}") for p in found.correlated]
+        title = "Correlated: told together, each alone less well"
+        blocks.append(Table((title, "Coefficient"), pairs, (70, 30), 1, small=True))
     return blocks
 
 

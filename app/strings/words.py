@@ -20,6 +20,7 @@ WORDS = (
     # what the code puts together of pieces
     *("Touch {missing}", "{path}: {field} is {value}", "{count} more on the {face} face"),
     "{place}, point {number}: {distance_um} µm off",
+    "{place}, point {number}: {distance_mm} mm off",
     *(f"tilt {way} {{deg}}°" for way in ("right", "left", "to the back", "to the front")),
     *(f"turn {way} {{deg}}°" for way in ("anticlockwise", "clockwise")),
     *("tip Ø {diameter_mm} mm", "laser {wavelength_nm} nm", "touched points", "laser stripe"),

@@ -18,6 +18,8 @@ SHAPES: dict[str, dict[str, type]] = {
         "SeatLine": view.SeatLine,
         "Before": view.Before,
         "ParameterLine": view.ParameterLine,
+        "KeptLine": view.KeptLine,
+        "CorrelatedLine": view.CorrelatedLine,
         "ArmResult": view.ArmResult,
         "TipResult": view.TipResult,
         "TipCheckSummary": view.TipCheckSummary,

@@ -77,3 +77,21 @@ def test_articulation_passes_or_fails_by_the_limit(tmp_path: Path, folder: Path)
 def test_wrong_usage(folder: Path) -> None:
     assert crenel("identify").exit_code == 2
     assert crenel("articulation", folder, "--limit-um", "-3").exit_code == 2
+
+
+def test_what_belongs_together_is_told(tmp_path: Path, folder: Path) -> None:
+    out = tmp_path / "new.json"
+    shown = crenel("identify", folder, "-o", out)
+    assert "Correlated" in shown.stdout
+    pairs = json.loads(out.read_text())["identification"]["correlated"]
+    assert all(abs(pair["coefficient"]) > 0.95 for pair in pairs)
+    names = {one["name"] for one in json.loads(out.read_text())["identification"]["parameters"]}
+    assert pairs
+    assert {pair["first"] for pair in pairs} <= names
+
+
+def test_points_of_the_fit_are_no_check(tmp_path: Path, folder: Path) -> None:
+    before = names_in(tmp_path)
+    told = refused("identify", folder, "-o", tmp_path / "new.json", "--check", folder)
+    assert "other places" in told
+    assert names_in(tmp_path) == before

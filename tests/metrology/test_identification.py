@@ -286,3 +286,49 @@ def test_the_arms_reach_decides_what_the_covariance_is_worth(session: ArmSession
     less: Identification = identify(arm, few)
     more: Identification = identify(arm, observed(session))
     assert less.volume_after_mm > more.volume_after_mm
+
+
+def test_one_sphere_of_another_size_is_named(session: ArmSession) -> None:
+    good = observed(session)
+    third = replace(good.spheres[0], name="K3")
+
+    def with_wrong(by_mm: float) -> Observations:
+        wrong = replace(good.spheres[0], diameter_mm=good.spheres[0].diameter_mm + by_mm)
+        return replace(good, spheres=(wrong, *good.spheres[1:]))
+
+    refusal = refused(session, with_wrong(0.2))
+    assert refusal.code == "sphere-diameter"
+    assert f"sphere {third.name[:1]}" in refusal.what
+    assert refused(session, with_wrong(-1.0)).code == "sphere-diameter"
+    assert "sphere" not in " ".join(identify(papers_of(session.nominal_arm), good).warnings)
+
+
+def test_a_length_in_another_unit_is_told_as_that(session: ArmSession) -> None:
+    good = observed(session)
+    metres = tuple(replace(bar, length_mm=bar.length_mm / 1000) for bar in good.bars)
+    refusal = refused(session, replace(good, bars=metres))
+    assert refusal.code == "bar-length"
+    assert "millimetres" in refusal.remedy
+
+
+def test_spheres_and_papers_outvote_a_single_bar(session: ArmSession) -> None:
+    good = observed(session)
+    only = tuple(replace(b, length_mm=b.length_mm + 1.2) for b in good.bars if b.name == "B2")
+    refusal = refused(session, replace(good, bars=only))
+    assert refusal.code == "bar-length"
+    assert "bar B2" in refusal.what
+
+
+def test_points_of_the_fit_do_not_check_it(session: ArmSession) -> None:
+    good = observed(session)
+    with pytest.raises(Refusal) as caught:
+        identify(papers_of(session.nominal_arm), good, replace(good, seats=(), bars=()))
+    assert caught.value.code == "check-seen"
+
+
+def test_parameters_hardly_told_apart_are_named(session: ArmSession) -> None:
+    result = identify(papers_of(session.nominal_arm), observed(session).part([0, 1, 2, 3, 4, 5, 6]))
+    moved = {one.name for one in result.moved}
+    strengths = [abs(rho) for _, _, rho in result.correlated]
+    assert strengths == sorted(strengths, reverse=True)
+    assert all({first, second} <= moved for first, second, _ in result.correlated)

@@ -12,7 +12,9 @@ from app.guide.arm.view import (
     ArmPicture,
     ArmResult,
     Before,
+    CorrelatedLine,
     JointSwing,
+    KeptLine,
     ParameterLine,
     SeatLine,
 )
@@ -160,6 +162,8 @@ def _result(state: ArmState) -> ArmResult | None:
         solved["places"],
         [Before(**line) for line in solved["lines"]],
         [ParameterLine(**line) for line in solved["parameters"]],
+        [KeptLine(**line) for line in solved.get("kept", ())],
+        [CorrelatedLine(**line) for line in solved.get("correlated", ())],
     )
 
 

@@ -55,6 +55,23 @@ class ParameterLine:
 
 
 @dataclass(frozen=True)
+class KeptLine:
+    """Parameters that kept their values, and why."""
+
+    names: str
+    why: str
+
+
+@dataclass(frozen=True)
+class CorrelatedLine:
+    """Two parameters that the places hardly tell apart."""
+
+    first: str
+    second: str
+    coefficient: float
+
+
+@dataclass(frozen=True)
 class ArmResult:
     """What an identification found."""
 
@@ -65,6 +82,8 @@ class ArmResult:
     places: int
     lines: Sequence[Before]
     parameters: Sequence[ParameterLine]
+    kept: Sequence[KeptLine]
+    correlated: Sequence[CorrelatedLine]
 
 
 @dataclass(frozen=True)

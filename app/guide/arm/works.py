@@ -5,7 +5,13 @@ from datetime import UTC, datetime
 from app.files.arm_identification import ARM, IDENTIFIED
 from app.files.atomic import write_atomically
 from app.files.failures import files_refused
-from app.files.identify import Signature, identify_folder, parameter_lines
+from app.files.identify import (
+    Signature,
+    correlations_of,
+    held_figures,
+    identify_folder,
+    parameter_lines,
+)
 from app.guide.arm.guide import ArmGuide
 from app.guide.arm.past import SOLVED
 from app.metrology.arm_model.identification import Identification
@@ -77,5 +83,10 @@ def _payload(result: Identification) -> dict[str, object]:
         "places": result.validation.places,
         "lines": lines,
         "parameters": parameter_lines(result),
+        "kept": [{"names": names, "why": why} for names, why in held_figures(result)],
+        "correlated": [
+            {"first": first, "second": second, "coefficient": rho}
+            for first, second, rho in correlations_of(result)
+        ],
         "warnings": list(result.warnings),
     }

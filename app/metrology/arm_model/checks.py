@@ -1,12 +1,13 @@
 """What is wrong with the points: too few, too alike, a place that moved, a wrong tip."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from app.metrology.arm import Arm
 from app.metrology.arm_model.adjustment import residuals
-from app.metrology.arm_model.observations import Observations, Stacked
+from app.metrology.arm_model.observations import Bar, Observations, Place, Stacked
 from app.metrology.arm_model.parameters import parameter_names, parameter_values, tip_jacobian
 from app.metrology.arm_model.selection import LENGTH_MM, candidates, limits
 from app.metrology.arm_model.solving import Fit, solve
@@ -23,6 +24,8 @@ OUTLIER_SHARE = 0.25
 MOVED_SIGMAS = 4.0
 """First and later points of a seat lie so much further apart than single points scatter."""
 LEAST_HEAP = 4
+LEAST_TO_SIZE, SPHERE_STEPS, STRAY = 8, 20, 5.0
+"""Points that tell a sphere's size by themselves; those further off than so many sd stray."""
 LARGEST_SCATTER_MM = 1.0
 FREE_MM = 1e3
 """Uncertainty of a bar's length that says nothing of it."""
@@ -32,6 +35,8 @@ UNLIKELY = 5e-4
 DIFFERENT = 0.8
 """Share of the points that must have angles of their own."""
 NO_SEAT_MM = 50.0
+ODD_MM = 5.0
+"""A tip that typically goes so far in a seat is no seated tip of this arm."""
 MIXED_MM = 100.0
 """No tip of a reasonable arm.json is off by so much."""
 EXCESS_SIGMAS, EXCESS_MM, WRONG_TIP_MM = 5.0, 0.005, 0.025
@@ -44,7 +49,7 @@ def check_enough(arm: Arm, observations: Observations) -> None:
     if observations.groups_count < LEAST_PLACES:
         raise Refusal(
             "too-few-places",
-            f"{observations.groups_count} places were touched",
+            f"too few places were touched: {observations.groups_count}",
             f"at least {LEAST_PLACES} seats, spheres and bar positions are needed, so that some "
             "can be held out",
             "Take more places, all over the arm's reach",
@@ -118,8 +123,34 @@ def check_arm_fits(arm: Arm, observations: Observations) -> None:
                 "seat-moved",
                 f"seat {name}: its points 1 to {split} and {split + 1} to {len(points)} lie "
                 f"{gap_mm:.0f} mm apart",
-                "they are of two seats, or the seat was carried elsewhere in between",
+                "they are of two seats, or the seat was carried elsewhere in between"
+                + _doubt_of(arm, [off for other, off in far_mm.items() if other != name]),
                 "Give each seat a name of its own",
+            )
+    _check_bars_kind(arm, observations.bars)
+
+
+def _doubt_of(arm: Arm, far_mm: list[float]) -> str:
+    """Said where the tip goes far in the other seats, too."""
+    if not far_mm or float(np.median(far_mm)) < ODD_MM:
+        return ""
+    return (
+        f", or arm.json is not this arm's: in other seats, too, its tip goes {max(far_mm):.0f} mm"
+    )
+
+
+def _check_bars_kind(arm: Arm, bars: Sequence[Bar]) -> None:
+    """Refuses a length in another unit, or of quite another bar."""
+    for bar in bars:
+        a, b = (np.median(tip_jacobian(arm, q)[0], axis=0) for q in bar.q_rad)
+        seen_mm = float(np.linalg.norm(a - b))
+        if abs(seen_mm - bar.length_mm) > MIXED_MM:
+            raise Refusal(
+                "bar-length",
+                f"bar {bar.name}, position {bar.position}: by arm.json its ends lie "
+                f"{seen_mm:.0f} mm apart, {bar.length_mm:g} mm are given",
+                "the length is of another bar or in another unit, or the ends are not this bar's",
+                f"Give length_mm of bar {bar.name} in millimetres, and check its rows",
             )
 
 
@@ -154,6 +185,91 @@ def check_places_stood_still(data: Stacked, fit: Fit) -> None:
                 "among them",
                 "Take this place again, or delete its rows",
             )
+
+
+def check_unseen(observations: Observations, check: Observations) -> None:
+    """Refuses to check a fit by points that it saw."""
+    fitted = {row.tobytes() for row in observations.stacked.q_rad}
+    seen = sum(row.tobytes() in fitted for row in check.stacked.q_rad)
+    if seen:
+        raise Refusal(
+            "check-seen",
+            f"{seen} of the {len(check.stacked.q_rad)} points to check by are among those of "
+            "the fit",
+            "they cannot show whether the arm is better elsewhere",
+            "Name a folder of other places, or none: some are then held out in turn",
+        )
+
+
+def check_spheres(data: Stacked, fit: Fit) -> list[str]:
+    """Warns of a sphere that is seen in another size than the others; refuses one far off.
+
+    Each by its own points and the arm fitted, whatever the fit left out.
+    """
+    found = _own_excesses(data, fit)
+    if len(found) < 2:
+        return []
+    excess, sd = np.array([own[1:] for own in found]).T
+    weights = 1 / sd**2
+    rest = weights.sum() - weights
+    off = excess - (np.sum(weights * excess) - weights * excess) / rest
+    off_sd = np.sqrt(sd**2 + 1 / rest)
+    # among several the one whose difference is plainest; of two none can be told
+    worst = int(np.argmax(np.abs(off) / off_sd))
+    if abs(off[worst]) <= max(EXCESS_SIGMAS * off_sd[worst], EXCESS_MM):
+        return []
+    others = "the other one" if len(found) == 2 else "the others"
+    told = (
+        f"{found[worst][0].label} is seen {2e3 * abs(off[worst]):.0f} µm "
+        f"(± {2e3 * off_sd[worst]:.0f}) "
+        f"{'larger' if off[worst] > 0 else 'smaller'} than {others}, against the "
+        "diameters given"
+    )
+    if abs(off[worst]) > WRONG_TIP_MM:
+        raise Refusal(
+            "sphere-diameter",
+            told,
+            "one diameter is not this sphere's, or the sphere was not clean",
+            "Check diameter_mm of the spheres; take this sphere again or delete its rows",
+        )
+    return [f"{told}: check its diameter"]
+
+
+def _own_excesses(data: Stacked, fit: Fit) -> list[tuple[Place, float, float]]:
+    """Of each sphere with points enough: its radius' excess and standard deviation, mm."""
+    tips = tip_jacobian(fit.at.arm, data.q_rad)[0]
+    found: list[tuple[Place, float, float]] = []
+    for number, place in enumerate(data.places):
+        if place.diameter_mm is None or place.rows.stop - place.rows.start < LEAST_TO_SIZE:
+            continue
+        expected = place.diameter_mm / 2 + fit.at.arm.tip.radius_mm
+        own = _sphere(tips[place.rows], fit.at.centres_mm[number], expected)
+        if own is not None:
+            found.append((place, own[0] - expected, own[1]))
+    return found
+
+
+def _sphere(points: Floats, centre: Floats, radius_mm: float) -> tuple[float, float] | None:
+    """Radius and its standard deviation of the points (m, 3), without those that stray."""
+    at = np.append(centre, radius_mm)
+    kept = np.ones(len(points), bool)
+    sd, J = 0.0, np.ones((len(points), 4))
+    for _ in range(SPHERE_STEPS):
+        away = points - at[:3]
+        far = np.linalg.norm(away, axis=1)
+        off = far - at[3]
+        J = np.column_stack([away / far[:, None], np.ones(len(points))])
+        at = at + np.linalg.lstsq(J[kept], off[kept], rcond=None)[0]
+        left = np.abs(off - np.median(off))
+        sd = max(1.4826 * float(np.median(left)), 1e-6)
+        kept = left < STRAY * sd
+        if kept.sum() < LEAST_TO_SIZE:
+            return None
+    spare = int(kept.sum()) - 4
+    off = np.linalg.norm(points - at[:3], axis=1) - at[3]
+    sd = float(np.sqrt(np.sum(off[kept] ** 2) / spare))
+    shape = np.linalg.pinv(J[kept].T @ J[kept])
+    return float(at[3]), max(sd, 1e-6) * float(np.sqrt(shape[3, 3]))
 
 
 def check_scatter(fit: Fit) -> None:
@@ -198,8 +314,24 @@ def check_bars(arm: Arm, observations: Observations, fit: Fit) -> list[str]:
             f"Check length_mm of bar {worst}, and its ends",
         )
     if abs(seen[worst]) > UNLIKELY * lengths[worst]:
+        if _spheres_side_with(loose, fit):
+            raise Refusal(
+                "bar-length",
+                told,
+                "the spheres are of the size given for them by the arm's papers, and not by "
+                f"this bar's length, which makes them {2e3 * abs(fit.at.radius_excess_mm):.0f} µm "
+                f"{'larger' if fit.at.radius_excess_mm > 0 else 'smaller'}",
+                f"Check length_mm of bar {worst}, and its ends",
+            )
         return [f"{told}: check its length, unless the arm's papers are as far off"]
     return []
+
+
+def _spheres_side_with(loose: Fit, fit: Fit) -> bool:
+    """Whether spheres fit their diameters as long as no bar's length tells the arm's size."""
+    excess, sd = fit.at.radius_excess_mm, float(np.sqrt(fit.others_covariance[0, 0]))
+    plain = abs(excess) > max(EXCESS_SIGMAS * sd, EXCESS_MM)
+    return plain and abs(loose.at.radius_excess_mm) < 0.5 * abs(excess)
 
 
 def check_tip_diameter(arm: Arm, data: Stacked, fit: Fit) -> None:
@@ -235,8 +367,9 @@ def warnings_of(arm: Arm, observations: Observations, fit: Fit) -> tuple[str, ..
         excess, sd = fit.at.radius_excess_mm, float(np.sqrt(fit.others_covariance[0, 0]))
         if abs(excess) > max(EXCESS_SIGMAS * sd, EXCESS_MM):
             found.append(
-                f"the spheres are seen {2e3 * excess:+.0f} µm larger than stated: the tip's "
-                f"diameter may be {arm.tip.diameter_mm + 2 * excess:.4f} mm"
+                f"the spheres are seen {2e3 * abs(excess):.0f} µm "
+                f"{'larger' if excess > 0 else 'smaller'} than stated: "
+                f"the tip's diameter may be {arm.tip.diameter_mm + 2 * excess:.4f} mm"
             )
     found += _far_moves(arm, fit)
     return tuple(found)

@@ -13,7 +13,9 @@ from app.metrology.arm_model.checks import (
     check_enough,
     check_places_stood_still,
     check_scatter,
+    check_spheres,
     check_tip_diameter,
+    check_unseen,
     warnings_of,
 )
 from app.metrology.arm_model.observations import Observations, Stacked
@@ -93,6 +95,7 @@ class Identification:
     covariance: Floats
     """(p, p) of ``moved``, mm and rad, k = 1."""
     correlated: tuple[tuple[str, str, float], ...]
+    """Pairs of ``moved`` beyond ±0.95, the strongest first."""
     scatter_mm: float
     """Per coordinate, of the points beyond what the encoders' noise explains."""
     radius_excess_mm: float
@@ -137,9 +140,12 @@ def identify(
     """
     check_enough(arm, observations)
     check_arm_fits(arm, observations)
+    if check is not None:
+        check_unseen(observations, check)
     data = observations.stacked
     tell(0.1, "Fitting the arm")
     fit = solve(arm, data, candidates(arm, bool(observations.bars)))
+    spheres_told = check_spheres(data, fit)
     check_places_stood_still(data, fit)
     bars = check_bars(arm, observations, fit)
     check_scatter(fit)
@@ -168,7 +174,12 @@ def identify(
         validation=validation,
         volume_before_mm=volumetric_difference_mm(arm, fit.at.arm),
         volume_after_mm=volumetric_uncertainty_mm(fit.at.arm, fit.moved, fit.covariance),
-        warnings=(*bars, *warnings_of(arm, observations, fit), *_still_off(validation)),
+        warnings=(
+            *bars,
+            *spheres_told,
+            *warnings_of(arm, observations, fit),
+            *_still_off(validation),
+        ),
     )
 
 
@@ -218,7 +229,8 @@ def _correlated(arm: Arm, fit: Fit) -> tuple[tuple[str, str, float], ...]:
     rho = fit.covariance / np.outer(sds, sds)
     first, second = np.nonzero(np.triu(np.abs(rho) > CORRELATED, 1))
     pairs = zip(first.tolist(), second.tolist(), strict=True)
-    return tuple((names[fit.moved[i]], names[fit.moved[j]], float(rho[i, j])) for i, j in pairs)
+    found = [(names[fit.moved[i]], names[fit.moved[j]], float(rho[i, j])) for i, j in pairs]
+    return tuple(sorted(found, key=lambda pair: -abs(pair[2])))
 
 
 def _outliers(data: Stacked, fit: Fit) -> tuple[Outlier, ...]:

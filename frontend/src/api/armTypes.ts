@@ -47,6 +47,19 @@ export interface ParameterLine {
   standard_uncertainty: number;
 }
 
+/** Parameters that kept their values, and why. */
+export interface KeptLine {
+  names: string;
+  why: string;
+}
+
+/** Two parameters that the places hardly tell apart. */
+export interface CorrelatedLine {
+  first: string;
+  second: string;
+  coefficient: number;
+}
+
 /** What an identification found. */
 export interface ArmResult {
   volume_before_um: number;
@@ -56,6 +69,8 @@ export interface ArmResult {
   places: number;
   lines: Before[];
   parameters: ParameterLine[];
+  kept: KeptLine[];
+  correlated: CorrelatedLine[];
 }
 
 /** The points of the present seat about their middle, and how the arm swung. */

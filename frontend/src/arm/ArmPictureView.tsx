@@ -15,7 +15,7 @@ export function ArmPictureView({ view }: { view: ArmView }) {
   if (view.step === "seat") return view.purpose !== "identify" ? <History of={view.purpose === "tip" ? "tip" : "arm"} /> : <SeatList seats={picture.seats} />;
   return (
     <div className={styles.picture}>
-      <RunCharts picture={picture} />
+      <RunCharts picture={picture} touching={view.artefact.kind === "sphere"} />
       <JointBars joints={picture.joints} />
     </div>
   );

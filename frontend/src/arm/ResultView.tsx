@@ -1,6 +1,6 @@
 import { useState } from "react";
 
-import type { ArmResult, ParameterLine } from "../api/armTypes";
+import type { ArmResult } from "../api/armTypes";
 import { CopyCsv } from "../parts/CopyCsv";
 import { DataTable } from "../parts/DataTable";
 import { Reports } from "../parts/Reports";
@@ -25,7 +25,7 @@ export function ResultView({ result, id }: { result: ArmResult; id: string }) {
         <Segments value={tab} onChange={setTab} options={TABS.map(({ value, label }) => ({ value, label: t(label) }))} label={t("What to look at")} />
         <Reports of={`/api/arm/identifications/${id}`} />
       </div>
-      {tab === "picture" ? <BeforeAndAfter result={result} /> : <Parameters parameters={result.parameters} />}
+      {tab === "picture" ? <BeforeAndAfter result={result} /> : <Parameters result={result} />}
     </div>
   );
 }
@@ -77,14 +77,28 @@ function Pair({ title, before_um, after_um, note }: PairProps) {
   );
 }
 
-function Parameters({ parameters }: { parameters: ParameterLine[] }) {
-  const table: TableData = {
+function Parameters({ result }: { result: ArmResult }) {
+  const tables = [moved(result), correlated(result), kept(result)].filter(({ rows }) => rows.length > 0);
+  return (
+    <div className={styles.parameters}>
+      <div className={styles.copy}>
+        <CopyCsv tables={tables} />
+      </div>
+      {tables.map((table) => (
+        <DataTable key={table.title} table={table} />
+      ))}
+    </div>
+  );
+}
+
+function moved({ parameters }: ArmResult): TableData {
+  return {
     title: words("The arm's parameters that were moved, uncertainty k = 1"),
     head: [words("Parameter"), words("Before"), words("After"), words("Change"), words("Uncertainty"), words("Unit")],
     rows: parameters.map(({ name, unit, before, after, standard_uncertainty }) => {
       const decimals = unit === "mm" ? 4 : 5;
       return [
-        name.replace(/_(mm|deg)$/, ""),
+        short(name),
         amount(before, decimals, unit),
         amount(after, decimals, unit),
         amount(after - before, decimals, unit, true),
@@ -93,12 +107,25 @@ function Parameters({ parameters }: { parameters: ParameterLine[] }) {
       ];
     }),
   };
-  return (
-    <div className={styles.parameters}>
-      <div className={styles.copy}>
-        <CopyCsv tables={[table]} />
-      </div>
-      <DataTable table={table} />
-    </div>
-  );
+}
+
+/** Pairs that the places hardly tell apart: why their uncertainties are larger than the tip's. */
+function correlated({ correlated: pairs }: ArmResult): TableData {
+  return {
+    title: words("Correlated: told together, each alone less well"),
+    head: [words("Parameters"), words("Coefficient")],
+    rows: pairs.map(({ first, second, coefficient }) => [`${short(first)}, ${short(second)}`, amount(coefficient, 3, "", true)]),
+  };
+}
+
+function kept({ kept: lines }: ArmResult): TableData {
+  return {
+    title: words("Parameters that kept their values"),
+    head: [words("Parameters"), words("Why")],
+    rows: lines.map(({ names, why }) => [names.split(", ").map(short).join(", "), why]),
+  };
+}
+
+function short(name: string): string {
+  return name.replace(/_(mm|deg)$/, "");
 }

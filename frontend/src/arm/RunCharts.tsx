@@ -10,7 +10,7 @@ const HEIGHT = 120;
 const LEAST_UM = 10;
 
 /** The tip's place along each axis of the arm, point after point, between the limits. */
-export function RunCharts({ picture }: { picture: ArmPicture }) {
+export function RunCharts({ picture, touching = false }: { picture: ArmPicture; touching?: boolean }) {
   const { tips_um, half_range_um, two_sigma_um, limit_um } = picture;
   const largest = Math.max(LEAST_UM, ...(half_range_um ?? []));
   /* A far limit does not flatten the points: it is then said in words alone. */
@@ -58,7 +58,9 @@ export function RunCharts({ picture }: { picture: ArmPicture }) {
       <p className={styles.note}>
         {tips_um.length > 1
           ? t("The last {n} points in the order of taking, about their middle.", { n: figures(tips_um.length) })
-          : t("Points appear here as the arm swings.")}
+          : touching
+            ? t("Points appear here from the fifth touch on.")
+            : t("Points appear here as the arm swings.")}
         {shown !== null && ` ${t("Dashed: the limit, ±{value}.", { value: measured(shown, "µm") })}`}
       </p>
     </div>
