@@ -19,6 +19,7 @@ WORDS = (
     *("Simulated gauge plate", "Simulated gauge sphere", "Simulated arm", "Simulated camera"),
     # what the code puts together of pieces
     *("Touch {missing}", "{path}: {field} is {value}", "{count} more on the {face} face"),
+    "bar {bar_ends}, end {value}",
     "{place}, point {number}: {distance_um} µm off",
     "{place}, point {number}: {distance_mm} mm off",
     *(f"tilt {way} {{deg}}°" for way in ("right", "left", "to the back", "to the front")),

@@ -185,6 +185,12 @@ def test_a_bar_has_two_ends_and_half_of_one_is_not_used(arm: Arm, tmp_path: Path
     write_observations(tmp_path, observations_of(state))
     (back,) = read_bars(tmp_path / "ballbars.csv", arm)
     np.testing.assert_allclose(back.q_rad[1], other, atol=1e-12)
+    # to the fit it is one place, and so it counts
+    text = "1 of at least 4 places are taken."
+    assert why_not(state, live, "fit", {}) == text
+    progress = view_of(state, live).progress
+    assert progress is not None
+    assert progress.text == "1 of 6 places"
     # 60 mm and 80 mm are 100 mm, of a bar that is said to have 100.05
     assert view_of(state, live).picture.seats[1].note == "length −50 µm"
 

@@ -4,7 +4,14 @@ from collections.abc import Mapping
 
 from app.guide.arm.live import ArmLive
 from app.guide.arm.picture import picture_of
-from app.guide.arm.rules import SEATS_WANTED, WANTED, swing_deg, touches_wanted, why_not
+from app.guide.arm.rules import (
+    SEATS_WANTED,
+    WANTED,
+    places_taken,
+    swing_deg,
+    touches_wanted,
+    why_not,
+)
 from app.guide.arm.state import ArmState, Kind, SeatTaken
 from app.guide.arm.tip import QUALITY as TIP_QUALITY
 from app.guide.arm.tip import finding_of as tip_finding
@@ -77,14 +84,16 @@ def _words(state: ArmState, seat: SeatTaken | None) -> tuple[str, str]:
         return TIP_WORDS[state.step]
     if state.step == "swing":
         assert seat is not None
+        # the ends of a bar keep their capitals
+        lower = f"{seat.name[0].lower()}{seat.name[1:]}"
         if state.touching:
             return (
-                f"Touch {seat.name.lower()}",
+                f"Touch {lower}",
                 "Touch it all over its upper half, from every side, with the arm in many "
                 "postures. Hold still and press the arm's button at each point.",
             )
         return (
-            f"Swing the arm about {seat.name.lower()}",
+            f"Swing the arm about {lower}",
             "Keep the tip in the seat. Swing the elbow from one side to the other and back, and "
             "lean the wrist every way.",
         )
@@ -116,7 +125,7 @@ def _words(state: ArmState, seat: SeatTaken | None) -> tuple[str, str]:
         )
     if state.artefact.kind == "sphere":
         return "Clamp the sphere", f"Clamp it firmly in the reach, {where}."
-    if done >= SEATS_WANTED:
+    if places_taken(state) >= SEATS_WANTED:
         return "Enough places", "Identify the arm, or take more to know it better."
     return (
         f"Put the tip into seat {done + 1}",
@@ -178,8 +187,8 @@ def _progress(state: ArmState, seat: SeatTaken | None) -> StepProgress | None:
         text = f"{points}, largest swing {swing:.0f}°"
         return StepProgress(min(taken, WANTED), WANTED, text)
     if state.purpose == "identify" and state.step == "seat":
-        done = len(state.seats)
-        text = f"{done} of {SEATS_WANTED} places"
+        done = places_taken(state)
+        text = f"{done} of {SEATS_WANTED} places" if done <= SEATS_WANTED else f"{done} places"
         return StepProgress(min(done, SEATS_WANTED), SEATS_WANTED, text)
     return None
 
@@ -273,7 +282,7 @@ def _actions(state: ArmState, live: ArmLive) -> list[Action]:
         main = offer("begin", BEGIN[state.artefact.kind], primary=True)
         if state.purpose != "identify":
             return [main, *hand, leave]
-        enough = len(state.seats) >= SEATS_WANTED and not state.half_bar
+        enough = places_taken(state) >= SEATS_WANTED and not state.half_bar
         main = offer("begin", main.label, primary=not enough)
         fit = offer("fit", "Identify the arm", primary=enough)
         undo = [offer("drop_seat", "Drop the last place")] if state.seats else []

@@ -59,6 +59,11 @@ def swing_deg(q_rad: Sequence[Angles]) -> float:
     return float(np.rad2deg(np.ptp(np.array(q_rad), axis=0).max())) if q_rad else 0.0
 
 
+def places_taken(state: ArmState) -> int:
+    """Seats, spheres and positions of a bar, whose two ends are one place to the fit."""
+    return len(state.seats) - state.bar_ends + state.bar_ends // 2
+
+
 def touches_wanted(state: ArmState) -> int:
     """Of the sphere."""
     return TIP_WANTED if state.purpose == "tip" else TOUCHES_WANTED
@@ -129,8 +134,8 @@ def _finish(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
 def _fit(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
     if state.purpose != "identify":
         return "This is a check of one seat."
-    if len(state.seats) < SEATS_LEAST:
-        return f"{len(state.seats)} of at least {SEATS_LEAST} places are taken."
+    if places_taken(state) < SEATS_LEAST:
+        return f"{places_taken(state)} of at least {SEATS_LEAST} places are taken."
     if state.half_bar:
         return "Take the bar's other end first, or drop the last."
     return ""

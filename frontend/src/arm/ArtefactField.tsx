@@ -1,4 +1,4 @@
-import type { FormEvent } from "react";
+import type { FocusEvent, FormEvent } from "react";
 
 import { sendArm } from "../api/armCommands";
 import type { Artefact } from "../api/armTypes";
@@ -56,8 +56,13 @@ function Size({ kind, artefact, disabled }: SizeProps) {
     event.preventDefault();
     void set();
   };
+  const changed = size.changed || unsure.changed;
+  // what stands in the field counts, whichever button is pressed next
+  const leave = ({ currentTarget, relatedTarget }: FocusEvent) => {
+    if (changed && !currentTarget.contains(relatedTarget)) void set();
+  };
   return (
-    <form className={styles.field} onSubmit={submit}>
+    <form className={styles.field} onSubmit={submit} onBlur={leave}>
       <label className={styles.label} htmlFor="artefact-size">
         {t(SIZE[kind])}
       </label>
@@ -74,7 +79,9 @@ function Size({ kind, artefact, disabled }: SizeProps) {
             onText={unsure.setText}
           />
         )}
-        {(size.changed || unsure.changed) && <PressButton onPress={set}>{t("Set")}</PressButton>}
+        {changed && <PressButton onPress={set}>{t("Set")}</PressButton>}
+        {/* without one the Enter key does nothing where there are two fields */}
+        <input type="submit" hidden />
       </div>
     </form>
   );

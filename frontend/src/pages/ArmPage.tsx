@@ -66,7 +66,7 @@ function NotStarted() {
           <div className={styles.other}>
             <h2 className={styles.heading}>{t("Identify the arm")}</h2>
             <p className={styles.text}>
-              {t("From six seats, ends of a ball bar or spheres all over the reach the arm's geometry is determined anew. Do it when a check fails, or before the first calibration.")}
+              {t("From six seats, spheres or places of a ball bar all over the reach the arm's geometry is determined anew. Do it when a check fails, or before the first calibration.")}
             </p>
             <PressButton onPress={() => startArm("identify")}>{t("Identify the arm")}</PressButton>
           </div>
