@@ -39,10 +39,11 @@ def check_table(
     """
     table = place / ARTICULATION if place.is_dir() else place
     arm = read_arm(arm_path or table.parent / ARM)
+    seats = read_seats(table, arm)
     with refusals_naming(table):
         return tuple(
             SeatReport(seat.name, check_articulation(arm, seat.q_rad, limits, f"set {seat.name}"))
-            for seat in read_seats(table, arm)
+            for seat in seats
         )
 
 

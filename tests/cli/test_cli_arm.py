@@ -95,3 +95,14 @@ def test_points_of_the_fit_are_no_check(tmp_path: Path, folder: Path) -> None:
     told = refused("identify", folder, "-o", tmp_path / "new.json", "--check", folder)
     assert "other places" in told
     assert names_in(tmp_path) == before
+
+
+def test_articulation_refuses_points_of_two_places(folder: Path) -> None:
+    table = folder / "articulation.csv"
+    lines = table.read_text().splitlines()
+    mixed = [lines[0], *(f"S1,{line.split(',', 1)[1]}" for line in lines[1:29])]
+    table.write_text("\n".join(mixed) + "\n")
+    told = refused("articulation", folder)
+    assert "another place" in told
+    table.write_text(table.read_text().replace(mixed[3].split(",")[2], "nan"))
+    assert refused("articulation", folder).count("articulation.csv") == 1

@@ -9,7 +9,7 @@ from typing import Literal
 import numpy as np
 
 from app.metrology.arm import Arm, tip_centres
-from app.metrology.arm_model.checks import check_swing
+from app.metrology.arm_model.checks import NO_SEAT_MM, check_swing
 from app.metrology.arm_model.parameters import encoder_covariances, tip_jacobian
 from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
@@ -54,7 +54,7 @@ def check_articulation(
         q_rad: (m, n) encoder angles with the tip in the seat, the arm swung about it.
 
     Raises:
-        Refusal: too few points, or an arm that hardly moved.
+        Refusal: too few points, an arm that hardly moved, or a tip that was in no seat.
     """
     q = np.asarray(q_rad, dtype=np.float64)
     if len(q) < LEAST_POINTS:
@@ -66,6 +66,14 @@ def check_articulation(
         )
     check_swing(label, arm, q)
     half_range, two_sigma = spread_um(tip_centres(arm, q))
+    if half_range.max() > 1e3 * NO_SEAT_MM:
+        raise Refusal(
+            "not-seated",
+            f"{label}: by arm.json the tip goes {half_range.max() / 500:.0f} mm to and fro",
+            "no seated tip does: points of another place are among them, or the file is another "
+            "arm's",
+            "Give each seat a name of its own; check arm.json",
+        )
     _, J = tip_jacobian(arm, q)
     encoders = np.sqrt(np.mean(np.diagonal(encoder_covariances(arm, J), axis1=1, axis2=2), axis=0))
     return Articulation(
