@@ -296,7 +296,8 @@ def _tables(sheet: CalibrationFile) -> Section:
         ]
         heads = ("Face", "Touches", "rms, µm", "Form (max − min), µm")
         tables.append(Table(heads, faces, (30, 20, 20, 30)))
-    return Section("Poses and touches", tables)
+    touched = sheet.residuals is not None and len(sheet.residuals.contacts_um) > 0
+    return Section("Poses and touches" if touched else "Poses", tables)
 
 
 def _became(pose: PosePart) -> str:

@@ -132,6 +132,8 @@ def test_contacts_are_used_where_given(given: BoardInputs, found: BoardCalibrati
     assert contacts is not None
     assert np.sqrt(np.mean(contacts.residuals_mm**2)) < 0.05
     assert touched.known.total_um < found.known.total_um
+    assert "contact points" in {row.source for row in touched.known.rows}
+    assert "contact points" not in {row.source for row in found.known.rows}
 
 
 def test_contacts_off_the_board_are_refused(given: BoardInputs) -> None:

@@ -126,7 +126,7 @@ def _assembled(inputs: BoardInputs, found: Adjusted, start: BoardStart) -> Board
     refuse_edge_on(state.plane, rays(state.camera, stripes)[1])
     T_cam_sensor = inverse(found.problem.motion.T_arm_flange[0] @ state.T_flange_cam)
     T_cam_sensor = T_cam_sensor @ state.T_arm_obj
-    worth = _named_for(inputs.arm, known(found, T_cam_sensor))
+    worth = _budget_of(inputs, known(found, T_cam_sensor))
     camera, plane, T_flange_sensor = sensor_of(state, T_cam_sensor)
     poses = _pose_results(inputs, found, start)
     contacts = board_contacts(found)
@@ -158,14 +158,15 @@ def _assembled(inputs: BoardInputs, found: Adjusted, start: BoardStart) -> Board
     )
 
 
-def _named_for(arm: Arm | RobotArm, worth: Known) -> Known:
-    """The budget with a robot's own share by its name."""
-    if isinstance(arm, Arm):
-        return worth
+def _budget_of(inputs: BoardInputs, worth: Known) -> Known:
+    """The budget without what there was not, and with a robot's own share by its name."""
+    robot = isinstance(inputs.arm, RobotArm)
+    touched = inputs.contact_readings is not None and len(inputs.contact_readings) > 0
     rows = tuple(
-        replace(row, source=ROBOT_ROW) if row.source == "arm encoders" else row
+        replace(row, source=ROBOT_ROW) if robot and row.source == "arm encoders" else row
         for row in worth.rows
-        if row.source != "arm geometry"
+        if not (robot and row.source == "arm geometry")
+        and (touched or row.source != "contact points")
     )
     return replace(worth, rows=rows)
 
