@@ -1,0 +1,94 @@
+"""Do claims hold, and is nothing doubted that is well, over sessions of every kind?
+
+    python -m tests.bench.random_sessions [--sessions 60]
+
+Sessions are rendered with one to twelve poses, six or seven joints, arms off by 0 to 250 um in
+their links or their parameters, three to five faces touched at 8 or 15 points each, one picture
+or two a pose, any roll of the camera, and calibrated as the command line does.
+"""
+
+import argparse
+import tempfile
+from collections import Counter, defaultdict
+from pathlib import Path
+
+import numpy as np
+
+from app.files.calibrate import joint_inputs
+from app.files.session import read_session
+from app.metrology.adjustment.joint import calibrate_joint
+from app.metrology.crenellated import corners
+from app.metrology.refusal import Refusal
+from hardware.twin.kinematics import UnreachableError, WrongIn
+from hardware.twin.session import SessionPlan, render_session
+from tests.bench.block_peers import errors_um
+from tests.bench.board_measures import Solved
+from tests.bench.many_poses import rms
+
+FIRST_SEED = 8000
+FACES = ("crest", "front", "left", "right", "back")
+KINDS: tuple[WrongIn, ...] = ("links", "parameters")
+
+
+def plan_of(rng: np.random.Generator) -> SessionPlan:
+    return SessionPlan(
+        joints=int(rng.integers(6, 8)),
+        poses=int(rng.choice([1, 2, 3, 4, 6, 8, 12])),
+        imperfection_um=float(rng.choice([0, 30, 100, 250])),
+        wrong_in=KINDS[int(rng.integers(2))],
+        lighting=str(rng.choice(["pair", "both"])),
+        roll_rad=float(rng.uniform(-np.pi, np.pi)),
+        distortion=(float(rng.uniform(-0.1, 0.05)), 0.0, 0.0, 0.0, 0.0),
+        faces=FACES[: int(rng.integers(3, 6))],
+        contacts_per_face=int(rng.choice([8, 15])),
+    )
+
+
+def measured(folder: Path) -> tuple[float, float, list[str]]:
+    """Error and claim in the flange frame (um), and what is bad or needs attention.
+
+    Raises:
+        Refusal: the session is not calibrated.
+    """
+    session = read_session(folder)
+    found = calibrate_joint(joint_inputs(session))
+    nominal = np.array(list(corners(session.block).values()))
+    solved = Solved("", found.camera, found.T_flange_sensor, nominal, found.plane)
+    doubts = [one.code for one in found.findings if one.quality in ("bad", "attention")]
+    return errors_um(solved, folder)[1], found.known.total_um, doubts
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--sessions", type=int, default=60)
+    wanted = parser.parse_args().sessions
+    ratios: dict[str, list[float]] = defaultdict(list)
+    doubted: Counter[str] = Counter()
+    seed = FIRST_SEED
+    while len(ratios["all"]) + doubted["refused"] < wanted:
+        seed += 1
+        plan = plan_of(np.random.default_rng(seed))
+        with tempfile.TemporaryDirectory() as scratch:
+            folder = Path(scratch) / "session"
+            try:
+                render_session(folder, seed, plan)
+                error_um, claim_um, doubts = measured(folder)
+            except UnreachableError:
+                continue
+            except Refusal as refusal:
+                doubted["refused"] += 1
+                print(f"{seed} refused: {refusal}", flush=True)
+                continue
+        doubted.update(doubts)
+        kinds = ("all", f"{plan.poses:2d} poses", f"arm off by {plan.imperfection_um:3.0f} um")
+        for kind in (*kinds, f"{len(plan.faces)} faces"):
+            ratios[kind].append(error_um / claim_um)
+    print(f"{'error over claim, flange frame':<34}{'sessions':>10}{'rms':>8}{'largest':>10}")
+    for kind, values in sorted(ratios.items()):
+        print(f"{kind:<34}{len(values):>10}{rms(np.array(values)):>8.2f}{max(values):>10.2f}")
+    for code, count in doubted.most_common():
+        print(f"{code:<34}{count:>10}")
+
+
+if __name__ == "__main__":
+    main()
