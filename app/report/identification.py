@@ -96,12 +96,11 @@ def _facts(folder: Path, sheet: ArmFile, found: IdentificationPart) -> list[tupl
 def _observed(seen: Observations) -> list[tuple[str, str]]:
     """What the tip was held in and touched."""
     bars = len({bar.name for bar in seen.bars})
-    counts = (
-        ("Seats", len(seen.seats), ""),
-        ("Spheres", len(seen.spheres), ""),
-        ("Ball bars", bars, f" in {len(seen.bars)} places"),
-    )
-    return [(name, f"{count}{where}" if count else "none") for name, count, where in counts]
+    return [
+        ("Seats", str(len(seen.seats)) if seen.seats else "none"),
+        ("Spheres", str(len(seen.spheres)) if seen.spheres else "none"),
+        ("Ball bars", f"{bars} in {len(seen.bars)} positions" if bars else "none"),
+    ]
 
 
 def _pairs(found: IdentificationPart) -> list[Pair]:

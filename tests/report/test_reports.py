@@ -286,6 +286,7 @@ def test_an_identifications_report(tmp_path: Path) -> None:
         assert words in printed, words
     assert report_as(tmp_path, ".pdf") == report_as(tmp_path, ".pdf")
     known_in_german(tmp_path, sheet.name, "Room 2")
+    assert "1 in 4 Lagen" in text_of(report_as(tmp_path, ".pdf", "de"))
     (tmp_path / "articulation.csv").write_text(
         (tmp_path / "articulation.csv").read_text().replace("\n", "\n\n", 1)
     )

@@ -158,7 +158,7 @@ def _number(state: ArmState, picture: ArmPicture) -> LiveNumber | None:
     if result is not None:
         size = "" if result.size_known else "; apart from the arm's size"
         note = f"was {result.volume_before_um:.0f} µm; k = 1, rms over the reach{size}"
-        return LiveNumber("Tip known to", result.volume_after_um, "µm", 1, "good", note)
+        return LiveNumber("Tip known to", result.volume_after_um, "µm", 1, "neutral", note)
     if state.step == "seat":
         return None
     tip = picture.tip
