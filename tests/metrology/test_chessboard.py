@@ -7,6 +7,7 @@ import pytest
 
 from app.metrology.chessboard.board import Chessboard, corner_points, ways_to_number
 from app.metrology.chessboard.corners import detect_board, outshining
+from app.metrology.detection.evidence import DetectionRefusal
 from app.metrology.frames import Floats, apply
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import extract_stripe
@@ -72,16 +73,22 @@ def test_a_board_that_reads_alike_both_ways_says_so() -> None:
 
 
 @pytest.mark.parametrize(
-    ("board", "code"),
+    ("board", "code", "fault"),
     [
-        (replace(BOARD, inner_corners=(6, 5)), "another-board"),
-        (replace(BOARD, inner_corners=(9, 6)), "board-partly-seen"),
+        (replace(BOARD, inner_corners=(6, 5)), "another-board", "object"),
+        (replace(BOARD, inner_corners=(9, 6)), "board-partly-seen", "framing"),
     ],
 )
-def test_another_board_is_refused(board: Chessboard, code: str) -> None:
-    with pytest.raises(Refusal, match=r"7 x 6|6 x 7") as refused:
+def test_another_board_is_refused_with_what_was_found(
+    board: Chessboard, code: str, fault: str
+) -> None:
+    with pytest.raises(DetectionRefusal, match=r"7 x 6|6 x 7") as refused:
         detect_board(picture(POSES[1], Look(laser=False)), board)
-    assert refused.value.code == code
+    assert (refused.value.code, refused.value.fault) == (code, fault)
+    true = pixels(BOARD, POSES[1])
+    ends = np.array([((m.u0, m.v0), (m.u1, m.v1)) for m in refused.value.marks]).reshape(-1, 2)
+    assert len(refused.value.marks) == 6 * 6 + 7 * 5  # the lines between all neighbours
+    assert np.linalg.norm(ends[:, None] - true, axis=2).min(axis=1).max() < 1.0
 
 
 def test_a_board_partly_out_of_the_picture_is_refused() -> None:
@@ -94,9 +101,21 @@ def test_a_board_partly_out_of_the_picture_is_refused() -> None:
 
 def test_no_board_is_refused() -> None:
     grey = np.random.default_rng(0).normal(90, 3, (512, 640)).astype(np.uint8)
-    with pytest.raises(Refusal) as refused:
+    with pytest.raises(DetectionRefusal) as refused:
         detect_board(grey, BOARD)
     assert refused.value.code == "board-not-found"
+    assert refused.value.marks == ()
+
+
+def test_a_picture_too_dark_or_too_soft_is_at_fault_before_the_framing() -> None:
+    dark = picture(POSES[1], Look(laser=False, bright=8.0, dark=5.0, noise=2.0))
+    with pytest.raises(DetectionRefusal, match="dark") as refused:
+        detect_board(dark, BOARD)
+    assert refused.value.fault == "exposure"
+    soft = picture(POSES[1], Look(laser=False, blur_px=20.0))
+    with pytest.raises(DetectionRefusal) as refused:
+        detect_board(soft, BOARD)
+    assert refused.value.fault == "focus"
 
 
 def test_white_squares_are_no_stripe() -> None:

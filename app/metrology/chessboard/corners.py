@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from app.metrology.chessboard.board import Chessboard
 from app.metrology.chessboard.corner_fit import fit_corner
+from app.metrology.chessboard.evidence import with_board_evidence
 from app.metrology.chessboard.lattice import Lattice, largest_lattice, mapped, perspective
 from app.metrology.chessboard.saddles import Saddles, find_saddles
 from app.metrology.frames import Floats
@@ -53,12 +54,27 @@ def detect_board(image: Image, board: Chessboard, stripe: Stripe | None = None) 
         stripe: of the same picture, where the laser was on.
 
     Raises:
-        Refusal: no board, another board, or too little of it to number its corners surely.
+        DetectionRefusal: no board, another board, or too little of it to number its corners
+            surely; with what of the picture is at fault, and what of the board was found.
     """
     blocked = _blocked(image, stripe)
     saddles = find_saddles(image, blocked)
     columns, rows = board.inner_corners
     lattice = largest_lattice(saddles, columns * rows)
+    try:
+        return _numbered_corners(image, blocked, board, saddles, lattice)
+    except Refusal as refusal:
+        raise with_board_evidence(refusal, image, saddles, lattice) from refusal
+
+
+def _numbered_corners(
+    image: Image,
+    blocked: NDArray[np.bool_],
+    board: Chessboard,
+    saddles: Saddles,
+    lattice: Lattice,
+) -> BoardDetection:
+    columns, rows = board.inner_corners
     _refuse_other_board(lattice, board)
     ways = _numberings(saddles, lattice, board)
     uv, covariance, taken = _measured(image, blocked, saddles, lattice)

@@ -89,18 +89,23 @@ def with_evidence(
     fault = _FAULTS.get(refusal.code, "object")
     by_light = against is not None and against.alone
     if refusal.code in ("object-not-found", "object-unclear") and not by_light:
-        named = next((one for one in findings if one.code in _FINDING_FAULTS), None)
-        if named is not None:
-            fault = _FINDING_FAULTS[named.code]
-            refusal = _first(named, refusal)
-    marks: list[Mark] = []
-    if fault == "exposure":
-        marks += _clipped_regions(clipped)
+        fault, refusal = by_picture(fault, refusal, findings)
+    marks = clipped_regions(clipped) if fault == "exposure" else []
     if nearest is not None:
         marks += _outline(nearest, against)
     elif found is not None:
         marks += _segments(found, clipped.shape)
     return DetectionRefusal(refusal, fault, tuple(marks))
+
+
+def by_picture(
+    fault: Fault, refusal: Refusal, findings: list[PictureFinding]
+) -> tuple[Fault, Refusal]:
+    """What is at fault: the picture as such before what was not seen in it."""
+    named = next((one for one in findings if one.code in _FINDING_FAULTS), None)
+    if named is None:
+        return fault, refusal
+    return _FINDING_FAULTS[named.code], _first(named, refusal)
 
 
 def _first(named: PictureFinding, refusal: Refusal) -> Refusal:
@@ -110,7 +115,7 @@ def _first(named: PictureFinding, refusal: Refusal) -> Refusal:
     return Refusal(refusal.code, refusal.what, why, remedy)
 
 
-def _clipped_regions(clipped: NDArray[np.bool_]) -> list[Mark]:
+def clipped_regions(clipped: NDArray[np.bool_]) -> list[Mark]:
     """The borders of the largest overexposed regions, as boxes."""
     count, _, stats, _ = cv2.connectedComponentsWithStats(clipped.astype(np.uint8))
     order = np.argsort(-stats[1:count, cv2.CC_STAT_AREA])[:_REGIONS] + 1
