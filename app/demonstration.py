@@ -15,8 +15,13 @@ from hardware.registry import arm_driver
 from hardware.twin.room import RoomThermometer
 from hardware.twin.station import Twin
 
-FOLDERS = {"arm.json": "arms", "object.json": "objects", "sensor.json": "sensors"}
-PAPERS_NAME = "simulated"
+PLACES = {
+    "arm.json": "arms/simulated.json",
+    "object.json": "objects/simulated.json",
+    "chessboard.json": "objects/chessboard.json",
+    "sensor.json": "sensors/simulated.json",
+}
+"""Where a paper belongs in the data folder; those of gauges into their own."""
 
 
 @contextmanager
@@ -62,10 +67,7 @@ def put_papers(twin: Twin, data: Path) -> None:
     with files_refused(data):
         for name, paper in twin.papers().items():
             content = (json.dumps(paper, indent=1) + "\n").encode()
-            if name in FOLDERS:
-                target = data / FOLDERS[name] / f"{PAPERS_NAME}.json"
-            else:
-                target = data / "gauges" / name
+            target = data / PLACES.get(name, f"gauges/{name}")
             if name == "arm.json" and _identified(target):
                 continue  # it is known better than its papers have it
             target.parent.mkdir(parents=True, exist_ok=True)

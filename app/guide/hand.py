@@ -16,10 +16,16 @@ class Hand(Protocol):
     def parts(self) -> Sequence[str]: ...
 
     def touch(self, face: str, index: int) -> bool:
-        """Touches one of the face's places and presses the primary button."""
+        """Touches one of the face's places and presses the primary button.
 
-    def hold_over_object(self) -> bool:
-        """Brings the sensor over the object and holds it still."""
+        Of a face of the block, or of a chessboard's printed side, "board".
+        """
+
+    def hold_over(self, name: str, view: int = 0) -> bool:
+        """Brings the sensor over the "block" or the "board" and holds it still.
+
+        ``view``: in which of the ways that a calibration on a chessboard wants.
+        """
 
     def hold_at(self, q_rad: Sequence[float]) -> bool:
         """Brings the arm to joint angles, the sensor over the object, and holds it still."""

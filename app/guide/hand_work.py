@@ -107,7 +107,7 @@ def _hold(guide: Guide, hand: Hand, progress: Progress) -> bool:
     advice = guide.live().advice
     if advice is None:
         progress("The hand holds the sensor over the object", 0.2)
-        return hand.hold_over_object()
+        return hand.hold_over("block")
     progress(f"The hand goes to the next pose: {advice.words}", 0.2)
     return hand.hold_at(advice.q_rad)
 

@@ -1,10 +1,12 @@
-"""Where and how the probe's ball touches the block."""
+"""Where and how the probe's ball touches the block, and the chessboard."""
 
 import numpy as np
 
 from hardware.twin.kinematics import ArmModel, Floats, rotation_about
-from hardware.twin.world import Comb
+from hardware.twin.world import Board, Comb
 
+BOARD = "board"
+"""The chessboard's one face: its printed side."""
 FACES = ("crest", "floor", "front", "back", "left", "right")
 MARGIN_MM = 1.5
 """Contacts keep this far from a face's edges."""
@@ -16,11 +18,12 @@ _NORMALS = {
     "back": (0.0, 1.0, 0.0),
     "left": (-1.0, 0.0, 0.0),
     "right": (1.0, 0.0, 0.0),
+    BOARD: (0.0, 0.0, 1.0),
 }
 
 
 def outward(face: str) -> Floats:
-    """(3,) outward normal of a face, in the block's frame."""
+    """(3,) outward normal of a face, in the frame of what has it."""
     return np.array(_NORMALS[face])
 
 
@@ -36,8 +39,16 @@ def _grooves(block: Comb) -> list[tuple[float, float]]:
     return [(x[i], x[i + 1]) for i in range(1, len(x) - 1, 2)]
 
 
-def _patches(block: Comb, face: str, tip_radius_mm: float) -> list[tuple[Floats, Floats]]:
-    """Rectangles (low corner, high corner) of a face that the ball's contact may lie in."""
+def _patches(block: Comb | Board, face: str, tip_radius_mm: float) -> list[tuple[Floats, Floats]]:
+    """Rectangles (low corner, high corner) of a face that the ball's contact may lie in.
+
+    None where that has no such face, or the ball does not reach it.
+    """
+    if isinstance(block, Board):
+        half = np.array([*(block.half_pattern_mm - MARGIN_MM), 0.0])
+        return [(block.middle_mm - half, block.middle_mm + half)] if face == BOARD else []
+    if face not in FACES:
+        return []
     x, m = block.edges_x_mm, MARGIN_MM
     front, back = block.front_y_mm, block.back_y_mm
     crest, floor = block.crest_z_mm, block.floor_z_mm
@@ -64,16 +75,16 @@ def _patches(block: Comb, face: str, tip_radius_mm: float) -> list[tuple[Floats,
 
 
 def contact_spot(
-    block: Comb, face: str, index: int, tip_radius_mm: float, rng: np.random.Generator
+    block: Comb | Board, face: str, index: int, tip_radius_mm: float, rng: np.random.Generator
 ) -> Floats:
-    """(3,) the ``index``-th place to touch on a face, in the block's frame.
+    """(3,) the ``index``-th place to touch on a face, in the frame of the block or the board.
 
     Successive places fill the face evenly, patch after patch; ``rng`` shifts each a little.
 
     Raises:
         KeyError: no such face, or the ball does not reach it.
     """
-    patches = _patches(block, face, tip_radius_mm) if face in _NORMALS else []
+    patches = _patches(block, face, tip_radius_mm)
     if not patches:
         raise KeyError(f"the face {face!r} cannot be touched")
     low, high = patches[index % len(patches)]
@@ -105,7 +116,7 @@ def contact_pose(
     axis points about, in the arm frame; along the block's x where not given.
     """
     up, normal = np.array([0.0, 0.0, 1.0]), outward(face)
-    lean = up + 0.4 * (normal if face not in ("crest", "floor") else np.zeros(3))
+    lean = up + 0.4 * (1.0 - normal[2]) * normal
     sway = rng.normal(0.0, sway_rad, 3)
     if face == "floor":
         sway[0] = 0.0

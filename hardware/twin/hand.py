@@ -12,13 +12,13 @@ import numpy as np
 
 from hardware.clock import now_ns
 from hardware.interfaces import Button
-from hardware.twin.contact import contact_spot, outward, reachable_faces
+from hardware.twin.contact import BOARD, contact_spot, outward, reachable_faces
+from hardware.twin.holding import Sight, sensor_over_block, sensor_over_board
 from hardware.twin.kinematics import (
     ArmModel,
     Floats,
     UnreachableError,
     flange_pose,
-    rotation_about,
     translation,
 )
 from hardware.twin.motion import HALT_S, JointPath, Motion
@@ -38,7 +38,7 @@ from hardware.twin.swinging import (
     way_onto_plate,
 )
 from hardware.twin.ways import Ways
-from hardware.twin.world import Ball, Box, Comb, Scene
+from hardware.twin.world import Ball, Board, Box, Comb, Scene
 
 LEAD_NS = 4_000_000
 CLEAR_MM = 3.0
@@ -85,14 +85,14 @@ class Hand:
         arm: ArmModel,
         motion: Motion,
         scene: Scene,
-        T_flange_sensor: Floats,
+        sight: Sight,
         press: Callable[[Button, bool, int], None],
         contact_sd_mm: float = 0.006,
         pace: float = 1.0,
         seed: int = 0,
     ) -> None:
         self._arm, self._motion, self._scene, self._press = arm, motion, scene, press
-        self._T_sensor_flange = np.linalg.inv(T_flange_sensor)
+        self._sight, self._T_sensor_flange = sight, np.linalg.inv(sight.T_flange_sensor)
         self._contact_sd_mm = contact_sd_mm
         self._rng = np.random.default_rng(seed)
         self.ways = Ways(arm, motion, pace, contact_sd_mm, self._rng)
@@ -102,9 +102,8 @@ class Hand:
         self._state = HandState()
         block = scene.thing("block")
         assert isinstance(block.shape, Comb)
-        self._block, self._T_arm_block = block.shape, block.T_arm_obj
-        self.faces = reachable_faces(self._block, arm.tip_diameter_mm / 2)
-        """Faces that ``touch`` takes."""
+        self.faces = reachable_faces(block.shape, arm.tip_diameter_mm / 2)
+        """Faces of the block that ``touch`` takes."""
         self.parts = tuple(
             thing.name for thing in scene.things if sweeps_of(thing) and thing.name != "block"
         )
@@ -131,19 +130,20 @@ class Hand:
     def touch(self, face: str, index: int) -> bool:
         """Touches the ``index``-th place of a face and presses the primary button.
 
-        Returns False when cancelled. Raises KeyError for a face that is not in
-        ``faces``, UnreachableError where the arm cannot get there.
+        Returns False when cancelled. Raises KeyError for what is neither in ``faces`` nor
+        "board", UnreachableError where the arm cannot get there.
         """
-        if face not in self.faces:
-            raise KeyError(f"the hand cannot touch {face!r}; it can touch {', '.join(self.faces)}")
-        with self._move(f"touching the {face} face"):
-            radius = self._arm.tip_diameter_mm / 2
-            spot = contact_spot(self._block, face, index, radius, self._rng)
-            away = self._T_arm_block[:3, :3] @ outward(face)
-            deep = self._block.crest_z_mm - self._block.floor_z_mm if face == "floor" else 0.0
-            clear = (CLEAR_MM + deep) * away
+        if face not in (*self.faces, BOARD):
+            known = ", ".join((*self.faces, BOARD))
+            raise KeyError(f"the hand cannot touch {face!r}; it can touch {known}")
+        thing = self._scene.thing("board" if face == BOARD else "block")
+        assert isinstance(thing.shape, Comb | Board)
+        with self._move("touching the board" if face == BOARD else f"touching the {face} face"):
+            spot = contact_spot(thing.shape, face, index, self._arm.tip_diameter_mm / 2, self._rng)
+            away = thing.T_arm_obj[:3, :3] @ outward(face)
+            clear = (CLEAR_MM + _depth(thing.shape, face)) * away
             left = None if self._touched == GAUGE else self._touched
-            to_spot, contact = self.ways.to_touch(self._T_arm_block, face, spot, clear, left)
+            to_spot, contact = self.ways.to_touch(thing.T_arm_obj, face, spot, clear, left)
             self._run(to_spot, 0.0, 0.4)
             slower = 1.5 if face == "floor" else 1.0
             self._run(self.ways.straight(contact, slower * APPROACH_S), 0.4, 0.5)
@@ -154,23 +154,32 @@ class Hand:
             return True
         return False
 
-    def hold_over_object(self) -> bool:
-        """Holds the sensor where the camera frames the block; False when cancelled."""
+    def hold_over(self, name: str, view: int = 0) -> bool:
+        """Holds the sensor where the camera frames the "block", or the "board" in the
+        ``view``-th of ``holding.VIEWS``.
+
+        Returns False when cancelled. Raises KeyError for any other name.
+        """
+        thing = self._scene.thing(name)
+        if not isinstance(thing.shape, Comb | Board):
+            raise KeyError(f"the hand does not hold the sensor over {name!r}")
         with self._move("placing the sensor"):
-            middle = (self._block.crest_z_mm + self._block.floor_z_mm) / 2
             for _ in range(TRIES):
-                T = self._T_arm_block @ translation(0.0, 0.0, middle)
-                T = T @ translation(*self._rng.normal(0.0, 0.4, 3).tolist())
-                for axis in "xyz":
-                    T = T @ rotation_about(axis, float(self._rng.normal(0.0, 0.015)))
+                T = thing.T_arm_obj @ self._held_over(thing.shape, view)
                 try:
                     path = self.ways.to(T @ self._T_sensor_flange, 60.0)
                 except UnreachableError:
                     continue
                 self._run(path, 0.0, 1.0, trembles=True)
                 return True
-            raise UnreachableError("the arm cannot hold the sensor over the block")
+            raise UnreachableError(f"the arm cannot hold the sensor over the {name}")
         return False
+
+    def _held_over(self, shape: Comb | Board, view: int) -> Floats:
+        """``T_obj_sensor`` (4, 4), another one each time."""
+        if isinstance(shape, Board):
+            return sensor_over_board(shape, self._sight, view, self._rng)
+        return sensor_over_block(shape, self._rng)
 
     def hold_at(self, q_rad: Sequence[float]) -> bool:
         """Holds the arm at joint angles, as well as a hand can; False when cancelled."""
@@ -338,3 +347,10 @@ class Hand:
     def _pause(self, seconds: float) -> None:
         if self._cancelled.wait(seconds):
             raise _CancelledError
+
+
+def _depth(shape: Comb | Board, face: str) -> float:
+    """How far (mm) a face lies below what is around it."""
+    if isinstance(shape, Comb) and face == "floor":
+        return shape.crest_z_mm - shape.floor_z_mm
+    return 0.0

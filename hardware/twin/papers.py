@@ -11,9 +11,12 @@ import numpy as np
 
 from hardware.twin.camera import LaserSheet, Optics, to_pixels
 from hardware.twin.kinematics import ArmModel, Floats
-from hardware.twin.world import Ball, Comb
+from hardware.twin.world import Ball, Board, Comb
 
 Paper = dict[str, object]
+
+BOARD_FLATNESS_MM = 0.005
+"""By how much the maker of a chessboard says that it may bend."""
 
 
 def arm_paper(arm: ArmModel) -> Paper:
@@ -64,6 +67,27 @@ def object_paper(
         "floor_z_mm": certificate.floor_z_mm,
         "base_z_mm": certificate.base_z_mm,
         "standard_uncertainty_mm": standard_uncertainty_mm,
+    }
+
+
+def board_paper(
+    certificate: Board,
+    standard_uncertainty_mm: float,
+    name: str = "Simulated chessboard",
+    serial_number: str = "TWIN-C1",
+) -> Paper:
+    """The file of an object as the chessboard's certificate has it; its squares are square."""
+    return {
+        "format": "crenel/object",
+        "version": 1,
+        "kind": "chessboard",
+        "name": name,
+        "serial_number": serial_number,
+        "certificate": "simulated",
+        "inner_corners": list(certificate.inner_corners),
+        "square_mm": certificate.square_x_mm,
+        "standard_uncertainty_mm": standard_uncertainty_mm,
+        "flatness_mm": BOARD_FLATNESS_MM,
     }
 
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from hardware.compiled import kernel
 from hardware.twin.kinematics import Floats
-from hardware.twin.tracing import Hit, Ints, trace
+from hardware.twin.tracing import Hit, Ints, albedo, trace
 
 GRAIN_PER_MM = 5.0
 MARKS_LONGER = 40.0
@@ -144,12 +144,13 @@ def radiance(
     (M, K, 16) bundles from places on the lamp, none for light from afar; ``look``: directed,
     ambient, shade, texture, and the lamp's distance from the sensor frame's origin.
     """
-    _, k, _, nx, ny, nz, _, _, _ = hit
+    _, k, face, nx, ny, nz, _, _, _ = hit
     directed, mirrored, lit = 0.0, 0.0, 0
     if lamps.shape[0] == 0:
         directed = max(0.0, nx * lights[k, 0] + ny * lights[k, 1] + nz * lights[k, 2])
     else:
         directed, mirrored, lit = _from_lamps(hit, kinds, rows, eyes, lamps, look[4])
     sky = _sky(hit, kinds[k], rows, look[2])
-    matt = rows[k, 4] * (look[0] * directed + look[1]) * sky * _surface(hit, rows, look[3], grain)
+    matt = albedo(kinds[k], rows, k, face) * (look[0] * directed + look[1]) * sky
+    matt *= _surface(hit, rows, look[3], grain)
     return float(matt + look[0] * mirrored), lit

@@ -13,6 +13,7 @@ from hardware.twin.arm_device import ArmDevice, Encoders
 from hardware.twin.camera import reduced
 from hardware.twin.faults import Faults
 from hardware.twin.hand import Hand
+from hardware.twin.holding import Sight
 from hardware.twin.kinematics import (
     ArmModel,
     Floats,
@@ -30,6 +31,7 @@ from hardware.twin.noise import Detector
 from hardware.twin.papers import (
     Paper,
     arm_paper,
+    board_paper,
     object_paper,
     plane_paper,
     sensor_paper,
@@ -38,8 +40,15 @@ from hardware.twin.papers import (
 from hardware.twin.render import QUICK, SMEARED, Renderer
 from hardware.twin.sensor import EXPOSURE_RANGE_US, Lamps, Studio, TwinSensor
 from hardware.twin.session import Rig, truth_of
-from hardware.twin.variety import demo_arm, made_from, random_mounting, sensor_for
-from hardware.twin.world import Ball, Box, Comb, Light, Scene, Shell, Thing, table
+from hardware.twin.tabletop import standing, table_top
+from hardware.twin.variety import (
+    board_made_from,
+    demo_arm,
+    made_from,
+    random_mounting,
+    sensor_for,
+)
+from hardware.twin.world import Ball, Board, Comb, Light
 
 
 @dataclass(frozen=True)
@@ -60,7 +69,10 @@ class TwinConfig:
     """Of the arm's TCP line; 0: any that is free."""
     block: Comb = field(default_factory=Comb)
     """As its certificate has it."""
+    board: Board = field(default_factory=Board)
+    """As its certificate has it."""
     certificate_sd_mm: float = 0.002
+    """Of the block's sizes and of the board's."""
     contact_sd_mm: float = 0.006
     tremor_um: float = 0.0
     """How much the tip trembles while the sensor is held."""
@@ -79,14 +91,6 @@ class TwinConfig:
     """Whether the station can switch the laser, or only whoever stands at the sensor."""
 
 
-PARTS_MM = {
-    "block": (740.0, 70.0, 0.20),
-    "plate": (750.0, -75.0, -0.15),
-    "sphere": (855.0, -10.0, 0.0),
-    "shell": (640.0, -10.0, 0.10),
-}
-"""x, y and turn (rad) of everything on the table."""
-
 KINDS = ((1.0, 0.0, QUICK), (0.0, 1.0, QUICK), (1.0, 1.0, SMEARED))
 """The room's light, the laser's, and the rays of pictures that together need every loop."""
 
@@ -101,7 +105,11 @@ class Twin:
         rng = np.random.default_rng(self.config.seed)
         self._rig, self._home = _build(self.config, rng)
         self._correction = _frame_of_the_model(self._rig, self._home, rng)
-        self._scene = _table_top(self.config, self._rig, self._correction)
+        self._board = board_made_from(self.config.board, self.config.certificate_sd_mm, rng)
+        rig = self._rig
+        self._scene = table_top(
+            rig.block, rig.T_arm_obj, self._board, self._correction, self.config.light
+        )
         tremor_rad = self.config.tremor_um * 1e-3 / 600.0
         self._motion = Motion(self._home, tremor_rad, self.config.seed)
         self.studio = Studio(
@@ -113,7 +121,7 @@ class Twin:
             self._rig.arm,
             self._motion,
             self._scene,
-            self._rig.T_flange_sensor,
+            Sight(self._rig.optics, self._rig.sheet, self._rig.T_flange_sensor),
             self._press,
             self.config.contact_sd_mm,
             self.config.pace,
@@ -205,14 +213,17 @@ class Twin:
         return {
             "arm.json": arm_paper(rig.nominal_arm),
             "object.json": object_paper(rig.certificate, self.config.certificate_sd_mm),
+            "chessboard.json": board_paper(self.config.board, self.config.certificate_sd_mm),
             "sensor.json": sensor_paper(rig.optics, rig.sheet),
             "plate.nominal.json": plane_paper(plate[:3, 3], plate[:3, 2]),
             "sphere.nominal.json": sphere_paper(sphere[:3, 3], ball),
         }
 
     def truth(self) -> Paper:
-        """What only nature knows; as ``truth.json`` of a rendered session."""
-        return truth_of(self._rig)
+        """What only nature knows; as ``truth.json`` of a rendered session, and the board."""
+        board, at = self._board, self._scene.thing("board").T_arm_obj
+        squares = [board.square_x_mm, board.square_y_mm]
+        return {**truth_of(self._rig), "squares_mm": squares, "T_arm_board": at.tolist()}
 
     def _press(self, button: Button, pressed: bool, at_ns: int) -> None:
         if self._device is not None:
@@ -221,11 +232,6 @@ class Twin:
     def _renderer(self) -> Renderer:
         rig = self._rig
         return Renderer(self._scene, rig.optics, rig.sheet, self.config.detector, self.config.seed)
-
-
-def _standing(name: str, z_mm: float) -> Floats:
-    x, y, turn = PARTS_MM[name]
-    return np.asarray(translation(x, y, z_mm) @ rotation_about("z", turn))
 
 
 def _build(config: TwinConfig, rng: np.random.Generator) -> tuple[Rig, Floats]:
@@ -240,7 +246,7 @@ def _build(config: TwinConfig, rng: np.random.Generator) -> tuple[Rig, Floats]:
     )
     arm = imperfect(config.arm, config.imperfection_um, rng)
     T_flange_sensor = random_mounting(rng)
-    T_arm_obj = _standing("block", -config.block.base_z_mm)
+    T_arm_obj = standing("block", -config.block.base_z_mm)
     over_table = translation(740.0, 0.0, 110.0) @ rotation_about("z", 0.1)
     start = np.zeros(arm.joint_count)
     home = reach(arm, over_table @ np.linalg.inv(T_flange_sensor), start, rng)
@@ -262,19 +268,3 @@ def _frame_of_the_model(rig: Rig, home: Floats, rng: np.random.Generator) -> Flo
         for T in (flange_poses(rig.nominal_arm, q), flange_poses(rig.arm, q))
     )
     return rigid_fit(model, true)
-
-
-def _table_top(config: TwinConfig, rig: Rig, correction: Floats) -> Scene:
-    ball, plate = Ball(12.7), Box((-30.0, -20.0, -12.0), (30.0, 20.0, 0.0))
-    foot = Box((-4.0, -4.0, -34.0), (4.0, 4.0, -11.0))
-    sphere_at = correction @ _standing("sphere", 34.0)
-    plate_at = correction @ _standing("plate", 12.3) @ rotation_about("x", 0.012)
-    things = (
-        table(),
-        Thing("block", rig.block, rig.T_arm_obj),
-        Thing("plate", plate, plate_at, 0.8),
-        Thing("sphere", ball, sphere_at, 0.85),
-        Thing("foot", foot, sphere_at, 0.3),
-        Thing("shell", Shell(), _standing("shell", 0.0), 0.9),
-    )
-    return Scene(things, config.light)

@@ -8,7 +8,7 @@ import numpy as np
 from hardware.compiled import kernel
 from hardware.twin.casting import Codes, Image, Lines
 from hardware.twin.kinematics import Floats
-from hardware.twin.tracing import Ints, trace
+from hardware.twin.tracing import Ints, albedo, trace
 
 NOTHING = -4
 """Code of a pixel that sees no thing; even, as all that the laser does not reach."""
@@ -169,7 +169,7 @@ def _laser_at(
     if reached < 1.0 - 2e-6:
         return 0.0, code, off
     bell = np.exp(-0.5 * (off / sheet[4]) ** 2)
-    return rows[k, 4] * slope * bell, code + 1, off
+    return albedo(kinds[k], rows, k, face) * slope * bell, code + 1, off
 
 
 @kernel

@@ -7,7 +7,8 @@ thing is -1 where the ray meets nothing.
 
 Faces of blocks and boxes: 0 crest (top), 1 floor, 2 front (-Y), 3 back, 4 left (-X),
 5 right, 6 bottom; 8 times the merlon's or groove's number is added, so that two
-faces that only look alike have different numbers.
+faces that only look alike have different numbers. Of a chessboard 0 is what is white of
+its top, and 8 what is black.
 """
 
 import numpy as np
@@ -150,6 +151,20 @@ def _hit_ball(
 
 
 @kernel
+def _square(rows: Floats, k: int, x: float, y: float) -> int:
+    """The face of a chessboard's top at a place: 8 on a black square, else 0."""
+    i, j = int(np.floor(x / rows[k, 18])), int(np.floor(y / rows[k, 19]))
+    printed = i >= -1 and i < rows[k, 16] and j >= -1 and j < rows[k, 17]
+    return 8 if printed and (i + j) % 2 == 0 else 0
+
+
+@kernel
+def albedo(kind: int, rows: Floats, k: int, face: int) -> float:
+    """How bright a face is; a chessboard's squares are so by the laser's light as well."""
+    return float(rows[k, 4] * rows[k, 20]) if kind == 4 and face == 8 else float(rows[k, 4])
+
+
+@kernel
 def _normal(
     kind: int, rows: Floats, k: int, face: int, x: float, y: float
 ) -> tuple[float, float, float]:
@@ -215,6 +230,11 @@ def trace(kinds: Ints, rows: Floats, rays: Floats, dx: float, dy: float, dz: flo
             t = enter if (enter <= leave and enter > 0.0) else 1e30
         elif kinds[k] == 2:
             t = _hit_ball(rows, k, ox, oy, oz, lx, ly, lz)
+        elif kinds[k] == 4:
+            enter, leave, f, _ = _slab(rows, k, ox, oy, oz, lx, ly, lz)
+            if enter <= leave and enter > 0.0:
+                t = enter
+                f = _square(rows, k, ox + t * lx, oy + t * ly) if f == 0 else f
         else:
             t = _hit_shell(rows, k, ox, oy, oz, lx, ly, lz)
         if t < best:

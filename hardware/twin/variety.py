@@ -12,7 +12,7 @@ from hardware.twin.kinematics import (
     rotation_about,
     translation,
 )
-from hardware.twin.world import Comb
+from hardware.twin.world import Board, Comb
 
 RIGHT_ANGLE = np.pi / 2
 
@@ -30,6 +30,18 @@ def made_from(certificate: Comb, sd_mm: float, rng: np.random.Generator) -> Comb
         near(certificate.crest_z_mm),
         near(certificate.floor_z_mm),
         near(certificate.base_z_mm),
+    )
+
+
+def board_made_from(certificate: Board, sd_mm: float, rng: np.random.Generator) -> Board:
+    """The chessboard as truly made: width and height between the outermost inner corners off
+    its certificate by a few micrometres."""
+    columns, rows = certificate.inner_corners
+    wide, tall = rng.normal(0.0, sd_mm, 2) if sd_mm else np.zeros(2)
+    return replace(
+        certificate,
+        square_x_mm=certificate.square_x_mm + float(wide) / (columns - 1),
+        square_y_mm=certificate.square_y_mm + float(tall) / (rows - 1),
     )
 
 

@@ -57,29 +57,29 @@ class Ways:
         return path_over(self._arm, poses, self.now(), seconds / self.pace)
 
     def to_touch(
-        self, T_arm_block: Floats, face: str, spot: Floats, clear: Floats, left: str | None
+        self, T_arm_obj: Floats, face: str, spot: Floats, clear: Floats, left: str | None
     ) -> tuple[JointPath, Floats]:
         """The way to a place in front of the contact, and the flange's pose in contact.
 
         Args:
-            spot: of the face, block frame.
+            spot: of the face, in the frame of ``T_arm_obj``.
             clear: from the contact to the place in front of it, arm frame.
             left: the face touched before.
         """
         q, tip = self.now(), np.array(self._arm.tip_mm)
-        up = T_arm_block[:3, 2]
+        up = T_arm_obj[:3, 2]
         if left == face:
             lifts = (0.3 * clear, 0.3 * clear)
         else:
             leave = np.zeros(3)
             if left is not None:
-                leave = 20.0 * (T_arm_block[:3, :3] @ outward(left))
+                leave = 20.0 * (T_arm_obj[:3, :3] @ outward(left))
             lifts = (30.0 * up + leave, 30.0 * up + 5.0 * clear)
         gap = self.gap_mm()
         best: tuple[JointPath, Floats] | None = None
         for _ in range(TRIES):
             contact = contact_pose(
-                self._arm, T_arm_block, face, spot, gap, self._rng, self._flange_x, SWAY_RAD
+                self._arm, T_arm_obj, face, spot, gap, self._rng, self._flange_x, SWAY_RAD
             )
             before = translation(*clear.tolist()) @ contact
             wanted_s = self._seconds(q, before, tip)

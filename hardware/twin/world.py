@@ -24,6 +24,7 @@ class Kind(IntEnum):
     BOX = 1
     BALL = 2
     SHELL = 3
+    BOARD = 4
 
 
 @dataclass(frozen=True)
@@ -64,7 +65,39 @@ class Shell:
     ribs: float = 26.0
 
 
-Shape = Comb | Box | Ball | Shell
+@dataclass(frozen=True)
+class Board:
+    """A flat plate with a chessboard on its top, as truly made.
+
+    The frame lies at the first inner corner, X along the rows of corners, Z out of the
+    printed side, which is at z = 0. The outermost square at the first corner is black.
+    """
+
+    inner_corners: tuple[int, int] = (7, 6)
+    """Columns, rows."""
+    square_x_mm: float = 4.5
+    square_y_mm: float = 4.5
+    rim_mm: float = 4.5
+    """Of white all around the pattern."""
+    thickness_mm: float = 4.0
+    ink: float = 0.12
+    """Brightness of a black square over a white one's."""
+
+    @property
+    def middle_mm(self) -> Floats:
+        """(3,) the pattern's middle."""
+        columns, rows = self.inner_corners
+        x, y = (columns - 1) * self.square_x_mm / 2, (rows - 1) * self.square_y_mm / 2
+        return np.array([x, y, 0.0])
+
+    @property
+    def half_pattern_mm(self) -> Floats:
+        """(2,) from the pattern's middle to its border, along X and Y."""
+        columns, rows = self.inner_corners
+        return np.array([(columns + 1) * self.square_x_mm, (rows + 1) * self.square_y_mm]) / 2
+
+
+Shape = Comb | Box | Ball | Shell | Board
 
 
 def shell_height(shell: Shell, x: Floats, y: Floats) -> Floats:
@@ -152,6 +185,14 @@ def _box_row(low: Floats, high: Floats, row: Floats) -> None:
     row[8:11], row[11:14] = low, high
 
 
+def _board_row(shape: Board, row: Floats) -> None:
+    across = np.array([*(shape.half_pattern_mm + shape.rim_mm), 0.0])
+    low, high = shape.middle_mm - across, shape.middle_mm + across
+    low[2] = -shape.thickness_mm
+    _box_row(low, high, row)
+    row[16:21] = *shape.inner_corners, shape.square_x_mm, shape.square_y_mm, shape.ink
+
+
 def _steepest(shell: Shell) -> float:
     """A slope that the relief reaches nowhere on its base."""
     x, y = np.meshgrid(
@@ -186,6 +227,9 @@ def shape_rows(scene: Scene) -> tuple[NDArray[np.int64], Floats]:
         elif isinstance(shape, Ball):
             kinds[k] = Kind.BALL
             row[3] = shape.radius_mm
+        elif isinstance(shape, Board):
+            kinds[k] = Kind.BOARD
+            _board_row(shape, row)
         else:
             kinds[k] = Kind.SHELL
             top = shape.height_mm + shape.rib_mm

@@ -83,7 +83,7 @@ def test_the_arms_buttons_take_points_and_take_them_back(touching: Server) -> No
 
 def test_a_point_in_motion_is_declined_and_said(touching: Server) -> None:
     with ThreadPoolExecutor(1) as elsewhere:
-        moving = elsewhere.submit(touching.twin.hand.hold_over_object)
+        moving = elsewhere.submit(touching.twin.hand.hold_over, "block")
         touching.wait(lambda view: not enabled(view, "take_point"), 10.0)
         answer = touching.command("take_point")
         moving.result(30.0)

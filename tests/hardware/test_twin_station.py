@@ -112,14 +112,14 @@ def test_the_hand_reaches_every_face(twin: Twin, face: str) -> None:
 
 
 def test_an_unknown_face_or_part_is_refused(twin: Twin) -> None:
-    with pytest.raises(KeyError, match="can touch crest"):
+    with pytest.raises(KeyError, match=r"can touch crest.* board"):
         twin.hand.touch("roof", 0)
     with pytest.raises(KeyError, match="plate"):
         twin.hand.scan_part("teapot")
 
 
 def test_the_sensor_is_held_over_the_block(twin: Twin) -> None:
-    assert twin.hand.hold_over_object()
+    assert twin.hand.hold_over("block")
     driver = twin.sensor()
     driver.open()
     ambient = [next_frame(driver) for _ in range(3)][-1].image
@@ -139,7 +139,7 @@ def test_the_sensor_is_held_over_the_block(twin: Twin) -> None:
 def test_light_follows_the_exposure_and_the_lamps(twin: Twin) -> None:
     driver = twin.sensor()
     driver.open()
-    assert twin.hand.hold_over_object()
+    assert twin.hand.hold_over("block")
 
     def level() -> float:
         [next_frame(driver) for _ in range(2)]
@@ -241,6 +241,7 @@ def test_papers_are_whole_and_do_not_know_the_truth(twin: Twin) -> None:
     assert set(papers) == {
         "arm.json",
         "object.json",
+        "chessboard.json",
         "sensor.json",
         "plate.nominal.json",
         "sphere.nominal.json",

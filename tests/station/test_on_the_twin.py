@@ -112,7 +112,7 @@ def test_a_touch_of_the_hand_is_heard_and_averaged(twin: Twin, rig: Rig, bus: Bu
 
 
 def test_a_pair_is_captured_over_the_block_and_refused_on_the_way(twin: Twin, rig: Rig) -> None:
-    assert twin.hand.hold_over_object()
+    assert twin.hand.hold_over("block")
     until(lambda: rig.arm.stillness().still)
     taken = rig.capture_pair()
     assert taken.laser is not None

@@ -1,0 +1,27 @@
+"""The papers that a demonstration puts into its data folder."""
+
+from pathlib import Path
+
+from app.demonstration import put_papers
+from app.files.arm import read_arm
+from app.files.objects import read_object
+from app.files.sensor import read_sensor
+from app.metrology.chessboard.board import Chessboard
+from app.metrology.crenellated import Crenellated
+from hardware.twin.station import Twin, TwinConfig
+
+
+def test_block_and_board_stand_side_by_side(tmp_path: Path) -> None:
+    twin = Twin(TwinConfig(width_px=640, height_px=512))
+    put_papers(twin, tmp_path)
+    assert isinstance(read_object(tmp_path / "objects/simulated.json"), Crenellated)
+    board = read_object(tmp_path / "objects/chessboard.json")
+    assert isinstance(board, Chessboard)
+    assert (board.name, board.serial_number) == ("Simulated chessboard", "TWIN-C1")
+    assert board.inner_corners == twin.config.board.inner_corners
+    assert board.square_mm == twin.config.board.square_x_mm
+    assert board.standard_uncertainty_mm == twin.config.certificate_sd_mm
+    assert read_arm(tmp_path / "arms/simulated.json").name == twin.config.arm.name
+    assert read_sensor(tmp_path / "sensors/simulated.json").width_px == 640
+    gauges = {path.name for path in (tmp_path / "gauges").iterdir()}
+    assert gauges == {"plate.nominal.json", "sphere.nominal.json"}
