@@ -31,7 +31,8 @@ from app.metrology.refusal import Refusal
 from app.metrology.stripe_flanks import Image
 
 Method = Literal["one-pose", "joint"]
-NOTHING_KNOWN: Mapping[int, SeenPose | Refusal] = {}
+AnySeen = SeenPose | SeenBoard
+NOTHING_KNOWN: Mapping[int, AnySeen | Refusal] = {}
 # Share of the time that looking at the pictures takes.
 LOOKING = 0.8
 Seen = TypeVar("Seen", SeenPose, SeenBoard)
@@ -130,22 +131,21 @@ def joint_inputs(
     session: Session,
     limits: Limits = LIMITS,
     progress: Progress = no_progress,
-    known: Mapping[int, SeenPose | Refusal] = NOTHING_KNOWN,
+    known: Mapping[int, AnySeen | Refusal] = NOTHING_KNOWN,
 ) -> JointInputs:
     """The pictures of all poses read and looked at, on all cores.
 
     Poses that show nothing usable are kept with the reason; ``Refusal`` if a file is
     damaged. What is ``known`` of a pose, by number, is not looked at again.
     """
-    seen, unseen = _looked_at(
-        session.poses,
-        lambda pose: (
-            known[pose.number]
-            if pose.number in known
-            else _seen(see_pose, session.block, session, pose)
-        ),
-        progress,
-    )
+
+    def look(pose: Pose) -> SeenPose | Refusal:
+        before = known.get(pose.number)
+        if isinstance(before, SeenPose | Refusal):
+            return before
+        return _seen(see_pose, session.block, session, pose)
+
+    seen, unseen = _looked_at(session.poses, look, progress)
     return JointInputs(
         arm=session.arm,
         block=session.block,
@@ -159,12 +159,20 @@ def joint_inputs(
 
 
 def board_inputs(
-    session: BoardSession, limits: Limits = LIMITS, progress: Progress = no_progress
+    session: BoardSession,
+    limits: Limits = LIMITS,
+    progress: Progress = no_progress,
+    known: Mapping[int, AnySeen | Refusal] = NOTHING_KNOWN,
 ) -> BoardInputs:
     """The same of a session on a chessboard."""
-    seen, unseen = _looked_at(
-        session.poses, lambda pose: _seen(see_board, session.board, session, pose), progress
-    )
+
+    def look(pose: Pose) -> SeenBoard | Refusal:
+        before = known.get(pose.number)
+        if isinstance(before, SeenBoard | Refusal):
+            return before
+        return _seen(see_board, session.board, session, pose)
+
+    seen, unseen = _looked_at(session.poses, look, progress)
     return BoardInputs(
         arm=session.arm,
         board=session.board,

@@ -8,22 +8,24 @@ from pydantic import TypeAdapter
 
 from app.guide.view import Segment
 from app.metrology.adjustment.pose_advice import Hold, held
-from app.metrology.crenellated import Crenellated
 from app.metrology.frames import Floats, inverse
+from app.metrology.objects import CalibrationObject
 
 Matrix = Sequence[Sequence[float]]
 # More poses are asked for while they bring so much, up to so many.
 WORTH_IT = 0.93
-ENOUGH_POSES = 6
+ENOUGH_POSES, ENOUGH_OF_A_BOARD = 6, 10
+FEWEST_POSES, FEWEST_OF_A_BOARD = 2, 8
 
 
 @dataclass(frozen=True)
 class Advice:
     """Hold the sensor there next: a point would then be known to ``then_um`` (k = 1).
 
-    ``words`` tells it against the newest pose's hold; ``outline`` is the block as the
+    ``words`` tells it against the newest pose's hold; ``outline`` is the object as the
     picture would show it from there; ``q_rad`` are joint angles that reach it. The
-    matrices place any hold against it.
+    matrices place any hold against it. At least ``fewest`` poses are asked for, and up to
+    ``enough`` while they help.
     """
 
     poses: int
@@ -35,12 +37,15 @@ class Advice:
     T_obj_cam: Matrix
     T_arm_obj: Matrix
     T_flange_cam: Matrix
+    fewest: int = FEWEST_POSES
+    enough: int = ENOUGH_POSES
 
     @property
     def worth_it(self) -> bool:
         """Whether another pose is asked for, not only welcome."""
-        few = self.poses < ENOUGH_POSES
-        return self.poses == 1 or (few and self.then_um < WORTH_IT * self.now_um)
+        if self.poses < self.fewest:
+            return True
+        return self.poses < self.enough and self.then_um < WORTH_IT * self.now_um
 
 
 _ADAPTER = TypeAdapter(Advice)
@@ -54,8 +59,8 @@ def from_payload(payload: Mapping[str, object]) -> Advice:
     return _ADAPTER.validate_python(payload)
 
 
-def remaining(advice: Advice, T_arm_flange: Floats, block: Crenellated) -> Hold:
+def remaining(advice: Advice, T_arm_flange: Floats, item: CalibrationObject) -> Hold:
     """What is still to be moved from the present hold to the advised one."""
     T_arm_cam = T_arm_flange @ np.array(advice.T_flange_cam)
     present = inverse(np.array(advice.T_arm_obj)) @ T_arm_cam
-    return held(np.array(advice.T_obj_cam), present, block)
+    return held(np.array(advice.T_obj_cam), present, item)

@@ -6,8 +6,17 @@ from dataclasses import dataclass
 from app.guide.live import Live
 from app.guide.permissions import why_not
 from app.guide.state import CalibrationState
-from app.guide.view import Action, BlockGeometry, LiveNumber, Picture, StepProgress
-from app.metrology.crenellated import Crenellated
+from app.guide.view import (
+    Action,
+    BlockGeometry,
+    BoardGeometry,
+    LiveNumber,
+    ObjectGeometry,
+    Picture,
+    StepProgress,
+)
+from app.metrology.chessboard.board import Chessboard
+from app.metrology.objects import CalibrationObject
 from app.station.findings import Finding
 
 
@@ -37,15 +46,17 @@ def offer(
     return Action(name, label, args or {}, primary, not reason, reason, confirm)
 
 
-def geometry(block: Crenellated) -> BlockGeometry:
-    """The block for drawing."""
+def geometry(item: CalibrationObject) -> ObjectGeometry:
+    """The object for drawing."""
+    if isinstance(item, Chessboard):
+        return BoardGeometry(item.inner_corners, item.square_mm)
     return BlockGeometry(
-        edges_x_mm=block.edges_x_mm,
-        front_y_mm=block.front_y_mm,
-        back_y_mm=block.back_y_mm,
-        crest_z_mm=block.crest_z_mm,
-        floor_z_mm=block.floor_z_mm,
-        base_z_mm=block.base_z_mm,
+        edges_x_mm=item.edges_x_mm,
+        front_y_mm=item.front_y_mm,
+        back_y_mm=item.back_y_mm,
+        crest_z_mm=item.crest_z_mm,
+        floor_z_mm=item.floor_z_mm,
+        base_z_mm=item.base_z_mm,
     )
 
 

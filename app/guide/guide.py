@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
+from app.files.calibrate import AnySeen
 from app.guide.advice import Advice, remaining
 from app.guide.advice import from_payload as advice_from
 from app.guide.calibration_flow import view_of
@@ -22,10 +23,10 @@ from app.guide.sheets import CHOOSING, Sheets, best_guess
 from app.guide.signing import UNSIGNED, Signing
 from app.guide.state import ENDS, FIELDS, KINDS, CalibrationState, after
 from app.guide.view import CalibrationResult, FlowView
-from app.metrology.adjustment.block_start import SeenPose
 from app.metrology.adjustment.pose_advice import Hold
 from app.metrology.arm import flange_pose
 from app.metrology.findings import LIMITS, Limits
+from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
 from app.station.bus import Bus
 from app.station.findings import Finding
@@ -106,7 +107,7 @@ class Guide(GuidedSession[CalibrationState, Live, FlowView]):
         """The present session's folder."""
         return self.sheets.folder
 
-    def known_poses(self) -> Mapping[int, SeenPose | Refusal]:
+    def known_poses(self) -> Mapping[int, AnySeen | Refusal]:
         """What the pictures of this session's poses show, by number, as far as remembered."""
         return self.seen_poses.of(self.state.session_id)
 
@@ -173,12 +174,12 @@ class Guide(GuidedSession[CalibrationState, Live, FlowView]):
         advice, chosen = self._advice(), self.sheets.chosen(self.state)
         newest = self.station.rig.arm.latest()
         aiming = self.state.step in ("place", "capture")
-        if not aiming or advice is None or chosen.arm is None or chosen.block is None:
+        if not aiming or advice is None or chosen.arm is None or chosen.object is None:
             return None
         if newest is None or len(newest.joints_rad) != chosen.arm.joint_count:
             return None
         T_arm_flange = flange_pose(chosen.arm, np.array(newest.joints_rad))
-        return remaining(advice, T_arm_flange, chosen.block)
+        return remaining(advice, T_arm_flange, chosen.object)
 
     def _scanning(self) -> bool:
         scan = self.station.bus.latest("scan")
@@ -248,7 +249,7 @@ class Guide(GuidedSession[CalibrationState, Live, FlowView]):
                 "total_um": result.total_um,
                 "verdict": result.verdict,
                 "arm_serial": chosen.arm.serial_number if chosen.arm else "",
-                "object_serial": chosen.block.serial_number if chosen.block else "",
+                "object_serial": chosen.object.serial_number if chosen.object else "",
                 "sensor_serial": chosen.sensor.serial_number if chosen.sensor else "",
             }
             name = f"Calibration {datetime.now(UTC):%Y-%m-%d %H:%M} UTC"
@@ -277,14 +278,21 @@ class Guide(GuidedSession[CalibrationState, Live, FlowView]):
         if chosen.sensor is not None:
             station.preview.set_stripe_axis(chosen.sensor.stripe_axis)
         aiming = state.step in ("place", "capture")
-        station.preview.detect(chosen.block if aiming else None)
-        touch = self.sheets.touch(state)
+        station.preview.detect(chosen.object if aiming else None)
         if chosen.arm is not None:
             station.scene.set_arm_model(chosen.arm)
-        if touch is not None and touch.alignment is not None and chosen.block is not None:
-            station.scene.set_block(touch.alignment.T_arm_obj, chosen.block)
+        T_arm_obj = self._place_of_object()
+        if T_arm_obj is not None and chosen.object is not None:
+            station.scene.set_object(T_arm_obj, chosen.object)
         else:
-            station.scene.clear_block()
+            station.scene.clear_object()
+
+    def _place_of_object(self) -> Floats | None:
+        """``T_arm_obj`` (4, 4) by the contacts, or by the pictures so far; None before."""
+        touch, advice = self.sheets.touch(self.state), self._advice()
+        if touch is not None and touch.alignment is not None:
+            return touch.alignment.T_arm_obj
+        return np.array(advice.T_arm_obj) if advice is not None else None
 
     @property
     def rev(self) -> int:

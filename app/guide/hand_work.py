@@ -4,18 +4,18 @@ import time
 from collections.abc import Callable
 
 from app.guide import works
+from app.guide.board_views import planned_view
 from app.guide.confirming import confirm
+from app.guide.faces import face_in_use, face_progress
 from app.guide.guide import Guide
 from app.guide.hand import Hand
-from app.guide.touching import TITLES, wanted_on
-from app.metrology.crenellated import FACES
 from app.metrology.refusal import Refusal
 from app.station.jobs import Progress
 
 TIMEOUT_S = 4.0
 SENSOR_TIMEOUT_S = 10.0
 ATTEMPTS = 3
-POSES = 5
+POSES, BOARD_POSES = 5, 9
 
 
 def hand_work(guide: Guide, hand: Hand, whole: bool) -> Callable[[Progress], None]:
@@ -64,12 +64,14 @@ def _setup(guide: Guide, hand: Hand, progress: Progress) -> None:
 
 def _touch(guide: Guide, hand: Hand, progress: Progress) -> None:
     """Takes the points that are still wanted, by the arm's own button."""
-    taken = {face: sum(c.face == face for c in guide.state.counted) for face in FACES}
-    wanted = wanted_on(taken)
-    todo = [(face, i) for face in FACES for i in range(taken[face], wanted[face])]
+    item, report = guide.sheets.chosen(guide.state).object, guide.sheets.touch(guide.state)
+    assert item is not None
+    assert report is not None
+    faces = face_progress(report, guide.state.face, item)
+    todo = [(face, i) for face in faces for i in range(face.taken, face.wanted)]
     for done, (face, index) in enumerate(todo):
-        progress(f"The hand touches: {TITLES[face].lower()}", done / len(todo))
-        if not guide.hand_running or not _touch_one(guide, hand, face, index):
+        progress(f"The hand touches: {face.title.lower()}", done / len(todo))
+        if not guide.hand_running or not _touch_one(guide, hand, face.face, index):
             return
     _confirm(guide, "confirm_touch")
 
@@ -78,7 +80,8 @@ def _touch_one(guide: Guide, hand: Hand, face: str, index: int) -> bool:
     """One place, again where a point was declined; False when the hand was stopped."""
     for attempt in range(ATTEMPTS):
         with guide.lock:
-            if guide.state.face != face:
+            item = guide.sheets.chosen(guide.state).object
+            if item is not None and face_in_use(guide.state.face, item) != face:
                 guide.append("face_selected", {"face": face})
             before = len(guide.state.contacts)
             declined = guide.declined
@@ -107,7 +110,8 @@ def _hold(guide: Guide, hand: Hand, progress: Progress) -> bool:
     advice = guide.live().advice
     if advice is None:
         progress("The hand holds the sensor over the object", 0.2)
-        return hand.hold_over("block")
+        board = guide.sheets.chosen(guide.state).board
+        return hand.hold_over("board" if board else "block", len(guide.state.pictures))
     progress(f"The hand goes to the next pose: {advice.words}", 0.2)
     return hand.hold_at(advice.q_rad)
 
@@ -139,11 +143,20 @@ def _ready_to_capture(guide: Guide) -> bool:
 
 def _solve(guide: Guide, hand: Hand, progress: Progress) -> None:
     """Takes the poses that are asked for, as the operator is told to, then calibrates."""
-    advice = guide.live().advice
-    if advice is not None and advice.worth_it and len(guide.state.pictures) < POSES:
+    if _another_helps(guide):
         guide.append("another_pose", {})
     else:
         works.calibrate(guide, progress)
+
+
+def _another_helps(guide: Guide) -> bool:
+    advice, taken = guide.live().advice, len(guide.state.pictures)
+    most = POSES
+    if guide.sheets.chosen(guide.state).board is not None:
+        if planned_view(taken) is not None:
+            return True
+        most = BOARD_POSES
+    return advice is not None and advice.worth_it and taken < most
 
 
 def _await(guide: Guide, ready: Callable[[], bool], timeout_s: float) -> None:

@@ -9,8 +9,7 @@ from app.files.arm import read_arm
 from app.files.objects import read_object
 from app.files.sensor import SensorSheet, read_sensor
 from app.metrology.arm import Arm
-from app.metrology.chessboard.board import Chessboard
-from app.metrology.crenellated import Crenellated
+from app.metrology.objects import CalibrationObject
 from app.metrology.refusal import Refusal
 from app.station.findings import Finding
 
@@ -31,7 +30,7 @@ class Library:
     """What can be chosen; files that cannot be read are told, not hidden."""
 
     arms: Mapping[str, Entry[Arm]]
-    objects: Mapping[str, Entry[Crenellated]]
+    objects: Mapping[str, Entry[CalibrationObject]]
     sensors: Mapping[str, Entry[SensorSheet]]
     findings: tuple[Finding, ...]
 
@@ -48,16 +47,9 @@ class Library:
 def read_library(data_folder: Path) -> Library:
     """Reads ``arms/*.json``, ``objects/*.json`` and ``sensors/*.json``."""
     findings: list[Finding] = []
-    objects = _entries(data_folder / "objects", read_object, findings)
-    blocks: dict[str, Entry[Crenellated]] = {}
-    for name, entry in objects.items():
-        if isinstance(entry.sheet, Chessboard):
-            findings.append(_on_a_board(entry.sheet))
-        else:
-            blocks[name] = Entry(name, entry.path, entry.sheet)
     return Library(
         arms=_entries(data_folder / "arms", read_arm, findings),
-        objects=blocks,
+        objects=_entries(data_folder / "objects", read_object, findings),
         sensors=_entries(data_folder / "sensors", read_sensor, findings),
         findings=tuple(findings),
     )
@@ -73,13 +65,3 @@ def _entries(
         except Refusal as refusal:
             findings.append(Finding("attention", refusal.line, "Correct or remove the file."))
     return entries
-
-
-def _on_a_board(board: Chessboard) -> Finding:
-    """Nothing of a board is touched face by face: it is calibrated with from recorded pictures."""
-    return Finding(
-        "neutral",
-        f"{board.name} is a flat chessboard: this page calibrates with a crenellated object.",
-        "With the chessboard, record eight or more pictures of it crossed by the laser's line, "
-        "with the arm's angles, and calibrate on the command line: crenel calibrate.",
-    )

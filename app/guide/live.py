@@ -7,11 +7,12 @@ from app.files.sensor import SensorSheet
 from app.guide.advice import Advice
 from app.guide.library import Library
 from app.guide.outcome import Outcome
-from app.guide.touching import TouchReport
+from app.guide.touch_report import TouchReport
 from app.guide.view import Busy
 from app.metrology.adjustment.pose_advice import Hold
 from app.metrology.arm import Arm
-from app.metrology.crenellated import Crenellated
+from app.metrology.chessboard.board import Chessboard
+from app.metrology.objects import CalibrationObject
 from app.station.device_state import DeviceState
 from app.station.findings import Finding
 from app.station.stillness import Stillness
@@ -39,8 +40,13 @@ class Chosen:
     """The sheets that the session's choices name; None where there is none (any more)."""
 
     arm: Arm | None
-    block: Crenellated | None
+    object: CalibrationObject | None
     sensor: SensorSheet | None
+
+    @property
+    def board(self) -> Chessboard | None:
+        """The object where it is a chessboard."""
+        return self.object if isinstance(self.object, Chessboard) else None
 
 
 @dataclass(frozen=True)

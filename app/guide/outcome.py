@@ -5,7 +5,7 @@ from dataclasses import asdict, dataclass
 
 from pydantic import TypeAdapter
 
-from app.guide.view import CalibrationResult, ImageCorner, Segment, Vec3
+from app.guide.view import CalibrationResult, ImageCorner, Segment, TouchedPoint, Vec3
 from app.metrology.detection.evidence import Mark
 from app.station.findings import Finding
 
@@ -26,7 +26,8 @@ class Outcome:
     """The object and the stripe in a fresh picture; or a solve's result, and each pose's.
 
     Of a picture that was declined, ``fault`` names what of it is at fault (exposure, focus,
-    framing, object or lighting) and ``marks`` shows it.
+    framing, object or lighting) and ``marks`` shows it. ``points`` are a board's, which only
+    the pictures put in their place.
     """
 
     corners: Sequence[ImageCorner]
@@ -37,6 +38,7 @@ class Outcome:
     marks: tuple[Mark, ...] = ()
     poses: tuple[PoseDrawing, ...] = ()
     fault: str = ""
+    points: tuple[TouchedPoint, ...] = ()
 
 
 _ADAPTER = TypeAdapter(Outcome)

@@ -2,10 +2,11 @@
 
 from collections.abc import Callable, Mapping
 
+from app.guide.board_views import still_missing
+from app.guide.faces import faces_of
 from app.guide.live import Live
 from app.guide.state import STEPS, CalibrationState
 from app.guide.touching import WRONG_FACE_MM
-from app.metrology.crenellated import FACES
 
 Args = Mapping[str, object]
 Rule = Callable[[CalibrationState, Live, Args], str]
@@ -72,8 +73,8 @@ def _choose(state: CalibrationState, live: Live, args: Args) -> str:
 
 def _setup(state: CalibrationState, live: Live, args: Args) -> str:
     chosen = live.chosen
-    if chosen.arm is None or chosen.block is None or chosen.sensor is None:
-        names = (("arm", chosen.arm), ("object", chosen.block), ("sensor", chosen.sensor))
+    if chosen.arm is None or chosen.object is None or chosen.sensor is None:
+        names = (("arm", chosen.arm), ("object", chosen.object), ("sensor", chosen.sensor))
         missing = [name for name, sheet in names if sheet is None]
         return f"Choose the {' and the '.join(missing)} first."
     if live.arm and live.arm.joint_count != chosen.arm.joint_count:
@@ -92,7 +93,9 @@ def _setup(state: CalibrationState, live: Live, args: Args) -> str:
 
 
 def _face(state: CalibrationState, live: Live, args: Args) -> str:
-    return "" if args.get("face") in FACES else f"There is no face '{args.get('face')}'."
+    item = live.chosen.object
+    known = item is not None and args.get("face") in faces_of(item)
+    return "" if known else f"There is no face '{args.get('face')}'."
 
 
 def _take(state: CalibrationState, live: Live, args: Args) -> str:
@@ -118,7 +121,7 @@ def _touch(state: CalibrationState, live: Live, args: Args) -> str:
     touch = live.touch
     if touch is None:
         return "The arm or the object that was chosen cannot be read any more."
-    if touch.alignment is None:
+    if live.chosen.board is None and touch.alignment is None:
         return touch.missing
     for point in touch.points:
         if point.outlier and abs(point.residual_um or 0.0) >= 1e3 * WRONG_FACE_MM:
@@ -159,8 +162,13 @@ def _solve(state: CalibrationState, live: Live, args: Args) -> str:
         return "Nothing changed since this was solved."
     if not state.picture:
         return "There is no picture of this object and sensor. Take one."
-    if all(live.looked_at[picture.number].fault for picture in state.pictures):
+    looked_at = [live.looked_at[picture.number] for picture in state.pictures]
+    if all(seen.fault for seen in looked_at):
         return "No picture shows the object yet. Take one anew."
+    if live.chosen.board is not None:
+        usable = sum(len(seen.corners) > 0 for seen in looked_at)
+        if missing := still_missing(usable):
+            return missing
     return _touch(state, live, args)
 
 

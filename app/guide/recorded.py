@@ -1,12 +1,12 @@
 """An accepted calibration as it was looked at: the result again, from its journal and folder."""
 
 from app.guide.body import geometry
+from app.guide.faces import touch_report
 from app.guide.journal import Journal, fold
 from app.guide.outcome import Outcome, from_payload
 from app.guide.pose_pictures import recorded_poses
 from app.guide.session_folder import SessionFolder
 from app.guide.state import CalibrationState, after
-from app.guide.touching import touch_report
 from app.guide.view import ResultPicture
 from app.metrology.findings import LIMITS
 from app.metrology.refusal import Refusal
@@ -27,19 +27,19 @@ def recorded(
     state = fold(journal.rows(session_id), CalibrationState(), after)
     solved = from_payload(state.solved.outcome) if state.solved else None
     chosen = folder.sheets()
-    if solved is None or solved.result is None or chosen.arm is None or chosen.block is None:
+    if solved is None or solved.result is None or chosen.arm is None or chosen.object is None:
         raise Refusal(
             "record-incomplete",
             f"the calibration {session_id} cannot be shown",
             "its files are not in the data folder any more",
             "Restore the session's folder from a backup",
         )
-    touch = touch_report(state.counted, chosen.arm, chosen.block, LIMITS.good_um)
+    touch = touch_report(state.counted, chosen.arm, chosen.object, LIMITS.good_um)
     picture = ResultPicture(
         result=solved.result,
         stale=False,
-        block=geometry(chosen.block),
-        points=touch.points,
+        object=geometry(chosen.object),
+        points=solved.points or touch.points,
         poses=recorded_poses(state, _looked_at(state), solved, image_url),
     )
     return picture, list(solved.findings)

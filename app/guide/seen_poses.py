@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from app.metrology.adjustment.block_start import SeenPose
+from app.files.calibrate import AnySeen
 from app.metrology.refusal import Refusal
 
 
@@ -11,14 +11,14 @@ class SeenPoses:
 
     def __init__(self) -> None:
         self._session_id = ""
-        self._seen: dict[int, SeenPose | Refusal] = {}
+        self._seen: dict[int, AnySeen | Refusal] = {}
 
-    def keep(self, session_id: str, number: int, seen: SeenPose | Refusal) -> None:
+    def keep(self, session_id: str, number: int, seen: AnySeen | Refusal) -> None:
         """Remembers what a pose's pictures showed."""
         if session_id != self._session_id:
             self._session_id, self._seen = session_id, {}
         self._seen[number] = seen
 
-    def of(self, session_id: str) -> Mapping[int, SeenPose | Refusal]:
+    def of(self, session_id: str) -> Mapping[int, AnySeen | Refusal]:
         """What is known of a session's poses, by number."""
         return dict(self._seen) if session_id == self._session_id else {}

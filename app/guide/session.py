@@ -11,8 +11,8 @@ from typing import Any, ClassVar, Generic, Protocol, TypeVar
 
 from app.guide.hand import Hand
 from app.guide.journal import Journal, Row, fold
-from app.guide.touching import sentence
 from app.guide.view import Busy
+from app.guide.wording import sentence
 from app.metrology.refusal import Refusal
 from app.station.bus import Bus
 from app.station.findings import Finding

@@ -12,7 +12,7 @@ from app.files.atomic import write_atomically
 from app.files.documents import sha256_of
 from app.files.failures import files_refused
 from app.files.images import write_png
-from app.files.objects import read_block
+from app.files.objects import read_object
 from app.files.sensor import read_sensor
 from app.files.session import (
     ARM,
@@ -62,7 +62,7 @@ class SessionFolder:
         try:
             return Chosen(
                 read_arm(self.path / ARM),
-                read_block(self.path / OBJECT),
+                read_object(self.path / OBJECT),
                 read_sensor(self.path / SENSOR),
             )
         except Refusal:

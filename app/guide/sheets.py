@@ -2,11 +2,13 @@
 
 import time
 
+from app.guide.faces import touch_report
 from app.guide.library import Library, read_library
 from app.guide.live import Chosen, ConnectedArm, ConnectedSensor
 from app.guide.session_folder import SessionFolder
 from app.guide.state import FIELDS, CalibrationState
-from app.guide.touching import TouchReport, touch_report
+from app.guide.touch_report import TouchReport
+from app.metrology.crenellated import Crenellated
 from app.metrology.findings import Limits
 
 FRESH_S = 2.0
@@ -41,10 +43,10 @@ class Sheets:
         if state.step in CHOOSING or not state.session_id:
             self._own = None
             library = self.library(True)
-            arm, block, sensor = (state.choices.get(name, "") for name in FIELDS)
+            arm, item, sensor = (state.choices.get(name, "") for name in FIELDS)
             return Chosen(
                 library.arms[arm].sheet if arm in library.arms else None,
-                library.objects[block].sheet if block in library.objects else None,
+                library.objects[item].sheet if item in library.objects else None,
                 library.sensors[sensor].sheet if sensor in library.sensors else None,
             )
         if self._own is None:
@@ -54,11 +56,11 @@ class Sheets:
     def touch(self, state: CalibrationState) -> TouchReport | None:
         """The touch report of the points that count; computed once for the same points."""
         chosen = self.chosen(state)
-        key = (state.counted, chosen.arm, chosen.block)
+        key = (state.counted, chosen.arm, chosen.object)
         if self._report[0] != key:
             report = None
-            if chosen.arm is not None and chosen.block is not None:
-                report = touch_report(state.counted, chosen.arm, chosen.block, self._target_um)
+            if chosen.arm is not None and chosen.object is not None:
+                report = touch_report(state.counted, chosen.arm, chosen.object, self._target_um)
             self._report = (key, report)
         return self._report[1]
 
@@ -69,10 +71,14 @@ def best_guess(
     arm: ConnectedArm | None,
     sensor: ConnectedSensor | None,
 ) -> dict[str, str]:
-    """What a new session begins with: the connected devices' sheets, else the last choice."""
+    """What a new session begins with: the connected devices' sheets, else the last choice, else
+    the only one there is; of objects the only block, beside any chessboards."""
     guess: dict[str, str] = {}
     arms = {entry.id: entry.sheet.serial_number for entry in library.arms.values()}
     sensors = {entry.id: entry.sheet.serial_number for entry in library.sensors.values()}
+    blocks = [
+        entry.id for entry in library.objects.values() if isinstance(entry.sheet, Crenellated)
+    ]
     for field, known, serial in (
         ("arm", arms, arm.serial_number if arm else None),
         ("object", dict.fromkeys(library.objects, ""), None),
@@ -86,4 +92,6 @@ def best_guess(
             guess[field] = last
         elif len(known) == 1:
             guess[field] = next(iter(known))
+        elif field == "object" and len(blocks) == 1:
+            guess[field] = blocks[0]
     return guess

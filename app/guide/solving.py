@@ -5,15 +5,16 @@ from dataclasses import replace
 
 import numpy as np
 
-from app.files.calibrate import joint_inputs, origin_of
-from app.files.calibration import CalibrationFile, calibration_in
-from app.files.calibration_sheet import joint_sheet
-from app.files.session import read_session
+from app.files.calibrate import AnySeen, board_inputs, joint_inputs, origin_of
+from app.files.calibration import CalibrationFile
+from app.files.calibration_sheet import board_sheet, joint_sheet
+from app.files.session import BoardSession, Session, read_any_session
+from app.guide.board_touching import FACE
+from app.guide.comparing import compare
 from app.guide.journal import Calibration
-from app.guide.live import Chosen
+from app.guide.looking import drawn, shown
 from app.guide.outcome import Outcome, PoseDrawing
 from app.guide.session_folder import SessionFolder
-from app.guide.touching import sentence
 from app.guide.view import (
     BudgetRow,
     CalibrationResult,
@@ -21,96 +22,31 @@ from app.guide.view import (
     FaceResult,
     ImageCorner,
     MapPoint,
-    MovedPoint,
     PlaneKnown,
     PoseRow,
+    TouchedPoint,
     WorstPoint,
 )
+from app.guide.wording import sentence
 from app.metrology import findings as metrology
-from app.metrology.adjustment.block_start import SeenPose
-from app.metrology.adjustment.joint import (
-    JointCalibration,
-    JointInputs,
-    Progress,
-    calibrate_joint,
-    see_pose,
-)
+from app.metrology.adjustment.board_joint import BoardCalibration, calibrate_board
+from app.metrology.adjustment.joint import JointCalibration, Progress, calibrate_joint
 from app.metrology.adjustment.pose_results import PoseResult
 from app.metrology.adjustment.uncertainty import UncertaintyMap
-from app.metrology.detection.evidence import DetectionRefusal
 from app.metrology.findings import Limits
-from app.metrology.frames import Floats, apply
-from app.metrology.reconstruct import sensor_points
+from app.metrology.frames import apply, inverse
+from app.metrology.objects import CalibrationObject
 from app.metrology.refusal import Refusal
-from app.metrology.stripe import Stripe, extract_stripe
-from app.station.capture import Capture
 from app.station.findings import Finding
-from app.station.object_watch import outline, seen_corners
-from app.station.picture_words import picture_words, refused
 
-SHOWN_STRIPE_POINTS = 300
-
-
-def look_at(taken: Capture, chosen: Chosen, number: int) -> tuple[Outcome, SeenPose | Refusal]:
-    """What a fresh capture shows, so that a useless picture is told of at once."""
-    assert chosen.block is not None
-    assert chosen.sensor is not None
-    ambient = taken.ambient.image
-    laser = None if taken.laser is None else taken.laser.image
-    findings = [_told(finding) for finding in picture_words(ambient)]
-    stripe = extract_stripe(ambient if laser is None else laser, chosen.sensor.stripe_axis)
-    if len(stripe.u) == 0:
-        findings.append(
-            Finding(
-                "bad",
-                "No laser stripe is in the picture.",
-                "Check the laser and the exposure, then take a new picture.",
-            )
-        )
-    try:
-        seen = see_pose(number, chosen.block, ambient, laser, chosen.sensor.stripe_axis)
-    except Refusal as refusal:
-        return _unusable(refusal, stripe, findings), refusal
-    corners = [
-        ImageCorner(corner.name, corner.u, corner.v, corner.residual_px)
-        for corner in seen_corners(seen.detection, chosen.block)
-    ]
-    outcome = Outcome(
-        corners, outline(seen.detection, chosen.block), _shown(stripe), findings, None
-    )
-    return outcome, seen
-
-
-def _told(finding: Finding) -> Finding:
-    return Finding(finding.quality, sentence(finding.text), sentence(finding.remedy))
-
-
-def _unusable(refusal: Refusal, stripe: Stripe, findings: Sequence[Finding]) -> Outcome:
-    """A picture that was declined: which of exposure, focus, framing, object or lighting is at
-    fault, and what shows it."""
-    told = _told(refused(refusal))
-    if not isinstance(refusal, DetectionRefusal):
-        first = Finding("bad", told.text, told.remedy)
-        return Outcome((), (), _shown(stripe), [first, *findings], None)
-    named = f"{refusal.fault.capitalize()} is at fault. {told.text}"
-    # the picture's own words say the same again
-    others = [] if refusal.fault in ("exposure", "focus") else findings
-    return Outcome(
-        corners=(),
-        outline=(),
-        stripe=_shown(stripe),
-        findings=[Finding("bad", named, told.remedy), *others],
-        result=None,
-        marks=refusal.marks,
-        fault=refusal.fault,
-    )
+Calibrated = JointCalibration | BoardCalibration
 
 
 def solve(
     folder: SessionFolder,
     in_use: Calibration | None,
     progress: Progress,
-    known: Mapping[int, SeenPose | Refusal],
+    known: Mapping[int, AnySeen | Refusal],
     limits: Limits,
     points: Sequence[int],
 ) -> Outcome:
@@ -124,12 +60,9 @@ def solve(
         Refusal: by its reason; a calibration file of an earlier solve is then gone.
     """
     folder.calibration.unlink(missing_ok=True)
-    session = read_session(folder.path)
-    inputs = joint_inputs(session, limits, lambda share, text: progress(text, share), known)
-    result = calibrate_joint(inputs, progress)
-    sheet = joint_sheet(result, origin_of(session, session.poses, operator=""))
+    session = read_any_session(folder.path)
+    result, sheet, drawings, touched = _calibrated(session, progress, known, limits, points)
     sheet.write(folder.calibration)
-    drawings = _drawings(result, inputs)
     return Outcome(
         corners=(),
         outline=(),
@@ -143,28 +76,71 @@ def solve(
             usable_um=limits.usable_um,
         ),
         poses=tuple(drawings.values()),
+        points=touched,
     )
 
 
-def _drawings(result: JointCalibration, inputs: JointInputs) -> dict[int, PoseDrawing]:
+def _calibrated(
+    session: Session | BoardSession,
+    progress: Progress,
+    known: Mapping[int, AnySeen | Refusal],
+    limits: Limits,
+    points: Sequence[int],
+) -> tuple[Calibrated, CalibrationFile, dict[int, PoseDrawing], tuple[TouchedPoint, ...]]:
+    """The calibration, its file, what its poses are drawn with, and a board's touched points."""
+
+    def looked(share: float, text: str) -> None:
+        progress(text, share)
+
+    origin = origin_of(session, session.poses, operator="")
+    if isinstance(session, BoardSession):
+        of_board = board_inputs(session, limits, looked, known)
+        on_board = calibrate_board(of_board, progress)
+        drawings = _drawings(on_board, of_board.seen, session.board)
+        return on_board, board_sheet(on_board, origin), drawings, _on_board(on_board, points)
+    of_block = joint_inputs(session, limits, looked, known)
+    on_block = calibrate_joint(of_block, progress)
+    drawings = _drawings(on_block, of_block.seen, session.block)
+    return on_block, joint_sheet(on_block, origin), drawings, ()
+
+
+def _drawings(
+    result: Calibrated, seen: Sequence[AnySeen], item: CalibrationObject
+) -> dict[int, PoseDrawing]:
     """Of the poses that were used, by number: corners with what the adjustment left of them."""
     left = {pose.number: pose for pose in result.poses if pose.used}
     return {
-        seen.number: PoseDrawing(
-            seen.number,
-            [
-                ImageCorner(corner.name, corner.u, corner.v, float(np.hypot(du, dv)), (du, dv))
-                for corner, (_, du, dv) in zip(
-                    seen.detection.corners, left[seen.number].corners_px, strict=True
-                )
-            ],
-            outline(seen.detection, inputs.block),
-            _shown(seen.stripe),
-            left[seen.number].stripe_off_px,
+        one.number: PoseDrawing(
+            one.number,
+            _corners(left[one.number]),
+            drawn(one, item).outline,
+            shown(one.stripe),
+            left[one.number].stripe_off_px,
         )
-        for seen in inputs.seen
-        if seen.number in left
+        for one in seen
+        if one.number in left
     }
+
+
+def _corners(pose: PoseResult) -> list[ImageCorner]:
+    return [
+        ImageCorner(name, u, v, float(np.hypot(du, dv)), (du, dv))
+        for (name, u, v), (_, du, dv) in zip(pose.corners_at_px, pose.corners_px, strict=True)
+    ]
+
+
+def _on_board(result: BoardCalibration, points: Sequence[int]) -> tuple[TouchedPoint, ...]:
+    """The touched points where the pictures put them on the board."""
+    touches, contacts = result.adjusted.problem.touches, result.contacts
+    if touches is None or contacts is None:
+        return ()
+    at_mm = apply(inverse(result.T_arm_obj), touches.tips_mm) - [0.0, 0.0, touches.radius_mm]
+    return tuple(
+        TouchedPoint(index, FACE, (float(x), float(y), 0.0), float(um), bool(out))
+        for index, (x, y, _), um, out in zip(
+            points, at_mm, contacts.residuals_um, contacts.left_out, strict=True
+        )
+    )
 
 
 def _worst(
@@ -182,19 +158,10 @@ def _worst(
     return WorstPoint(point.kind, point.name, point.value, point.unit, None, point.pose, at_px)
 
 
-def _worst_fitting(result: JointCalibration) -> PoseResult:
+def _worst_fitting(result: Calibrated) -> PoseResult:
     """The pose whose picture is worth looking at: its edges fit worst."""
     used = [pose for pose in result.poses if pose.used]
     return max(used, key=lambda pose: pose.edges_rms_px)
-
-
-def _shown(stripe: Stripe) -> list[tuple[float, float]]:
-    """The stripe thinned for drawing."""
-    step = max(1, -(-len(stripe.u) // SHOWN_STRIPE_POINTS))
-    return [
-        (round(float(u), 2), round(float(v), 2))
-        for u, v in zip(stripe.u[::step], stripe.v[::step], strict=True)
-    ]
 
 
 def _verdict(found: Sequence[metrology.Finding]) -> str:
@@ -206,7 +173,7 @@ def _verdict(found: Sequence[metrology.Finding]) -> str:
 
 
 def _result(
-    result: JointCalibration,
+    result: Calibrated,
     sheet: CalibrationFile,
     comparison: Comparison | None,
 ) -> CalibrationResult:
@@ -217,13 +184,10 @@ def _result(
         verdict_text=_verdict(result.findings),
         reprojection_rms_px=residuals.reprojection_rms_px,
         laser_plane_rms_um=result.stripe_rms_um,
-        alignment_rms_um=1e3 * result.alignment.rms_mm,
+        alignment_rms_um=_contacts_rms_um(result),
         depth_range_mm=result.depth_range_mm,
         probe_matrix=result.T_flange_sensor.tolist(),
-        faces=[
-            FaceResult(face.face, face.points, 1e3 * face.rms_mm, 1e3 * face.form_mm)
-            for face in result.alignment.faces
-        ],
+        faces=_faces(result),
         budget=[BudgetRow(row.source, row.value_um) for row in known.rows],
         total_um=known.total_um,
         plane=PlaneKnown(known.plane.angle_arcsec, known.plane.offset_um),
@@ -245,52 +209,25 @@ def _result(
     )
 
 
+def _contacts_rms_um(result: Calibrated) -> float | None:
+    if isinstance(result, BoardCalibration):
+        return result.contacts.rms_um if result.contacts is not None else None
+    return 1e3 * result.alignment.rms_mm
+
+
+def _faces(result: Calibrated) -> list[FaceResult]:
+    """How the contacts fit each face of a block; a board has only its one."""
+    if isinstance(result, BoardCalibration):
+        return []
+    return [
+        FaceResult(face.face, face.points, 1e3 * face.rms_mm, 1e3 * face.form_mm)
+        for face in result.alignment.faces
+    ]
+
+
 def _map(over: UncertaintyMap) -> Sequence[MapPoint]:
     """The map as drawn on the laser plane: along the stripe, and in depth."""
     return [
         MapPoint(round(float(u), 1), round(float(v), 1), round(float(value), 3), bool(inside))
         for (u, v), value, inside in zip(over.uv_px, over.u_um, over.calibrated, strict=True)
     ]
-
-
-def compare(
-    result: JointCalibration,
-    sheet: CalibrationFile,
-    in_use: Calibration | None,
-) -> Comparison | None:
-    """How far points of the measuring volume move against the calibration in use.
-
-    None where there is none for the same arm and sensor. The sensor frames of two
-    calibrations differ, so the same pixels are compared in the flange frame.
-    """
-    if in_use is None:
-        return None
-    try:
-        before = CalibrationFile.read(in_use.file)
-    except Refusal:
-        return None
-    was, now = before.serial_numbers, sheet.serial_numbers
-    if (was.arm, was.sensor) != (now.arm, now.sensor):
-        return None
-    old = calibration_in(before)
-
-    def moved_um(uv_px: Floats) -> Floats:
-        points = apply(result.T_flange_sensor, sensor_points(result.camera, result.plane, uv_px))
-        others = apply(old.T_flange_sensor, sensor_points(old.camera, old.plane, uv_px))
-        return np.asarray(1e3 * np.linalg.norm(points - others, axis=1))
-
-    in_volume = moved_um(result.known.volume.uv_px)
-    if not np.all(np.isfinite(in_volume)):
-        return None
-    over = result.known.map
-    on_map = moved_um(over.uv_px)
-    moved = [
-        MovedPoint(round(float(u), 1), round(float(v), 1), round(float(um), 3))
-        for (u, v), um in zip(over.uv_px, on_map, strict=True)
-        if np.isfinite(um)
-    ]
-    # The map is drawn beside the figure: none of its points within the depths says more.
-    drawn = on_map[over.calibrated & np.isfinite(on_map)]
-    rms_um = float(np.sqrt(np.mean(in_volume**2)))
-    most_um = float(max(in_volume.max(), drawn.max(initial=0.0)))
-    return Comparison(in_use.name, most_um, rms_um, moved)

@@ -12,8 +12,8 @@ from app.station.findings import Finding
 
 def review_step(state: CalibrationState, live: Live) -> Body:
     """The numbers, the verdict with its reasons, and accept or repeat."""
-    seen, block = live.seen, live.chosen.block
-    if seen is None or seen.result is None or block is None:
+    seen, item = live.seen, live.chosen.object
+    if seen is None or seen.result is None or item is None:
         return solve_step(state, live)
     result, stale = seen.result, state.outcome is None
     return Body(
@@ -21,8 +21,8 @@ def review_step(state: CalibrationState, live: Live) -> Body:
         picture=ResultPicture(
             result=result,
             stale=stale,
-            block=geometry(block),
-            points=live.touch.points if live.touch else (),
+            object=geometry(item),
+            points=seen.points or (live.touch.points if live.touch else ()),
             poses=pose_pictures(state, live, seen),
         ),
         number=LiveNumber(

@@ -1,11 +1,14 @@
 """The step 'touch': contact points on the object's faces. Pure."""
 
 from app.guide.body import Body, geometry, lost_devices, offer
+from app.guide.faces import face_progress, next_face
 from app.guide.live import Live
 from app.guide.state import CalibrationState
-from app.guide.touching import TITLES, TouchReport, face_progress, next_face
+from app.guide.touch_report import TouchReport
+from app.guide.touching import TITLES
 from app.guide.view import Action, DevicesPicture, FaceProgress, LiveNumber, ObjectPicture
 from app.guide.view import StepProgress as Progress
+from app.metrology.chessboard.board import Chessboard
 from app.station.findings import Finding, Quality
 
 LISTED_SUSPECTS, LISTED_FACES = 3, 3
@@ -13,24 +16,49 @@ LISTED_SUSPECTS, LISTED_FACES = 3, 3
 
 def touch_step(state: CalibrationState, live: Live) -> Body:
     """Where to touch, how many points there are, and how well they agree."""
-    block, touch = live.chosen.block, live.touch
-    if block is None or touch is None:
+    item, touch = live.chosen.object, live.touch
+    if item is None or touch is None:
         return Body(
             instruction="The arm or the object that was chosen cannot be read any more.",
             picture=DevicesPicture([]),
             actions=[],
             findings=live.library.findings,
         )
-    faces = face_progress(touch, state.face, block)
+    if isinstance(item, Chessboard):
+        return _on_board(state, live, touch, item)
+    faces = face_progress(touch, state.face, item)
     done = sum(min(face.taken, face.wanted) for face in faces)
     wanted = sum(face.wanted for face in faces)
     return Body(
         instruction=_instruction(faces, state.face, done >= wanted, touch),
-        picture=ObjectPicture(geometry(block), faces, touch.points),
+        picture=ObjectPicture(geometry(item), faces, touch.points),
         number=_number(touch),
         progress=Progress(done, wanted, f"{done} of {wanted} points"),
         findings=[*lost_devices(live)[:1], *touch.findings, *_advice(touch)],
         actions=_actions(state, live, touch, done >= wanted),
+    )
+
+
+def _on_board(state: CalibrationState, live: Live, touch: TouchReport, board: Chessboard) -> Body:
+    """A board need not be touched: touches check its squares' size, and where it lies."""
+    (face,) = face_progress(touch, state.face, board)
+    done, wanted = face.taken, face.wanted
+    left = wanted - done
+    if done == 0:
+        instruction = (
+            f"Go on to the pictures. {wanted} touches, spread over the printed side, would "
+            "check the size of its squares."
+        )
+    elif left > 0:
+        instruction = f"Touch the printed side {left} more times, spread wide. Or go on."
+    else:
+        instruction = "All points are there. Go on to the pictures."
+    return Body(
+        instruction=instruction,
+        picture=ObjectPicture(geometry(board), [face], touch.points),
+        progress=Progress(done, wanted, f"{done} of {wanted} points"),
+        findings=[*lost_devices(live)[:1], *touch.findings],
+        actions=_actions(state, live, touch, done == 0 or left <= 0),
     )
 
 

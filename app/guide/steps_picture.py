@@ -2,14 +2,15 @@
 
 from collections.abc import Sequence
 
-from app.guide.advice import ENOUGH_POSES, Advice
+from app.guide.advice import ENOUGH_OF_A_BOARD, ENOUGH_POSES, Advice
+from app.guide.board_views import planned_view, words_of
 from app.guide.body import Body, lost_devices, offer
 from app.guide.framing import first_outline
 from app.guide.live import Live
 from app.guide.pose_pictures import pose_pictures
 from app.guide.state import CalibrationState
-from app.guide.touching import sentence
 from app.guide.view import Action, CameraPicture, LiveNumber, StepProgress, StillPicture
+from app.guide.wording import sentence
 from app.metrology.adjustment.pose_advice import Hold
 from app.station.findings import Finding
 
@@ -22,19 +23,22 @@ def place_step(state: CalibrationState, live: Live) -> Body:
     """Bring the sensor over the object and clamp the arm."""
     found = live.corners_seen >= FEWEST_CORNERS
     there = live.to_move is None or reached(live.to_move)
+    planned = _planned(state, live)
     goal = "Hold the sensor over the object so that it lies about as the dashed outline."
-    if live.advice is not None and not there:
+    if planned is not None:
+        goal = words_of(planned)
+    elif live.advice is not None and not there:
         goal = f"For the next pose {live.advice.words}. Follow the dashed outline."
     return Body(
         instruction=(
             "The object is in the picture. Hold the arm there, or clamp it."
-            if found and there
+            if found and there and planned is None
             else goal
         ),
         picture=_camera(state, live),
         number=_to_go(live) or _stillness(live),
         progress=_poses(state, live),
-        findings=[*lost_devices(live), *_picture_findings(live)],
+        findings=[*lost_devices(live), *_picture_findings(live), *_about_line(live)],
         actions=[
             offer(state, live, "confirm_place", "The object is in the picture", primary=True),
             *_enough(state, live),
@@ -62,7 +66,8 @@ def _poses(state: CalibrationState, live: Live) -> StepProgress:
     done = len(state.pictures)
     if live.advice is not None and not live.advice.worth_it:
         return StepProgress(done, done, f"{done} poses are enough")
-    of = max(done, ENOUGH_POSES)
+    enough = ENOUGH_POSES if live.chosen.board is None else ENOUGH_OF_A_BOARD
+    of = max(done, enough)
     return StepProgress(done, of, f"{done} of up to {of} poses")
 
 
@@ -77,13 +82,34 @@ def _enough(state: CalibrationState, live: Live) -> list[Action]:
 
 def _camera(state: CalibrationState, live: Live) -> CameraPicture:
     """With the outline to match: of the advised pose, or of a good first one."""
-    block, sensor = live.chosen.block, live.chosen.sensor
+    item, sensor = live.chosen.object, live.chosen.sensor
+    planned = _planned(state, live)
+    if item is None or sensor is None:
+        return CameraPicture()
+    size_px, upright = (sensor.width_px, sensor.height_px), sensor.stripe_axis == "u"
+    if planned is not None:
+        return CameraPicture(first_outline(item, *size_px, upright, planned))
     if live.advice is not None:
         return CameraPicture(live.advice.outline)
-    if state.pictures or block is None or sensor is None:
-        return CameraPicture()
-    upright = sensor.stripe_axis == "u"
-    return CameraPicture(first_outline(block, sensor.width_px, sensor.height_px, upright))
+    return CameraPicture(() if state.pictures else first_outline(item, *size_px, upright))
+
+
+def _planned(state: CalibrationState, live: Live) -> Hold | None:
+    """Of a chessboard the first views; there is no advice before them."""
+    return planned_view(len(state.pictures)) if live.chosen.board is not None else None
+
+
+def _about_line(live: Live) -> list[Finding]:
+    """A block is crossed by the line wherever it is sharp; a board, only where it is held so."""
+    if live.chosen.board is None or live.laser_on:
+        return []
+    return [
+        Finding(
+            "neutral",
+            "The laser's line must cross the chessboard in every picture.",
+            "Switch the laser on to look where it lies.",
+        )
+    ]
 
 
 def _to_go(live: Live) -> LiveNumber | None:
@@ -121,7 +147,8 @@ def solve_step(state: CalibrationState, live: Live) -> Body:
         if not any(finding.text.endswith(text) for finding in findings):
             findings.insert(0, Finding("bad", text, sentence(remedy)))
     unusable = refused is not None or any(finding.quality == "bad" for finding in findings)
-    more = advice is not None and advice.worth_it and not unusable
+    planned = _planned(state, live)
+    more = not unusable and (planned is not None or (advice is not None and advice.worth_it))
     if advice is not None and not (more or unusable):
         findings.append(_advised(advice))
     return Body(
@@ -149,6 +176,9 @@ def _solve_instruction(
         return f"This picture cannot be used. Take it anew{others}."
     count = len(state.pictures)
     taken = f"{count} pose{'s are' if count != 1 else ' is'} taken."
+    planned = _planned(state, live)
+    if more and planned is not None:
+        return f"{taken} Take another: {planned.words}."
     if more and live.advice is not None:
         return f"{taken} Take another: {live.advice.words}."
     return f"{taken} Compute the calibration, or take another pose."

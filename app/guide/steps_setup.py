@@ -4,7 +4,8 @@ from app.guide.body import Body, geometry, offer
 from app.guide.live import Live
 from app.guide.state import CalibrationState
 from app.guide.view import Choice, ChoiceOption, ChoicesPicture, DeviceLine, DevicesPicture
-from app.metrology.crenellated import Crenellated
+from app.metrology.chessboard.board import Chessboard
+from app.metrology.objects import CalibrationObject
 from app.station.device_state import DeviceState
 from app.station.findings import Finding, Quality
 
@@ -40,10 +41,10 @@ def _line(link: DeviceState) -> DeviceLine:
 
 def setup_step(state: CalibrationState, live: Live) -> Body:
     """Which arm, which object, which sensor?"""
-    block = live.chosen.block
+    item = live.chosen.object
     return Body(
         instruction="Check that the arm with its tip, the object and the sensor are those in use.",
-        picture=ChoicesPicture(_choices(state, live), geometry(block) if block else None),
+        picture=ChoicesPicture(_choices(state, live), geometry(item) if item else None),
         actions=[offer(state, live, "confirm_setup", "These are in use", primary=True)],
         findings=[
             *_serials(live),
@@ -65,7 +66,7 @@ def _choices(state: CalibrationState, live: Live) -> list[Choice]:
         for entry in library.arms.values()
     ]
     objects = [
-        ChoiceOption(entry.id, entry.sheet.name, _block_detail(entry.sheet))
+        ChoiceOption(entry.id, entry.sheet.name, _object_detail(entry.sheet))
         for entry in library.objects.values()
     ]
     sensors = [
@@ -81,21 +82,33 @@ def _choices(state: CalibrationState, live: Live) -> list[Choice]:
         Choice(field, title, options, state.choices.get(field, ""))
         for field, title, options in (
             ("arm", "Arm and tip", arms),
-            ("object", "Crenellated object", objects),
+            ("object", "Object", objects),
             ("sensor", "Sensor", sensors),
         )
     ]
 
 
-def _block_detail(block: Crenellated) -> str:
+def _object_detail(item: CalibrationObject) -> str:
+    if isinstance(item, Chessboard):
+        return _board_detail(item)
     size = (
-        block.edges_x_mm[-1] - block.edges_x_mm[0],
-        block.back_y_mm - block.front_y_mm,
-        block.crest_z_mm - block.base_z_mm,
+        item.edges_x_mm[-1] - item.edges_x_mm[0],
+        item.back_y_mm - item.front_y_mm,
+        item.crest_z_mm - item.base_z_mm,
     )
     return (
-        f"serial number {block.serial_number}, {block.merlon_count} merlons, "
+        f"serial number {item.serial_number}, {item.merlon_count} merlons, "
         f"{size[0]:.0f} × {size[1]:.0f} × {size[2]:.0f} mm"
+    )
+
+
+def _board_detail(board: Chessboard) -> str:
+    columns, rows = board.inner_corners
+    if not board.serial_number:
+        return f"chessboard, {columns} × {rows} inner corners, squares of {board.square_mm:g} mm"
+    return (
+        f"serial number {board.serial_number}, chessboard, {columns} × {rows} inner corners, "
+        f"squares of {board.square_mm:g} mm"
     )
 
 

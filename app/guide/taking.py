@@ -1,13 +1,9 @@
 """Taking contact points: by click, by the arm's buttons, by the hand."""
 
+from app.guide.board_touching import FACE as BOARD
+from app.guide.faces import SAME_PLACE_MM, face_in_use, face_progress, next_face, same_place
 from app.guide.guide import Guide
-from app.guide.touching import (
-    SAME_PLACE_MM,
-    face_progress,
-    next_face,
-    same_place,
-    signed_um,
-)
+from app.guide.wording import signed_um
 from app.metrology.refusal import Refusal
 from app.station.findings import Quality
 
@@ -20,8 +16,9 @@ def take_point(guide: Guide, source: str, until_ns: int | None, key: str | None)
     """
     with guide.lock:
         state = guide.state
-        arm = guide.sheets.chosen(state).arm
-        if arm is None:
+        chosen = guide.sheets.chosen(state)
+        arm = chosen.arm
+        if arm is None or chosen.object is None:
             raise Refusal("no-arm-model", "The arm that was chosen cannot be read any more")
         mean = guide.station.rig.arm.average(until_ns=until_ns)
         twin = same_place(mean.q_rad, state.counted, arm)
@@ -35,7 +32,7 @@ def take_point(guide: Guide, source: str, until_ns: int | None, key: str | None)
         guide.append(
             "point_taken",
             {
-                "face": state.face,
+                "face": face_in_use(state.face, chosen.object),
                 "q_rad": mean.q_rad.tolist(),
                 "scatter_rad": mean.scatter_rad.tolist(),
                 "samples": mean.samples,
@@ -79,14 +76,14 @@ def void_point(guide: Guide, index: int, key: str | None) -> None:
 
 def _go_on(guide: Guide) -> None:
     """Turns to the next face when this point completed its face."""
-    state, block = guide.state, guide.sheets.chosen(guide.state).block
+    state, item = guide.state, guide.sheets.chosen(guide.state).object
     report = guide.sheets.touch(state)
-    if report is None or block is None:
+    if report is None or item is None:
         return
-    faces = face_progress(report, state.face, block)
+    faces = face_progress(report, state.face, item)
     here = next(face for face in faces if face.selected)
-    goal = next_face(faces, state.face)
-    if here.taken == here.wanted and goal != state.face:
+    goal = next_face(faces, here.face)
+    if here.taken == here.wanted and goal != here.face:
         guide.append("face_selected", {"face": goal})
 
 
@@ -94,6 +91,8 @@ def _tell_point(guide: Guide) -> None:
     """Says what the new point is worth, for an operator who looks at the arm."""
     point, report = guide.state.counted[-1], guide.sheets.touch(guide.state)
     text = f"Point {point.index + 1} on the {point.face} face"
+    if point.face == BOARD:
+        text = f"Point {point.index + 1} on the board"
     quality: Quality = "good"
     judged = next((p for p in report.points if p.index == point.index), None) if report else None
     if judged is not None and judged.residual_um is not None:

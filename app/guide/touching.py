@@ -1,26 +1,26 @@
-"""The touch step: where to touch the object, and how well the points agree. Pure."""
+"""The touch step on a block: where to touch it, and how well the points agree. Pure."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from app.guide.state import Contact
+from app.guide.touch_report import TouchReport
 from app.guide.view import FaceProgress, TouchedPoint, Vec3
-from app.metrology.adjustment.touch_advice import TouchAdvice, next_touches
+from app.guide.wording import sentence, signed_um
+from app.metrology.adjustment.touch_advice import next_touches
 from app.metrology.alignment import Alignment, align, other_face
 from app.metrology.arm import Arm, tip_centres, tip_covariances
 from app.metrology.contacts import what_is_missing
 from app.metrology.crenellated import FACES, Crenellated
 from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
-from app.station.findings import Finding, signed
+from app.station.findings import Finding
 
 WANTED = 9
 """Points on each of three faces. Three fix a plane without telling anything of its
 quality; the uncertainty falls with the root of the number, and 27 points with
 25 µm of arm noise bring the object's position to about 20 µm."""
-SAME_PLACE_MM = 0.3
 WRONG_FACE_MM = 1.0
 EDGE_MARGIN_MM = 1.0
 TITLES = {
@@ -33,31 +33,10 @@ TITLES = {
 }
 
 
-@dataclass(frozen=True)
-class TouchReport:
-    """How the points taken so far agree with the object."""
-
-    points: tuple[TouchedPoint, ...]
-    alignment: Alignment | None
-    missing: str
-    """What to probe before anything can be computed; empty when nothing is missing."""
-    findings: tuple[Finding, ...]
-    suspects: tuple[int, ...]
-    """Indices of points that should be taken away."""
-    advice: TouchAdvice | None = None
-    """How many more, on which face, make the object known as well as is wanted."""
-    target_um: float = 0.0
-
-    def face_rms_um(self, face: str) -> float | None:
-        if self.alignment is None:
-            return None
-        return next((f.rms_mm * 1e3 for f in self.alignment.faces if f.face == face), None)
-
-
-def touch_report(
+def block_report(
     contacts: Sequence[Contact], arm: Arm, block: Crenellated, target_um: float
 ) -> TouchReport:
-    """Aligns the object with the points so far, as soon as that is possible.
+    """Aligns the block with the points so far, as soon as that is possible.
 
     ``target_um`` is how well the object's place is wanted, k = 1.
     """
@@ -115,18 +94,8 @@ def _outlier_finding(
     )
 
 
-def same_place(contact_q_rad: Floats, others: Sequence[Contact], arm: Arm) -> int | None:
-    """Index of a counted point that lies within ``SAME_PLACE_MM`` of a new one, if any."""
-    if not others:
-        return None
-    tips = tip_centres(arm, np.array([c.q_rad for c in others] + [tuple(contact_q_rad)]))
-    distances = np.linalg.norm(tips[:-1] - tips[-1], axis=1)
-    nearest = int(np.argmin(distances))
-    return others[nearest].index if distances[nearest] < SAME_PLACE_MM else None
-
-
-def face_progress(report: TouchReport, selected: str, block: Crenellated) -> list[FaceProgress]:
-    """Every face of the object: what was taken, what is wanted, where to touch."""
+def block_faces(report: TouchReport, selected: str, block: Crenellated) -> list[FaceProgress]:
+    """Every face of the block: what was taken, what is wanted, where to touch."""
     taken = {face: sum(p.face == face for p in report.points) for face in FACES}
     wanted = wanted_on(taken)
     return [
@@ -150,14 +119,6 @@ def wanted_on(taken: dict[str, int]) -> dict[str, int]:
     wanted["back" if taken["back"] > taken["front"] else "front"] = WANTED
     wanted["left" if taken["left"] > taken["right"] else "right"] = WANTED
     return wanted
-
-
-def next_face(faces: Sequence[FaceProgress], selected: str) -> str:
-    """The face to go on with: the selected one until it has its points."""
-    here = next(face for face in faces if face.face == selected)
-    if here.taken < max(here.wanted, 1):
-        return selected
-    return next((f.face for f in faces if f.taken < f.wanted), selected)
 
 
 def suggested_places(block: Crenellated, face: str) -> list[Vec3]:
@@ -206,14 +167,3 @@ def _between(low: float, high: float, count: int) -> list[float]:
 
 def _vec(point: Floats) -> Vec3:
     return float(point[0]), float(point[1]), float(point[2])
-
-
-def signed_um(value: float) -> str:
-    """With its sign."""
-    return f"{signed(value)} µm"
-
-
-def sentence(text: str) -> str:
-    """With a capital letter and a full stop; empty stays empty."""
-    text = text.strip().rstrip(".")
-    return f"{text[0].upper()}{text[1:]}." if text else ""

@@ -54,6 +54,19 @@ class BlockGeometry:
     crest_z_mm: float
     floor_z_mm: float
     base_z_mm: float
+    kind: Literal["block"] = "block"
+
+
+@dataclass(frozen=True)
+class BoardGeometry:
+    """The chessboard for drawing, from its certificate: columns and rows of inner corners."""
+
+    inner_corners: tuple[int, int]
+    square_mm: float
+    kind: Literal["board"] = "board"
+
+
+ObjectGeometry = BlockGeometry | BoardGeometry
 
 
 @dataclass(frozen=True)
@@ -194,7 +207,8 @@ class CalibrationResult:
     verdict_text: str
     reprojection_rms_px: float
     laser_plane_rms_um: float
-    alignment_rms_um: float
+    alignment_rms_um: float | None
+    """Of the contacts; None where the object was not touched."""
     depth_range_mm: tuple[float, float]
     probe_matrix: Sequence[Sequence[float]]
     faces: Sequence[FaceResult]
@@ -222,13 +236,13 @@ class DevicesPicture:
 @dataclass(frozen=True)
 class ChoicesPicture:
     choices: Sequence[Choice]
-    block: BlockGeometry | None
+    object: ObjectGeometry | None
     kind: Literal["choices"] = "choices"
 
 
 @dataclass(frozen=True)
 class ObjectPicture:
-    block: BlockGeometry
+    object: ObjectGeometry
     faces: Sequence[FaceProgress]
     points: Sequence[TouchedPoint]
     kind: Literal["object"] = "object"
@@ -284,7 +298,7 @@ class ResultPicture:
 
     result: CalibrationResult
     stale: bool
-    block: BlockGeometry
+    object: ObjectGeometry
     points: Sequence[TouchedPoint]
     poses: Sequence[PosePicture]
     kind: Literal["result"] = "result"

@@ -14,8 +14,8 @@ import cv2
 import numpy as np
 
 from app.files.scan_settings import AUTOMATIC, ScanSettings
-from app.metrology.crenellated import Crenellated
 from app.metrology.detection.picture import Image, PictureMeasures
+from app.metrology.objects import CalibrationObject
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import Stripe, saturation_level
 from app.station.aids import Aid, distance_aid, exposure_aid, focus_aid, framing_aid, line_aid
@@ -24,9 +24,10 @@ from app.station.bus import Bus
 from app.station.distance_band import Band, DistanceWatch
 from app.station.extraction import Extraction, extraction_by
 from app.station.findings import Finding
-from app.station.object_watch import NOTHING, ObjectWatch, Seen, SeenCorner, Segment
+from app.station.object_watch import NOTHING, ObjectWatch, Seen
 from app.station.overexposure import Box, saturation
 from app.station.picture_words import measured_words, still_words
+from app.station.seen_object import SeenCorner, Segment
 from app.station.sensor_side import SensorSide
 from app.station.stillness import Stillness
 from hardware.clock import now_ns
@@ -129,11 +130,11 @@ class Preview:
         finally:
             self.remove_viewer()
 
-    def detect(self, block: Crenellated | None) -> None:
+    def detect(self, item: CalibrationObject | None) -> None:
         """Looks for the object from now on; None ends the search."""
-        self._objects.watch(block)
+        self._objects.watch(item)
         with self._watched:
-            self._detecting = block is not None
+            self._detecting = item is not None
             self._watched.notify()
 
     @contextmanager

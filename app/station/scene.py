@@ -1,4 +1,4 @@
-"""The 3D view: a viser server on the loopback, showing arm, sensor, block and cloud.
+"""The 3D view: a viser server on the loopback, showing arm, sensor, object and cloud.
 
 It has no authentication of its own and shows whatever it is told, so it is
 reached only through the station's own server. It is a preview, never the record.
@@ -16,17 +16,18 @@ import viser
 from app.files.cloud_points import Points
 from app.metrology.arm import Arm, link_transforms
 from app.metrology.camera import Camera
-from app.metrology.crenellated import Crenellated
 from app.metrology.frames import Floats, apply
 from app.metrology.laser_plane import LaserPlane
+from app.metrology.objects import CalibrationObject
 from app.station.arm_view import ArmView
 from app.station.clouds import Clouds
 from app.station.eye import Eye
 from app.station.fit_view import FitViews
+from app.station.object_view import ObjectView
 from app.station.painter import Legend, Measure, Target, Traits
 from app.station.ruler import Ruler
-from app.station.shapes import Mesh, block_mesh, reach_mm
-from app.station.views import M_PER_MM, add_mesh, pose_of
+from app.station.shapes import Mesh, reach_mm
+from app.station.views import M_PER_MM
 
 T = TypeVar("T")
 
@@ -43,7 +44,6 @@ WAITING_POINTS = 250_000
 CLOUD_GROWTH = 1.4
 SMALLEST_LOOK_MM = 70.0
 AXIS_M = 0.2
-BLOCK_COLOUR = (176, 182, 190)
 
 
 class Scene:
@@ -71,7 +71,7 @@ class Scene:
         self._began_s = time.monotonic()
         self._arm: ArmView | None = None
         self._arm_model: Arm | None = None
-        self._block: viser.MeshHandle | None = None
+        self._object = ObjectView(self._server)
         self._seen_size_mm = 0.0
         self._looked = False
         self._prepare()
@@ -123,7 +123,7 @@ class Scene:
         _quiet(self._server.stop)
 
     def begin(self, name: str = "") -> None:
-        """A new scan: the picture is cleared for it; arm, sensor and block stay."""
+        """A new scan: the picture is cleared for it; arm, sensor and object stay."""
         with self._lock:
             self._take_waiting()
             self._clouds.clear()
@@ -229,20 +229,14 @@ class Scene:
         (None where no stripe is measured)."""
         self._laser = on, in_range
 
-    def set_block(self, T_arm_obj: Floats, block: Crenellated) -> None:
-        """Draws the probed block where it lies."""
+    def set_object(self, T_arm_obj: Floats, item: CalibrationObject) -> None:
+        """Draws the object where the contacts or the pictures put it."""
         with self._lock:
-            position, wxyz = pose_of(T_arm_obj)
-            self._block = add_mesh(
-                self._server, "/block", block_mesh(block), BLOCK_COLOUR, flat_shading=True
-            )
-            self._block.position, self._block.wxyz = position, wxyz
+            self._object.show(T_arm_obj, item)
 
-    def clear_block(self) -> None:
+    def clear_object(self) -> None:
         with self._lock:
-            if self._block is not None:
-                self._block.remove()
-                self._block = None
+            self._object.clear()
 
     def _prepare(self) -> None:
         server = self._server

@@ -9,6 +9,7 @@ from scipy.spatial import ConvexHull, QhullError
 
 from app.metrology.arm import Arm, Joint
 from app.metrology.camera import Camera
+from app.metrology.chessboard.board import Chessboard
 from app.metrology.crenellated import Crenellated
 from app.metrology.frames import Floats
 from app.metrology.laser_plane import LaserPlane
@@ -18,6 +19,8 @@ Faces = NDArray[np.uint32]
 SIDES = 28
 FIELD_SAMPLES = 33
 BALL_ROWS = 24
+# Of a chessboard: its plate's thickness, and how high the squares are drawn above it.
+PLATE_MM, INK_MM = 5.0, 0.05
 
 
 @dataclass(frozen=True)
@@ -117,6 +120,24 @@ def block_mesh(block: Crenellated) -> Mesh:
         for i in range(block.merlon_count)
     ]
     return joined(body, *merlons)
+
+
+def board_meshes(board: Chessboard) -> tuple[Mesh, Mesh]:
+    """The chessboard in its own frame: its plate with a rim, and its black squares."""
+    square = board.square_mm
+    columns, rows = board.inner_corners
+    plate = box(
+        np.array([-2 * square, -2 * square, -PLATE_MM]),
+        np.array([(columns + 1) * square, (rows + 1) * square, 0.0]),
+    )
+    black = [
+        sheet(square * np.array([[i, j, 0], [i + 1, j, 0], [i + 1, j + 1, 0], [i, j + 1, 0.0]]))
+        for i in range(-1, columns)
+        for j in range(-1, rows)
+        if (i + j) % 2 == 0
+    ]
+    squares = joined(*black)
+    return plate, Mesh(squares.vertices_mm + [0.0, 0.0, INK_MM], squares.faces)
 
 
 def reach_mm(arm: Arm) -> float:

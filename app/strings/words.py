@@ -16,7 +16,13 @@ WORDS = (
     *("List", "Tuple", "Plane", "Sphere", "Cylinder", "Plate", "left of", "right of"),
     # names in the papers of simulated devices
     *("Simulated six-axis arm", "Simulated crenellated block", "Simulated stripe sensor"),
-    *("Simulated gauge plate", "Simulated gauge sphere", "Simulated arm", "Simulated camera"),
+    *(
+        "Simulated chessboard",
+        "Simulated gauge plate",
+        "Simulated gauge sphere",
+        "Simulated arm",
+        "Simulated camera",
+    ),
     # what the code puts together of pieces
     *("Touch {missing}", "{path}: {field} is {value}", "{count} more on the {face} face"),
     "bar {bar_ends}, end {value}",

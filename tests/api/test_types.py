@@ -33,6 +33,7 @@ SHAPES: dict[str, type] = {
     "Action": view.Action,
     "Step": view.Step,
     "BlockGeometry": view.BlockGeometry,
+    "BoardGeometry": view.BoardGeometry,
     "TouchedPoint": view.TouchedPoint,
     "FaceProgress": view.FaceProgress,
     "ChoiceOption": view.ChoiceOption,

@@ -7,14 +7,15 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from app.files.sensor import SensorSheet
+from app.guide.faces import touch_report
 from app.guide.journal import fold
 from app.guide.library import Library
 from app.guide.live import Chosen, ConnectedArm, ConnectedSensor, Live
 from app.guide.outcome import from_payload
 from app.guide.state import CalibrationState, after
-from app.guide.touching import touch_report
 from app.metrology.arm import Arm, geometric_jacobian, tip_centres
 from app.metrology.crenellated import Crenellated, probing_face
+from app.metrology.objects import CalibrationObject
 from app.station.device_state import DeviceState
 from app.station.stillness import Stillness
 
@@ -88,10 +89,10 @@ SENSOR = SensorSheet(
 
 
 def live_of(
-    state: CalibrationState, arm: Arm | None, block: Crenellated | None, **changes: object
+    state: CalibrationState, arm: Arm | None, item: CalibrationObject | None, **changes: object
 ) -> Live:
     """A station on which all is well, changed where a test says so."""
-    report = touch_report(state.counted, arm, block, 15.0) if arm and block else None
+    report = touch_report(state.counted, arm, item, 15.0) if arm and item else None
     live = Live(
         rev=state.rev,
         arm_link=CONNECTED,
@@ -100,7 +101,7 @@ def live_of(
         sensor=ConnectedSensor("S-1", 1280, 1024),
         stillness=Stillness(True, 2.0, 1.0, "Still"),
         library=Library({}, {}, {}, ()),
-        chosen=Chosen(arm, block, SENSOR if arm else None),
+        chosen=Chosen(arm, item, SENSOR if arm else None),
         touch=report,
         laser_on=False,
         corners_seen=20,

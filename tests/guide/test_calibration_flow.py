@@ -8,11 +8,13 @@ import numpy as np
 import pytest
 
 from app.guide.calibration_flow import view_of
+from app.guide.faces import touch_report
 from app.guide.live import Live
 from app.guide.outcome import Outcome, from_payload, to_payload
 from app.guide.permissions import why_not
 from app.guide.state import STEPS, CalibrationState
-from app.guide.touching import TouchReport, suggested_places, touch_report
+from app.guide.touch_report import TouchReport
+from app.guide.touching import suggested_places
 from app.guide.view import (
     Action,
     BudgetRow,

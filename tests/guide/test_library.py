@@ -4,25 +4,43 @@ import json
 from pathlib import Path
 
 from app.files.objects import write_object
-from app.guide.library import read_library
+from app.guide.library import Library, read_library
+from app.guide.sheets import best_guess
+from app.guide.state import CalibrationState
 from app.metrology.chessboard.board import Chessboard
 from app.metrology.crenellated import Crenellated
-from app.strings.sentences import sentences_of
+
+BOARD = Chessboard("sheet 7", "", (7, 6), 10.0, 0.05)
 
 
-def test_a_chessboard_among_the_objects_is_told_how_it_is_used(
+def library_with(folder: Path, **objects: Crenellated | Chessboard) -> Library:
+    (folder / "objects").mkdir()
+    for name, item in objects.items():
+        write_object(folder / "objects" / f"{name}.json", item)
+    return read_library(folder)
+
+
+def test_blocks_and_chessboards_can_be_chosen_and_damaged_files_are_told(
     tmp_path: Path, block: Crenellated
 ) -> None:
-    folder = tmp_path / "objects"
-    folder.mkdir()
-    write_object(folder / "block.json", block)
-    write_object(folder / "board.json", Chessboard("sheet 7", "", (7, 6), 10.0, 0.05))
-    (folder / "damaged.json").write_text(json.dumps({"format": "crenel/object"}))
+    library_with(tmp_path, block=block, board=BOARD)
+    (tmp_path / "objects/damaged.json").write_text(json.dumps({"format": "crenel/object"}))
     library = read_library(tmp_path)
-    assert list(library.objects) == ["block"]
-    damaged, board = sorted(library.findings, key=lambda finding: finding.quality)
+    assert {name: entry.sheet for name, entry in library.objects.items()} == {
+        "block": block,
+        "board": BOARD,
+    }
+    (damaged,) = library.findings
     assert damaged.remedy == "Correct or remove the file."
-    assert board.quality == "neutral"
-    assert board.text.startswith("sheet 7 is a flat chessboard")
-    assert "crenel calibrate" in board.remedy
-    assert not sentences_of("de").best(board.remedy).left
+
+
+def test_the_only_block_is_guessed_beside_chessboards(tmp_path: Path, block: Crenellated) -> None:
+    library = library_with(tmp_path, a_board=BOARD, block=block, other_board=BOARD)
+    assert best_guess(library, CalibrationState(), None, None)["object"] == "block"
+    before = CalibrationState(choices={"object": "other_board"})
+    assert best_guess(library, before, None, None)["object"] == "other_board"
+
+
+def test_of_several_chessboards_none_is_guessed(tmp_path: Path) -> None:
+    library = library_with(tmp_path, one=BOARD, two=BOARD)
+    assert "object" not in best_guess(library, CalibrationState(), None, None)

@@ -13,9 +13,11 @@ from app.files.calibrate import joint_inputs, origin_of
 from app.files.calibration_sheet import joint_sheet
 from app.files.images import read_grey, write_png
 from app.files.session import read_session
+from app.guide.comparing import compare
 from app.guide.live import Chosen
+from app.guide.looking import look_at
 from app.guide.session_folder import SessionFolder
-from app.guide.solving import compare, look_at, solve
+from app.guide.solving import solve
 from app.guide.view import Comparison
 from app.metrology.adjustment.block_start import SeenPose
 from app.metrology.adjustment.joint import calibrate_joint

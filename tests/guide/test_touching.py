@@ -5,16 +5,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from app.guide.faces import face_progress, next_face, same_place, touch_report
 from app.guide.state import CalibrationState
-from app.guide.touching import (
-    WANTED,
-    face_progress,
-    next_face,
-    same_place,
-    suggested_places,
-    touch_report,
-    wanted_on,
-)
+from app.guide.touching import WANTED, suggested_places, wanted_on
 from app.metrology.arm import Arm
 from app.metrology.crenellated import FACES, Crenellated, probing_face
 from tests.guide.builders import point, started, state_after, touched

@@ -1,7 +1,7 @@
 """Sessions on a bent chessboard as its detection would give them, with the truth behind them:
 corners and line points are computed, not rendered, so that many can be made."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -67,12 +67,26 @@ def session(
         T = rigid(usual[:3, :3] @ turn, usual[:3, 3] + rng.normal(0, 5, 3))
         drift = errors.drift_mm[k] if k < len(errors.drift_mm) else 0.0
         plane = LaserPlane(normal, offset_mm + drift + rng.normal(0, errors.line_mm))
-        seen.append(_seen(rng, k + 1, board, sheet, T, plane, errors))
+        seen.append(_seen_on(rng, k + 1, board, sheet, T, plane, errors))
         flange.append(_flange(rng, board, T, errors))
     return BoardInputs(ROBOT, board, tuple(seen), np.array(flange), SIZE)
 
 
-def _seen(
+def seen_at(
+    rng: np.random.Generator,
+    number: int,
+    board: Chessboard,
+    T_cam_obj: Floats,
+    plane: LaserPlane,
+    errors: Errors,
+) -> SeenBoard:
+    """A flat board as its certificate has it, seen at ``T_cam_obj`` (4, 4)."""
+    moved = replace(plane, offset_mm=plane.offset_mm + rng.normal(0, errors.line_mm))
+    sheet = board_papers(board).coordinates
+    return _seen_on(rng, number, board, sheet, T_cam_obj, moved, errors)
+
+
+def _seen_on(
     rng: np.random.Generator,
     number: int,
     board: Chessboard,

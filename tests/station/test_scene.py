@@ -115,7 +115,7 @@ def test_a_late_viewer_gets_everything_in_small_windows(scene: Scene) -> None:
 
 
 def test_a_new_scan_removes_the_cloud_and_leaves_the_rest(scene: Scene, viewer: Viewer) -> None:
-    scene.set_block(np.eye(4), BLOCK)
+    scene.set_object(np.eye(4), BLOCK)
     add(scene, surface(1000))
     until(lambda: scene.points_shown > 0)
     assert viewer.listen().clouds()
@@ -123,9 +123,9 @@ def test_a_new_scan_removes_the_cloud_and_leaves_the_rest(scene: Scene, viewer: 
     assert scene.points_shown == 0
     viewer.listen()
     assert not viewer.clouds()
-    assert "/block" in viewer.nodes
-    scene.clear_block()
-    assert "/block" not in viewer.listen().nodes
+    assert "/object/block" in viewer.nodes
+    scene.clear_object()
+    assert "/object/block" not in viewer.listen().nodes
 
 
 def test_the_arm_is_drawn_by_its_own_kinematics(scene: Scene, viewer: Viewer) -> None:

@@ -16,8 +16,8 @@ from app.guide.arm.state import ArmState, Kind, SeatTaken
 from app.guide.arm.tip import QUALITY as TIP_QUALITY
 from app.guide.arm.tip import finding_of as tip_finding
 from app.guide.arm.view import ArmPicture, ArmView
-from app.guide.touching import sentence
 from app.guide.view import Action, ChoiceOption, LiveNumber, Step, StepProgress, Vec3
+from app.guide.wording import sentence
 from app.metrology.frames import Floats
 from app.station.findings import Finding, Quality
 

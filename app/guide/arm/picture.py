@@ -18,9 +18,9 @@ from app.guide.arm.view import (
     ParameterLine,
     SeatLine,
 )
-from app.guide.touching import signed_um
 from app.guide.verify.view import TouchLine
 from app.guide.view import Vec3
+from app.guide.wording import signed_um
 from app.metrology.arm import Arm, tip_centres
 from app.metrology.arm_model.articulation import spread_um
 from app.metrology.arm_model.parameters import encoder_covariances, tip_jacobian

@@ -5,7 +5,6 @@ from collections.abc import Mapping
 import numpy as np
 
 from app.files.gauge import GaugeFile
-from app.guide.touching import sentence
 from app.guide.verify.live import VerifyLive
 from app.guide.verify.picture import picture_of, touch_rms_um
 from app.guide.verify.rules import (
@@ -22,6 +21,7 @@ from app.guide.verify.view import (
     VerifyView,
 )
 from app.guide.view import Action, LiveNumber, Step, StepProgress
+from app.guide.wording import sentence
 from app.metrology.refusal import Refusal
 from app.metrology.touched_gauge import TouchedPlane, TouchedSphere
 from app.station.findings import Finding, Quality

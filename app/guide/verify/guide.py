@@ -22,13 +22,13 @@ from app.guide.journal import Journal, Row
 from app.guide.session import Flow, GuidedSession, new_session_id
 from app.guide.session_folder import CALIBRATION
 from app.guide.signing import UNSIGNED, Signing
-from app.guide.touching import sentence
 from app.guide.verify.flow import view_of
 from app.guide.verify.gauges import gauge_path, read_gauges
 from app.guide.verify.live import Gauges, Judged, VerifyLive
 from app.guide.verify.rules import why_not
 from app.guide.verify.state import ENDS, Cloud, VerifyState, after
 from app.guide.verify.view import VerifyView
+from app.guide.wording import sentence
 from app.metrology.arm import Arm, tip_centres
 from app.metrology.refusal import Refusal
 from app.metrology.touched_gauge import touched_plane, touched_sphere

@@ -4,7 +4,6 @@ from dataclasses import asdict
 
 import numpy as np
 
-from app.guide.touching import sentence
 from app.guide.verify.live import VerifyLive
 from app.guide.verify.state import Cloud, VerifyState
 from app.guide.verify.view import (
@@ -15,6 +14,7 @@ from app.guide.verify.view import (
     VerdictLine,
     VerifyPicture,
 )
+from app.guide.wording import sentence
 from app.metrology.arm import tip_centres
 from app.metrology.deviation_map import flat_places
 from app.metrology.frames import Floats

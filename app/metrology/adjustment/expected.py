@@ -23,13 +23,15 @@ END_PX = 4.0
 
 @dataclass(frozen=True)
 class Seeing:
-    """How well pictures are measured: standard deviations of one edge and one stripe point.
+    """How well pictures are measured: standard deviations of one edge point, one
+    corner of a chessboard, and one stripe point.
 
     ``merged`` points are put into one that tells as much, which is all that a foretold
     uncertainty needs.
     """
 
     edge_px: float = 0.09
+    corner_px: float = 0.04
     stripe_px: float = 0.11
     axis: str = "u"
     merged: int = 1
@@ -68,7 +70,7 @@ def in_view(camera: Camera, block: Crenellated) -> float:
             for z in (block.floor_z_mm, block.crest_z_mm)
         ]
     )
-    return float(np.mean(_inside(camera, project(camera, box), 0.0)))
+    return float(np.mean(inside(camera, project(camera, box), 0.0)))
 
 
 def _along(
@@ -80,7 +82,7 @@ def _along(
     count = int(max(length - 2 * END_PX, 0.0) / step)
     share = (END_PX + step * (np.arange(count) + 0.5)) / max(length, 1.0)
     uv = project(camera, start_mm + share[:, None] * (end_mm - start_mm))
-    uv = uv[_inside(camera, uv, END_PX)]
+    uv = uv[inside(camera, uv, END_PX)]
     across = np.array([-(ends[1] - ends[0])[1], (ends[1] - ends[0])[0]]) / max(length, 1e-9)
     sigma = np.full(len(uv), seeing.edge_px * seeing.share)
     return EdgePoints(name, uv, np.broadcast_to(across, uv.shape), sigma)
@@ -124,7 +126,7 @@ def _stripe(
         chosen = pixels[
             margin : -margin : max(1, round(STRIPE_STEP_PX * seeing.merged / max(step, 1e-6)))
         ]
-        chosen = chosen[_inside(camera, chosen, EDGE_MARGIN_PX)]
+        chosen = chosen[inside(camera, chosen, EDGE_MARGIN_PX)]
         uv.append(chosen)
         level += [name] * len(chosen)
     all_uv = np.concatenate(uv)
@@ -134,8 +136,9 @@ def _stripe(
     return stripe, np.array(level, dtype="<U5")
 
 
-def _inside(
+def inside(
     camera: Camera, uv_px: Floats, margin_px: float
 ) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:
+    """Which pixels (N, 2) lie in the picture, a margin off its border."""
     size = np.array([camera.width_px, camera.height_px])
     return np.asarray(((uv_px > margin_px - 0.5) & (uv_px < size - 0.5 - margin_px)).all(axis=1))

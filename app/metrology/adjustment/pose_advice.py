@@ -10,15 +10,17 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from app.metrology.adjustment.arm_motion import FlangeMotion, arm_motion
+from app.metrology.adjustment.board_view import BoardView
 from app.metrology.adjustment.expected import Seeing, expected_view, in_view
+from app.metrology.adjustment.expected_board import expected_board_view, whole_in_view
 from app.metrology.adjustment.reaching import joints_for
 from app.metrology.adjustment.solve import Adjusted, embedded
 from app.metrology.adjustment.state import SENSOR, pose_scene
 from app.metrology.adjustment.uncertainty import by_sensor, measuring_volume
 from app.metrology.adjustment.weighing import Judgement, normal_equations
 from app.metrology.arm import Arm
-from app.metrology.camera import Camera, project
-from app.metrology.crenellated import Crenellated, edges
+from app.metrology.camera import Camera
+from app.metrology.crenellated import Crenellated
 from app.metrology.frames import (
     Floats,
     inverse,
@@ -27,13 +29,14 @@ from app.metrology.frames import (
     vector_from_rotation,
 )
 from app.metrology.laser_plane import LaserPlane, in_frame
+from app.metrology.objects import CalibrationObject, Line, middle_of, outline
 from app.metrology.scene import Rows
 
 # Tilts, turns about the view and heights that an operator holds with ease.
 TILTS_DEG = (-20.0, 0.0, 20.0)
 TURNS_DEG = (-30.0, 0.0, 30.0)
 HEIGHTS_MM = (-8.0, 0.0, 8.0)
-# Share of the block in the picture, and points of the stripe on each level, at least.
+# Share of a block in the picture, and points of the stripe on each level, at least.
 FRAMED, STRIPE_POINTS = 0.85, 40
 # Points put into one where a picture is foretold.
 MERGED = 4
@@ -48,9 +51,9 @@ RowsOf = Callable[[Camera, LaserPlane, Floats], tuple[Rows, Rows]]
 class Hold:
     """Where the sensor is held against another hold, as an operator would say it.
 
-    ``tilt_right_deg``: the camera swings to the right about the block; ``tilt_back_deg``:
+    ``tilt_right_deg``: the camera swings to the right about the object; ``tilt_back_deg``:
     to its back; ``turn_deg``: counter-clockwise as seen from above; ``higher_mm``: further
-    from the block.
+    from the object.
     """
 
     tilt_right_deg: float
@@ -83,17 +86,21 @@ class Hold:
 
 @dataclass(frozen=True)
 class PoseAdvice:
-    """A pose worth taking: where, what it would bring, and how the block would look."""
+    """A pose worth taking: where, what it would bring, and how the object would look."""
 
     T_obj_cam: Floats  # (4, 4)
     q_rad: Floats  # (n,) joint angles that reach it
     total_um: float  # of a point, k = 1, after this pose
-    outline_px: tuple[tuple[tuple[float, float], tuple[float, float]], ...]
-    """The block's edges as the picture would show them, end to end."""
+    outline_px: tuple[Line, ...]
+    """The object's edges as the picture would show them, end to end."""
 
 
 def next_poses(
-    found: Adjusted, arm: Arm, block: Crenellated, q_rad: Floats, seeing: Seeing | None = None
+    found: Adjusted,
+    arm: Arm,
+    item: CalibrationObject,
+    q_rad: Floats,
+    seeing: Seeing | None = None,
 ) -> list[PoseAdvice]:
     """Poses that the arm can take, the most helpful first.
 
@@ -107,32 +114,58 @@ def next_poses(
     volume = by_sensor(found.state, measuring_volume(found).uv_px)
     by_sizes = found.by_link_sizes[SENSOR, SENSOR]
     advice = []
-    for T_obj_cam in _candidates(inverse(T_cam_obj), block):
-        camera, plane = seen_at(found, T_obj_cam)
+    for T_obj_cam in _candidates(inverse(T_cam_obj), item):
         q = _joints(found, arm, T_obj_cam, q_rad)
-        if q is None or in_view(camera, block) < FRAMED:
-            continue
-        view = expected_view(camera, plane, block, seeing)
-        if (
-            min(int(np.sum(view.level == name)) for name in ("crest", "floor")) * seeing.merged
-            < STRIPE_POINTS
-        ):
+        rows_of = _foretold(found, item, T_obj_cam, seeing)
+        if q is None or rows_of is None:
             continue
         # one pose more tells little of how large the links' errors are
-        covariance = _after(found, arm_motion(arm, q[None]), view.rows) + by_sizes
+        covariance = _after(found, arm_motion(arm, q[None]), rows_of) + by_sizes
         total = float(np.sqrt(np.mean(np.einsum("gik,kl,gil->g", volume, covariance, volume))))
-        advice.append(PoseAdvice(T_obj_cam, q, 1e3 * total, outline(camera, block)))
+        camera, _ = seen_at(found, T_obj_cam)
+        advice.append(PoseAdvice(T_obj_cam, q, 1e3 * total, outline(camera, item)))
     return sorted(advice, key=lambda one: one.total_um)
 
 
-def held(T_obj_cam: Floats, T_obj_cam_before: Floats, block: Crenellated) -> Hold:
-    """One hold (4, 4) of the camera over the block, against another."""
+def _foretold(
+    found: Adjusted, item: CalibrationObject, T_obj_cam: Floats, seeing: Seeing
+) -> RowsOf | None:
+    """How the picture from a hold would be measured; None where it would be of no use."""
+    camera, plane = seen_at(found, T_obj_cam)
+    if isinstance(item, Crenellated):
+        if in_view(camera, item) < FRAMED:
+            return None
+        block = expected_view(camera, plane, item, seeing)
+        on_each = (int(np.sum(block.level == name)) for name in ("crest", "floor"))
+        return block.rows if min(on_each) * seeing.merged >= STRIPE_POINTS else None
+    like = found.problem.views[0]
+    assert isinstance(like, BoardView)
+    if not whole_in_view(camera, item):
+        return None
+    board = expected_board_view(camera, plane, like, seeing)
+    return board.rows if len(board.stripe.u) * seeing.merged >= STRIPE_POINTS else None
+
+
+def held(T_obj_cam: Floats, T_obj_cam_before: Floats, item: CalibrationObject) -> Hold:
+    """One hold (4, 4) of the camera over the object, against another."""
     turned = vector_from_rotation(T_obj_cam[:3, :3] @ T_obj_cam_before[:3, :3].T)
-    x, y, z = np.degrees(turned)
-    middle = middle_of(block)
+    x, y, z = np.degrees(_sides(item, T_obj_cam_before).T @ turned)
+    middle = middle_of(item)
     apart = [float(np.linalg.norm(T[:3, 3] - middle)) for T in (T_obj_cam, T_obj_cam_before)]
     # a turn about +y swings what is above to the right, about -x to the back
     return Hold(float(y), float(-x), float(z), apart[0] - apart[1])
+
+
+def _sides(item: CalibrationObject, T_obj_cam: Floats) -> Floats:
+    """(3, 3): what is right, back and up for the operator, as columns in the object's frame.
+
+    A block has a front; a board lies in any way, and what is right in the picture is right.
+    """
+    if isinstance(item, Crenellated):
+        return np.eye(3)
+    right = np.array([*T_obj_cam[:2, 0], 0.0])
+    right /= np.linalg.norm(right)
+    return np.column_stack([right, [-right[1], right[0], 0.0], [0.0, 0.0, 1.0]])
 
 
 def seen_at(found: Adjusted, T_obj_cam: Floats) -> tuple[Camera, LaserPlane]:
@@ -140,41 +173,16 @@ def seen_at(found: Adjusted, T_obj_cam: Floats) -> tuple[Camera, LaserPlane]:
     return in_frame(found.state.camera, found.state.plane, T_obj_cam)
 
 
-def outline(
-    camera: Camera, block: Crenellated
-) -> tuple[tuple[tuple[float, float], tuple[float, float]], ...]:
-    """The edges of crests and floors in the picture, as pairs of pixels."""
-    drawn = []
-    for edge in edges(block):
-        if edge.name.startswith("base"):
-            continue
-        (u0, v0), (u1, v1) = project(camera, np.array([edge.start_mm, edge.end_mm]))
-        drawn.append(((float(u0), float(v0)), (float(u1), float(v1))))
-    return tuple(drawn)
-
-
-def middle_of(block: Crenellated) -> Floats:
-    """(3,) the middle of the block between floors and crests, object frame."""
-    x = block.edges_x_mm
-    return np.array(
-        [
-            (x[0] + x[-1]) / 2,
-            (block.front_y_mm + block.back_y_mm) / 2,
-            (block.floor_z_mm + block.crest_z_mm) / 2,
-        ]
-    )
-
-
-def _candidates(T_obj_cam: Floats, block: Crenellated) -> Sequence[Floats]:
-    """Holds swung about the block's middle from a first one."""
-    middle = middle_of(block)
+def _candidates(T_obj_cam: Floats, item: CalibrationObject) -> Sequence[Floats]:
+    """Holds swung about the object's middle from a first one."""
+    middle, sides = middle_of(item), _sides(item, T_obj_cam)
     away = T_obj_cam[:3, 3] - middle
     away /= np.linalg.norm(away)
     holds = []
     for right in TILTS_DEG:
         for back in TILTS_DEG:
             for turn in TURNS_DEG:
-                swing = rotation_from_vector(np.radians([-back, right, turn]))
+                swing = rotation_from_vector(sides @ np.radians([-back, right, turn]))
                 about_middle = rigid(swing, middle - swing @ middle)
                 for higher in HEIGHTS_MM if turn == 0.0 else (0.0,):
                     lift = rigid(np.eye(3), higher * away)

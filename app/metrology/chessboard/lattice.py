@@ -178,7 +178,7 @@ def perspective(places: NDArray[np.int64], uv_px: Floats, method: int = 0) -> Fl
     return np.asarray(H, dtype=np.float64)
 
 
-def mapped(H: Floats, places: NDArray[np.int64]) -> Floats:
+def mapped(H: Floats, places: NDArray[np.int64] | Floats) -> Floats:
     """Pixels (N, 2) of places (N, 2) by a perspective (3, 3)."""
     at = np.column_stack([places, np.ones(len(places))]) @ H.T
     return np.asarray(at[:, :2] / at[:, 2:])

@@ -3,8 +3,9 @@
 import type { CalibrationResult, PosePicture } from "./resultTypes";
 import type { Action, ChoiceOption, Finding, LiveNumber, Quality, Step, Vec3 } from "./types";
 
-/** The block's geometry for drawing, in mm, from its certificate. */
+/** The crenellated block's geometry for drawing, in mm, from its certificate. */
 export interface BlockGeometry {
+  kind: "block";
   edges_x_mm: number[];
   front_y_mm: number;
   back_y_mm: number;
@@ -13,11 +14,25 @@ export interface BlockGeometry {
   base_z_mm: number;
 }
 
+/**
+ * A flat chessboard: the origin is the first inner corner, X runs along the rows of corners,
+ * Y along the columns, Z out of the board toward the viewer.
+ */
+export interface BoardGeometry {
+  kind: "board";
+  /** Columns and rows. */
+  inner_corners: [number, number];
+  square_mm: number;
+}
+
+/** What the sensor is calibrated on. */
+export type ObjectGeometry = BlockGeometry | BoardGeometry;
+
 /** A touched point on the object. */
 export interface TouchedPoint {
   index: number;
   face: string;
-  /** Where it lies on the object (object frame, mm), null until an alignment exists. */
+  /** Where it lies on the object (object frame, mm), null until it is known. */
   at_mm: Vec3 | null;
   residual_um: number | null;
   outlier: boolean;
@@ -51,8 +66,8 @@ export interface DeviceLine {
 /** What the large picture shows. */
 export type Picture =
   | { kind: "devices"; devices: DeviceLine[] }
-  | { kind: "choices"; choices: Choice[]; block: BlockGeometry | null }
-  | { kind: "object"; block: BlockGeometry; faces: FaceProgress[]; points: TouchedPoint[] }
+  | { kind: "choices"; choices: Choice[]; object: ObjectGeometry | null }
+  | { kind: "object"; object: ObjectGeometry; faces: FaceProgress[]; points: TouchedPoint[] }
   | {
       kind: "camera";
       /** The object as it would look from the advised hold, for the first picture about so. */
@@ -69,7 +84,7 @@ export type Picture =
       result: CalibrationResult;
       /** A pose was set aside or taken back since. */
       stale: boolean;
-      block: BlockGeometry;
+      object: ObjectGeometry;
       points: TouchedPoint[];
       poses: PosePicture[];
     };

@@ -66,7 +66,8 @@ export interface CalibrationResult {
   verdict_text: string;
   reprojection_rms_px: number;
   laser_plane_rms_um: number;
-  alignment_rms_um: number;
+  /** Null where the object was not touched. */
+  alignment_rms_um: number | null;
   depth_range_mm: [number, number];
   probe_matrix: number[][];
   faces: FaceResult[];

@@ -1,17 +1,17 @@
 import { type KeyboardEvent, useRef } from "react";
 
 import { sendFlow } from "../api/commands";
-import type { BlockGeometry, Choice } from "../api/flowTypes";
+import type { BlockGeometry, BoardGeometry, Choice, ObjectGeometry } from "../api/flowTypes";
 import type { ChoiceOption } from "../api/types";
-import { BlockDrawing } from "../object/BlockDrawing";
+import { ObjectDrawing } from "../object/ObjectDrawing";
 import { bound } from "../parts/format";
-import { lengthFigures, unitOf } from "../parts/lengths";
+import { lengthFigures, measured, unitOf } from "../parts/lengths";
 import { CheckIcon } from "../parts/icons";
 import { counted, t } from "../state/language";
 import styles from "./ChoicesPicture.module.css";
 
 /** What is used: one of each kind, and the object as its certificate draws it. */
-export function ChoicesPicture({ choices, block }: { choices: Choice[]; block: BlockGeometry | null }) {
+export function ChoicesPicture({ choices, object }: { choices: Choice[]; object: ObjectGeometry | null }) {
   return (
     <div className={styles.picture}>
       <div className={styles.choices}>
@@ -19,22 +19,28 @@ export function ChoicesPicture({ choices, block }: { choices: Choice[]; block: B
           <ChoiceGroup key={choice.field} choice={choice} />
         ))}
       </div>
-      {block && (
-        <div className={styles.block}>
-          <BlockDrawing block={block} face={null} label={t("The chosen object")} />
-          <p className={styles.caption}>{size(block)}</p>
+      {object && (
+        <div className={styles.object}>
+          <ObjectDrawing object={object} face={null} label={t("The chosen object")} />
+          <p className={styles.caption}>{object.kind === "block" ? blockSize(object) : boardSize(object)}</p>
         </div>
       )}
     </div>
   );
 }
 
-function size(block: BlockGeometry): string {
+function blockSize(block: BlockGeometry): string {
   const first = block.edges_x_mm[0] ?? 0;
   const last = block.edges_x_mm[block.edges_x_mm.length - 1] ?? 0;
   const parts = [last - first, block.back_y_mm - block.front_y_mm, block.crest_z_mm - block.base_z_mm];
   const lengths = parts.map((part) => lengthFigures(part, "mm", 3)).join(" × ");
   return `${lengths} ${unitOf("mm")}, ${counted(block.edges_x_mm.length / 2, "{n} merlon", "{n} merlons")}`;
+}
+
+function boardSize({ inner_corners, square_mm }: BoardGeometry): string {
+  const [columns, rows] = inner_corners;
+  const square = measured(square_mm, "mm", 3);
+  return t("{columns} × {rows} inner corners, squares of {square}", { columns, rows, square });
 }
 
 function ChoiceGroup({ choice }: { choice: Choice }) {

@@ -1,13 +1,13 @@
 import { useState } from "react";
 
 import { sendFlow } from "../api/commands";
-import type { FaceProgress, Picture, TouchedPoint } from "../api/flowTypes";
+import type { FaceProgress, ObjectGeometry, Picture, TouchedPoint } from "../api/flowTypes";
 import type { Vec3 } from "../api/types";
-import { BlockDrawing } from "../object/BlockDrawing";
+import { ObjectDrawing } from "../object/ObjectDrawing";
 import { scaleEnd } from "../object/residuals";
 import { Suggestions, Touches } from "../object/Touches";
 import { Chips } from "../parts/Chips";
-import { t } from "../state/language";
+import { t, words } from "../state/language";
 import { FaceChips } from "./FaceChips";
 import styles from "./ObjectPicture.module.css";
 import { LastEvent } from "./LastEvent";
@@ -29,7 +29,7 @@ function stillToTouch(face: FaceProgress, points: TouchedPoint[]): Vec3[] {
 
 /** Where to touch, and how well each touch fits. */
 export function ObjectPicture({ picture }: { picture: ObjectView }) {
-  const { block, faces, points } = picture;
+  const { object, faces, points } = picture;
   const [chosen, setChosen] = useState<number | null>(null);
   const selected = faces.find((face) => face.selected) ?? null;
   const scale_um = scaleEnd(points);
@@ -37,13 +37,13 @@ export function ObjectPicture({ picture }: { picture: ObjectView }) {
   const select = (face: string) => void sendFlow("select_face", { face });
   return (
     <div className={styles.picture}>
-      <BlockDrawing block={block} face={selected?.face ?? null} onFace={select} label={t("The object")}>
+      <ObjectDrawing object={object} face={selected?.face ?? null} onFace={select} label={t("The object")}>
         {(view) => (
           <>
             {selected && <Suggestions view={view} face={selected.face} places={stillToTouch(selected, points)} />}
             <Touches
               view={view}
-              block={block}
+              object={object}
               points={points}
               scale_um={scale_um}
               chosen={chosen}
@@ -51,13 +51,13 @@ export function ObjectPicture({ picture }: { picture: ObjectView }) {
             />
           </>
         )}
-      </BlockDrawing>
+      </ObjectDrawing>
       {point && <PointPanel key={point.index} point={point} onClose={() => setChosen(null)} removable />}
       <LastEvent>
-        <Note points={points} scale_um={scale_um} />
+        <Note kind={object.kind} points={points} scale_um={scale_um} />
       </LastEvent>
       <Unplaced points={points.filter(({ face }) => face === selected?.face)} chosen={chosen} onPoint={setChosen} />
-      <FaceChips faces={faces} onSelect={select} />
+      {faces.length > 1 && <FaceChips faces={faces} onSelect={select} />}
     </div>
   );
 }
@@ -78,12 +78,26 @@ function Unplaced({ points, chosen, onPoint }: UnplacedProps) {
   );
 }
 
-function Note({ points, scale_um }: { points: TouchedPoint[]; scale_um: number }) {
+const NOTES: Record<ObjectGeometry["kind"], { untouched: string; unplaced: string }> = {
+  block: {
+    untouched: words("Touch at the rings. Each point appears here with its residual."),
+    unplaced: words("Points appear on the drawing once three faces that meet have been touched."),
+  },
+  board: {
+    untouched: words("Touch at the rings, or go on: a chessboard need not be touched."),
+    unplaced: words("Points appear on the drawing once the pictures have been solved."),
+  },
+};
+
+interface NoteProps {
+  kind: ObjectGeometry["kind"];
+  points: TouchedPoint[];
+  scale_um: number;
+}
+
+function Note({ kind, points, scale_um }: NoteProps) {
   const placed = points.some((point) => point.at_mm);
   if (placed) return <ResidualLegend scale_um={scale_um} />;
-  const text =
-    points.length === 0
-      ? t("Touch at the rings. Each point appears here with its residual.")
-      : t("Points appear on the drawing once three faces that meet have been touched.");
-  return <p>{text}</p>;
+  const { untouched, unplaced } = NOTES[kind];
+  return <p>{t(points.length === 0 ? untouched : unplaced)}</p>;
 }

@@ -12,7 +12,7 @@ export function PictureView({ picture }: { picture: Picture }) {
     case "devices":
       return <DevicesPicture devices={picture.devices} />;
     case "choices":
-      return <ChoicesPicture choices={picture.choices} block={picture.block} />;
+      return <ChoicesPicture choices={picture.choices} object={picture.object} />;
     case "object":
       return <ObjectPicture picture={picture} />;
     case "camera":

@@ -2,11 +2,17 @@ import { useEffect } from "react";
 
 import { sendFlow } from "../api/commands";
 import type { TouchedPoint } from "../api/flowTypes";
+import { BOARD_FACE } from "../object/board";
 import { CloseIcon } from "../parts/icons";
 import { signedLength, unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
-import { said, t } from "../state/language";
+import { said, t, words } from "../state/language";
 import styles from "./PointPanel.module.css";
+
+const NOT_YET = {
+  block: words("Its distance is known once three faces that meet have been touched."),
+  board: words("Its distance is known once the board has been touched in more places."),
+};
 
 interface PointPanelProps {
   point: TouchedPoint;
@@ -41,7 +47,7 @@ export function PointPanel({ point, onClose, removable }: PointPanelProps) {
         {point.outlier
           ? t("Outlier: it does not fit its face and is not used.")
           : point.residual_um === null
-            ? t("Its distance is known once three faces that meet have been touched.")
+            ? t(point.face === BOARD_FACE ? NOT_YET.board : NOT_YET.block)
             : t("Distance from its face, + outward.")}
       </p>
       {removable && <PressButton onPress={remove}>{t("Remove this point")}</PressButton>}

@@ -8,7 +8,7 @@ import { figures } from "../parts/format";
 import { measured } from "../parts/lengths";
 import { cornerWords } from "../result/names";
 import { t, words } from "../state/language";
-import { COLOURS, type Overlay } from "./overlay";
+import { COLOURS, type Overlay, spacing_px } from "./overlay";
 import styles from "./StillImage.module.css";
 
 interface StillImageProps extends Overlay {
@@ -38,11 +38,12 @@ const BEYOND = 0.35;
 const LABEL_PX = 15;
 const KINDS = Object.keys(MARKS) as ImageMark["kind"][];
 
-/** How much residuals are enlarged, so that the largest is well seen and covers little. */
+/** How much residuals are enlarged, so that the largest is well seen and hardly reaches its neighbour. */
 function enlargement(corners: ImageCorner[], stripe_off: Vec3[], width_px: number): number {
   const offs = [...corners.map((c) => c.residual_px ?? 0), ...stripe_off.map((p) => Math.abs(p[2]))];
   const largest = Math.max(1e-6, ...offs);
-  return [1000, 500, 200, 100, 50, 20, 10].find((times) => largest * times <= width_px / 18) ?? 5;
+  const longest_px = Math.min(width_px / 18, 1.2 * spacing_px(corners));
+  return [1000, 500, 200, 100, 50, 20, 10].find((times) => largest * times <= longest_px) ?? 5;
 }
 
 /** The picture's frame, widened to what of the object lies beyond it. */
@@ -82,6 +83,7 @@ export function StillImage(props: StillImageProps) {
   const { ref, width, height } = useElementSize<HTMLDivElement>();
   const shown = Math.max(width_px / Math.max(width, 1), height_px / Math.max(height, 1));
   const corner = corners.find((c) => c.name === name);
+  const apart_px = spacing_px(corners);
   return (
     <figure className={styles.figure}>
       <div ref={ref} className={styles.room} style={{ "--shape": `${width_px} / ${height_px}` } as CSSProperties}>
@@ -123,11 +125,11 @@ export function StillImage(props: StillImageProps) {
           ))}
           {corners.map((c) => (
             <g key={c.name} transform={`translate(${c.u} ${c.v})`} onPointerEnter={() => setName(c.name)}>
-              <circle r={width_px / 50} className={styles.reach} />
+              <circle r={Math.min(width_px / 50, apart_px / 2)} className={styles.reach} />
               {residuals && c.off_px && (
                 <path className={styles.arrow} stroke={COLOURS.corner} d={arrow(c.off_px[0] * times, c.off_px[1] * times)} />
               )}
-              <circle r={residuals ? 2 : width_px / 160} className={styles.corner} stroke={COLOURS.corner} />
+              <circle r={residuals ? 2 : Math.min(width_px / 160, apart_px / 5)} className={styles.corner} stroke={COLOURS.corner} />
             </g>
           ))}
           <Worst worst={worst} width_px={width_px} size={LABEL_PX * shown} />

@@ -12,6 +12,18 @@ export interface Overlay {
 /** Of the picture, whatever the scheme: they lie on a grey photograph. */
 export const COLOURS = { outline: "#57b8ff", corner: "#ffe066", stripe: "#ff5a5f", target: "#7dff9b", saturated: "#ff3db8", band: "#9fe8ff" };
 
+/** About how far the corners lie apart: of their box, a square to each. */
+export function spacing_px(corners: ImageCorner[]): number {
+  if (corners.length < 2) return Infinity;
+  const range = (places: number[]) => Math.max(...places) - Math.min(...places);
+  const [wide, tall] = [range(corners.map(({ u }) => u)), range(corners.map(({ v }) => v))];
+  return Math.max(Math.sqrt((wide * tall) / corners.length), Math.max(wide, tall) / corners.length);
+}
+
+/** A corner's ring, not wider than this share of the space between corners, and still seen. */
+const RING_SHARE = 0.2;
+const RING_PX = { most: 6, least: 2 };
+
 /** Pixel centres are whole numbers, so the frame begins half a pixel before (0, 0). */
 export function drawOverlay(context: CanvasRenderingContext2D, overlay: Overlay, scale: number): void {
   const x = (u: number) => (u + 0.5) * scale;
@@ -28,11 +40,12 @@ export function drawOverlay(context: CanvasRenderingContext2D, overlay: Overlay,
   for (const [u, v] of overlay.stripe) context.fillRect(x(u) - 0.75, x(v) - 0.75, 1.5, 1.5);
 
   context.strokeStyle = COLOURS.corner;
-  context.lineWidth = 2;
+  const ring = Math.max(RING_PX.least, Math.min(RING_PX.most, RING_SHARE * spacing_px(overlay.corners) * scale));
+  context.lineWidth = ring < 4 ? 1.25 : 2;
   context.beginPath();
   for (const { u, v } of overlay.corners) {
-    context.moveTo(x(u) + 6, x(v));
-    context.arc(x(u), x(v), 6, 0, 2 * Math.PI);
+    context.moveTo(x(u) + ring, x(v));
+    context.arc(x(u), x(v), ring, 0, 2 * Math.PI);
   }
   context.stroke();
 }

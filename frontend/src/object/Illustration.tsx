@@ -1,13 +1,14 @@
 import type { BlockGeometry } from "../api/flowTypes";
 import type { Vec3 } from "../api/types";
 import { t } from "../state/language";
-import { BlockDrawing } from "./BlockDrawing";
 import { isSeen } from "./block";
 import styles from "./Illustration.module.css";
+import { ObjectDrawing } from "./ObjectDrawing";
 import { project, type View } from "./view";
 
 /** A block for pages that have no certificate to draw from; it stands for any. */
 const ANY_BLOCK: BlockGeometry = {
+  kind: "block",
   edges_x_mm: [-24, -15, -7, -1, 6, 12, 19, 24],
   front_y_mm: -13,
   back_y_mm: 13,
@@ -24,9 +25,9 @@ const STRIPE_Y_MM = -7;
 export function Illustration() {
   return (
     <div className={styles.illustration}>
-      <BlockDrawing block={ANY_BLOCK} face={null} label={t("A crenellated object with the laser stripe across it")}>
+      <ObjectDrawing object={ANY_BLOCK} face={null} label={t("A crenellated object with the laser stripe across it")}>
         {(view) => <path className={styles.stripe} d={stripePath(view, ANY_BLOCK)} />}
-      </BlockDrawing>
+      </ObjectDrawing>
     </div>
   );
 }

@@ -1,21 +1,15 @@
 import type { KeyboardEvent } from "react";
 
-import type { BlockGeometry, TouchedPoint } from "../api/flowTypes";
+import type { ObjectGeometry, TouchedPoint } from "../api/flowTypes";
 import type { Vec3 } from "../api/types";
 import { signedLength } from "../parts/lengths";
 import { said, t } from "../state/language";
-import { isSeen, NORMALS } from "./block";
 import { labelSides, type Side } from "./labelSides";
 import { rampColour } from "./residuals";
+import { isSeen, normalOf } from "./shape";
 import styles from "./Touches.module.css";
 import { along } from "./vector";
 import { dotRadius, layOn, project, type View } from "./view";
-
-const UP: Vec3 = [0, 0, 1];
-
-function normalOf(face: string): Vec3 {
-  return NORMALS[face] ?? UP;
-}
 
 type Placed = TouchedPoint & { at_mm: Vec3 };
 
@@ -41,7 +35,7 @@ export function Suggestions({ view, face, places }: { view: View; face: string; 
 
 interface TouchesProps {
   view: View;
-  block: BlockGeometry;
+  object: ObjectGeometry;
   points: TouchedPoint[];
   scale_um: number;
   chosen: number | null;
@@ -53,10 +47,10 @@ interface TouchesProps {
 const LABEL_PX = { wide: 84, tall: 22 };
 
 /** Touched points coloured by residual; an outlier is a diamond with its value beside it. */
-export function Touches({ view, block, points, scale_um, chosen, onPoint, named = [] }: TouchesProps) {
+export function Touches({ view, object, points, scale_um, chosen, onPoint, named = [] }: TouchesProps) {
   const seen = placed(points)
     .sort((a, b) => Number(a.outlier) - Number(b.outlier))
-    .filter(({ at_mm, face }) => isSeen(block, at_mm, normalOf(face), view.to));
+    .filter(({ at_mm, face }) => isSeen(object, at_mm, normalOf(face), view.to));
   const labelled = seen.filter(({ index, outlier }) => outlier || named.includes(index));
   const sides = labelSides(labelled.map(({ index, at_mm }) => ({ index, at: project(view, at_mm) })), LABEL_PX);
   return (
@@ -131,7 +125,7 @@ function Touch({ point, at, radius, scale_um, chosen, side, onPoint }: TouchProp
 
 interface SticksProps {
   view: View;
-  block: BlockGeometry;
+  object: ObjectGeometry;
   points: TouchedPoint[];
   scale_um: number;
 }
@@ -139,8 +133,8 @@ interface SticksProps {
 const STICK_PX = 40;
 
 /** Each residual as a stick along its face's normal; the scale's end is 40 px beyond the dot. */
-export function ResidualSticks({ view, block, points, scale_um }: SticksProps) {
-  const sticks = placed(points).filter(({ at_mm, face }) => isSeen(block, at_mm, normalOf(face), view.to));
+export function ResidualSticks({ view, object, points, scale_um }: SticksProps) {
+  const sticks = placed(points).filter(({ at_mm, face }) => isSeen(object, at_mm, normalOf(face), view.to));
   return (
     <g className={styles.sticks} aria-hidden="true">
       {sticks.map((point) => (

@@ -1,6 +1,7 @@
-import type { BlockGeometry } from "../api/flowTypes";
+import type { ObjectGeometry } from "../api/flowTypes";
 import type { Vec3 } from "../api/types";
-import { halfSize, middle } from "./block";
+import { BOARD_FACE } from "./board";
+import { halfSize, middle } from "./shape";
 import { dot } from "./vector";
 
 /** Where the viewer stands: azimuth from the front (0) to the right (90), and elevation. */
@@ -9,23 +10,37 @@ export interface Heading {
   elevation_deg: number;
 }
 
-const HEADINGS: Record<string, Heading> = {
-  crest: { azimuth_deg: 18, elevation_deg: 46 },
-  floor: { azimuth_deg: 10, elevation_deg: 58 },
-  front: { azimuth_deg: 20, elevation_deg: 26 },
-  back: { azimuth_deg: 160, elevation_deg: 26 },
-  left: { azimuth_deg: -58, elevation_deg: 26 },
-  right: { azimuth_deg: 58, elevation_deg: 26 },
-};
-
-export const RESTING: Heading = { azimuth_deg: 24, elevation_deg: 34 };
-
-/** From where a face is seen best, turned the short way round from where we stand. */
-export function headingFor(face: string | null): Heading {
-  return (face && HEADINGS[face]) || RESTING;
+interface Headings {
+  resting: Heading;
+  /** From where each face is seen best. */
+  faces: Record<string, Heading>;
 }
 
-/** The radius of a touched point's dot, in px: smaller where the block is small. */
+const HEADINGS: Record<ObjectGeometry["kind"], Headings> = {
+  block: {
+    resting: { azimuth_deg: 24, elevation_deg: 34 },
+    faces: {
+      crest: { azimuth_deg: 18, elevation_deg: 46 },
+      floor: { azimuth_deg: 10, elevation_deg: 58 },
+      front: { azimuth_deg: 20, elevation_deg: 26 },
+      back: { azimuth_deg: 160, elevation_deg: 26 },
+      left: { azimuth_deg: -58, elevation_deg: 26 },
+      right: { azimuth_deg: 58, elevation_deg: 26 },
+    },
+  },
+  board: {
+    resting: { azimuth_deg: 24, elevation_deg: 44 },
+    faces: { [BOARD_FACE]: { azimuth_deg: 16, elevation_deg: 58 } },
+  },
+};
+
+/** From where a face is seen best, turned the short way round from where we stand. */
+export function headingFor({ kind }: ObjectGeometry, face: string | null): Heading {
+  const { resting, faces } = HEADINGS[kind];
+  return (face && faces[face]) || resting;
+}
+
+/** The radius of a touched point's dot, in px: smaller where the object is small. */
 export function dotRadius(view: View): number {
   return Math.min(9, Math.max(5, view.scale * 0.8));
 }
@@ -41,10 +56,10 @@ export interface View {
   height: number;
 }
 
-/** Kept free around the block, as a share of the smaller side of the picture. */
+/** Kept free around the object, as a share of the smaller side of the picture. */
 const MARGIN = 0.06;
 
-/** Half the width and height that the block takes on the screen, in mm, at a heading. */
+/** Half the width and height that the object takes on the screen, in mm, at a heading. */
 function reach(half: Vec3, { azimuth_deg, elevation_deg }: Heading): [number, number] {
   const azimuth = (azimuth_deg * Math.PI) / 180;
   const elevation = (elevation_deg * Math.PI) / 180;
@@ -55,16 +70,17 @@ function reach(half: Vec3, { azimuth_deg, elevation_deg }: Heading): [number, nu
 }
 
 /** The scale at which every heading fits, so that turning does not zoom. */
-function fittingScale(half: Vec3, width: number, height: number): number {
+function fittingScale(object: ObjectGeometry, width: number, height: number): number {
   const margin = MARGIN * Math.min(width, height);
-  const reaches = [...Object.values(HEADINGS), RESTING].map((heading) => reach(half, heading));
+  const { resting, faces } = HEADINGS[object.kind];
+  const reaches = [resting, ...Object.values(faces)].map((heading) => reach(halfSize(object), heading));
   const across = Math.max(...reaches.map(([x]) => x));
   const up = Math.max(...reaches.map(([, y]) => y));
   return Math.max(0.5, Math.min((width / 2 - margin) / across, (height / 2 - margin) / up));
 }
 
-/** Parallel projection that holds the block, whatever the heading, in the same size. */
-export function makeView(block: BlockGeometry, heading: Heading, width: number, height: number): View {
+/** Parallel projection that holds the object, whatever the heading, in the same size. */
+export function makeView(object: ObjectGeometry, heading: Heading, width: number, height: number): View {
   const azimuth = (heading.azimuth_deg * Math.PI) / 180;
   const elevation = (heading.elevation_deg * Math.PI) / 180;
   const flat = Math.cos(elevation);
@@ -75,8 +91,8 @@ export function makeView(block: BlockGeometry, heading: Heading, width: number, 
     Math.cos(azimuth) * Math.sin(elevation),
     flat,
   ];
-  const scale = fittingScale(halfSize(block), width, height);
-  return { to, right, up, scale, centre: middle(block), width, height };
+  const scale = fittingScale(object, width, height);
+  return { to, right, up, scale, centre: middle(object), width, height };
 }
 
 /** A point of the object frame on the screen, in px. */

@@ -28,7 +28,7 @@ function NotStarted() {
       picture={
         <EmptyState
           title={t("From touches and a few pictures to a calibrated sensor")}
-          text={`${t("You touch the faces of the crenellated object with the arm's tip, then hold the sensor over it and take a picture in each of a few poses; the station says which. It shows how good the result is, in {unit}, before anything is replaced.", { unit: unitOf("µm") })} ${t("Without such an object, recorded pictures of a flat chessboard do, on the command line: crenel calibrate.")}`}
+          text={`${t("You touch the faces of the crenellated object with the arm's tip, then hold the sensor over it and take a picture in each of a few poses; the station says which. It shows how good the result is, in {unit}, before anything is replaced.", { unit: unitOf("µm") })} ${t("A flat chessboard that the laser's line crosses does as well, and need not be touched.")}`}
         />
       }
       card={

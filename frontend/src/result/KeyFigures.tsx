@@ -13,7 +13,9 @@ export function KeyFigures({ result }: { result: CalibrationResult }) {
       readouts={[
         { label: t("Edges, rms"), value: figures(result.reprojection_rms_px, 3), unit: "px" },
         { label: t("Laser plane, rms"), value: lengthFigures(result.laser_plane_rms_um, "µm"), unit: unitOf("µm") },
-        { label: t("Touches, rms"), value: lengthFigures(result.alignment_rms_um, "µm"), unit: unitOf("µm") },
+        ...(result.alignment_rms_um === null
+          ? []
+          : [{ label: t("Touches, rms"), value: lengthFigures(result.alignment_rms_um, "µm"), unit: unitOf("µm") }]),
         { label: t("Depth range"), value: t("{low} to {high}", { low: lengthFigures(near, "mm", 1), high: lengthFigures(far, "mm", 1) }), unit: unitOf("mm") },
         ...(result.plane
           ? [

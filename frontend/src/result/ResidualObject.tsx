@@ -1,41 +1,41 @@
 import { useState } from "react";
 
-import type { BlockGeometry, TouchedPoint } from "../api/flowTypes";
+import type { ObjectGeometry, TouchedPoint } from "../api/flowTypes";
 import type { WorstPoint } from "../api/resultTypes";
 import { PointPanel } from "../flow/PointPanel";
 import { ResidualLegend } from "../flow/ResidualLegend";
-import { BlockDrawing } from "../object/BlockDrawing";
+import { ObjectDrawing } from "../object/ObjectDrawing";
 import { scaleEnd } from "../object/residuals";
 import { ResidualSticks, Touches } from "../object/Touches";
 import styles from "../flow/ObjectPicture.module.css";
 import { t } from "../state/language";
 
 interface ResidualObjectProps {
-  block: BlockGeometry;
+  object: ObjectGeometry;
   points: TouchedPoint[];
   worst: WorstPoint[];
 }
 
-/** How far each touch lies off its face; the block turns to the face that is tapped. */
-export function ResidualObject({ block, points, worst }: ResidualObjectProps) {
+/** How far each touch lies off its face; the object turns to the face that is tapped. */
+export function ResidualObject({ object, points, worst }: ResidualObjectProps) {
   const [face, setFace] = useState<string | null>(null);
   const [chosen, setChosen] = useState<number | null>(null);
   const scale_um = scaleEnd(points);
   const point = points.find((p) => p.index === chosen);
   return (
     <div className={styles.picture}>
-      <BlockDrawing
-        block={block}
+      <ObjectDrawing
+        object={object}
         face={face}
         onFace={(tapped) => setFace(tapped === face ? null : tapped)}
         label={t("Residuals on the object")}
       >
         {(view) => (
           <>
-            <ResidualSticks view={view} block={block} points={points} scale_um={scale_um} />
+            <ResidualSticks view={view} object={object} points={points} scale_um={scale_um} />
             <Touches
               view={view}
-              block={block}
+              object={object}
               points={points}
               scale_um={scale_um}
               chosen={chosen}
@@ -44,10 +44,10 @@ export function ResidualObject({ block, points, worst }: ResidualObjectProps) {
             />
           </>
         )}
-      </BlockDrawing>
+      </ObjectDrawing>
       {point && <PointPanel point={point} onClose={() => setChosen(null)} removable={false} />}
       <div className={styles.legend}>
-        <ResidualLegend scale_um={scale_um} sticks />
+        {points.length > 0 ? <ResidualLegend scale_um={scale_um} sticks /> : <p>{t("The board was not touched.")}</p>}
       </div>
     </div>
   );

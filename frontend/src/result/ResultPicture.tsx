@@ -42,7 +42,7 @@ export function ResultPicture({ picture }: { picture: ResultView }) {
         />
       </div>
       <div className={styles.shown} tabIndex={0}>
-        {tab === "object" && <ResidualObject block={picture.block} points={picture.points} worst={result.worst} />}
+        {tab === "object" && <ResidualObject object={picture.object} points={picture.points} worst={result.worst} />}
         {tab === "image" && <PoseView poses={poses} shown={pose} onShow={setPose} residuals worst={result.worst} />}
         {tab === "map" && poses[0] && (
           <UncertaintyMap result={result} width_px={poses[0].width_px} height_px={poses[0].height_px} />

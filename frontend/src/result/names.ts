@@ -18,10 +18,17 @@ const PLACES: Record<string, string> = {
   "R:back": words("back right"),
 };
 
-/** "crest:2:L:front" as the trade says it: "crest 3, front left"; a pose before it stays. */
+const BOARD_CORNER = words("corner {column},{row}");
+
+/**
+ * "crest:2:L:front" as the trade says it: "crest 3, front left"; "3,2" of a board is its corner in
+ * that column and row. A pose before it stays.
+ */
 export function cornerWords(name: string, say: (text: string, values?: Values) => string = t): string {
   const [, pose, rest = name] = /^pose (\d+) (.*)$/.exec(name) ?? [];
   if (pose) return `${say("Pose {n}", { n: pose })}: ${cornerWords(rest, say)}`;
+  const [, column, row] = /^(?:corner )?(\d+),(\d+)$/.exec(name) ?? [];
+  if (column && row) return say(BOARD_CORNER, { column, row });
   const [, level = "", number, place = ""] = /^(\w+)(?::(\d+))?(?::([\w:]+))?$/.exec(name) ?? [];
   const [where, part] = [PLACES[place], LEVELS[level]];
   if (!where || !part) return name;

@@ -10,11 +10,7 @@ const DISTORTION = ["k1", "k2", "p1", "p2", "k3"];
 
 export function tablesOf(result: CalibrationResult): TableData[] {
   return [
-    {
-      title: words("Faces"),
-      head: [words("Face"), words("Points"), { words: words("rms"), unit: "µm" }, { words: words("Form"), unit: "µm" }],
-      rows: result.faces.map((f) => [f.face, amount(f.points, 0), amount(f.rms_um, 1, "µm"), amount(f.form_um, 1, "µm")]),
-    },
+    ...facesTables(result),
     {
       title: POSES,
       head: [words("Pose"), { words: words("Edges"), unit: "px" }, { words: words("Stripe"), unit: "px" }, { words: words("Off"), unit: "µm" }],
@@ -55,6 +51,18 @@ export function tablesOf(result: CalibrationResult): TableData[] {
       title: words("Lens distortion"),
       head: [words("Term"), words("Value")],
       rows: result.distortion.map((value, i) => [DISTORTION[i] ?? `d${i}`, amount(value, 6)]),
+    },
+  ];
+}
+
+/** None where the object was not touched. */
+function facesTables({ faces }: CalibrationResult): TableData[] {
+  if (faces.length === 0) return [];
+  return [
+    {
+      title: words("Faces"),
+      head: [words("Face"), words("Points"), { words: words("rms"), unit: "µm" }, { words: words("Form"), unit: "µm" }],
+      rows: faces.map((f) => [f.face, amount(f.points, 0), amount(f.rms_um, 1, "µm"), amount(f.form_um, 1, "µm")]),
     },
   ];
 }

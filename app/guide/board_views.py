@@ -1,0 +1,37 @@
+"""Which pictures of a chessboard to take before the calibration itself can tell. Pure."""
+
+from app.metrology.adjustment.board_start import FEWEST_POSES
+from app.metrology.adjustment.pose_advice import Hold
+
+# From straight above, then tilted to every side: a flat board tells the focal length only where
+# it is tilted, and where the sensor sits only where the arm turns about more than one axis.
+VIEWS = (
+    Hold(0.0, 0.0, 0.0, 0.0),
+    Hold(20.0, 0.0, 0.0, 0.0),
+    Hold(0.0, 20.0, 20.0, 0.0),
+    Hold(-20.0, 0.0, 0.0, 0.0),
+    Hold(0.0, -20.0, -20.0, 0.0),
+)
+"""Each against a hold straight above the board."""
+
+
+def planned_view(taken: int) -> Hold | None:
+    """The next view after so many pictures; None once the calibration tells which helps most."""
+    return VIEWS[taken] if taken < len(VIEWS) else None
+
+
+def words_of(view: Hold) -> str:
+    """How to hold the sensor, as one sentence."""
+    if view == VIEWS[0]:
+        return "Hold the sensor straight above the chessboard, its longer side along the picture."
+    return f"From straight above the chessboard: {view.words}. Follow the dashed outline."
+
+
+def still_missing(usable: int) -> str:
+    """Why there is no calibration yet from so many pictures; empty where there may be one."""
+    more = FEWEST_POSES - usable
+    if more <= 0:
+        return ""
+    if more == 1:
+        return "A chessboard is seen from several sides: take one more picture."
+    return f"A chessboard is seen from several sides: take {more} more pictures."

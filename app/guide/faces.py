@@ -1,0 +1,68 @@
+"""The faces that are touched, of a block and of a board alike. Pure."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from app.guide import board_touching, touching
+from app.guide.state import Contact
+from app.guide.touch_report import TouchReport
+from app.guide.view import FaceProgress
+from app.metrology.arm import Arm, tip_centres
+from app.metrology.chessboard.board import Chessboard
+from app.metrology.crenellated import FACES
+from app.metrology.frames import Floats
+from app.metrology.objects import CalibrationObject
+
+SAME_PLACE_MM = 0.3
+
+
+def faces_of(item: CalibrationObject) -> tuple[str, ...]:
+    """The names of all faces that may be touched."""
+    return (board_touching.FACE,) if isinstance(item, Chessboard) else FACES
+
+
+def face_in_use(selected: str, item: CalibrationObject) -> str:
+    """The selected face; the only one where the object has no other."""
+    faces = faces_of(item)
+    return selected if selected in faces else faces[0]
+
+
+def touch_report(
+    contacts: Sequence[Contact], arm: Arm, item: CalibrationObject, target_um: float
+) -> TouchReport:
+    """How well the points so far agree with the object.
+
+    Args:
+        target_um: how well the place of a block is wanted, k = 1.
+    """
+    if isinstance(item, Chessboard):
+        return board_touching.board_report(contacts, arm, item)
+    return touching.block_report(contacts, arm, item, target_um)
+
+
+def face_progress(
+    report: TouchReport, selected: str, item: CalibrationObject
+) -> list[FaceProgress]:
+    """Every face of the object: what was taken, what is wanted, where to touch."""
+    if isinstance(item, Chessboard):
+        return [board_touching.board_face(report, item)]
+    return touching.block_faces(report, selected, item)
+
+
+def same_place(contact_q_rad: Floats, others: Sequence[Contact], arm: Arm) -> int | None:
+    """Index of a counted point that lies within ``SAME_PLACE_MM`` of a new one, if any."""
+    if not others:
+        return None
+    tips = tip_centres(arm, np.array([c.q_rad for c in others] + [tuple(contact_q_rad)]))
+    distances = np.linalg.norm(tips[:-1] - tips[-1], axis=1)
+    nearest = int(np.argmin(distances))
+    return others[nearest].index if distances[nearest] < SAME_PLACE_MM else None
+
+
+def next_face(faces: Sequence[FaceProgress], selected: str) -> str:
+    """The face to go on with: the selected one until it has its points."""
+    here = next(face for face in faces if face.face == selected)
+    if here.taken < max(here.wanted, 1):
+        return selected
+    return next((f.face for f in faces if f.taken < f.wanted), selected)

@@ -1,0 +1,150 @@
+"""The guided calibration on a chessboard: views planned, touching left to the operator."""
+
+from dataclasses import asdict
+
+import numpy as np
+import pytest
+
+from app.guide.board_touching import WANTED, suggested_on_board
+from app.guide.board_views import VIEWS, planned_view, still_missing
+from app.guide.calibration_flow import view_of
+from app.guide.faces import face_in_use, faces_of
+from app.guide.framing import first_outline
+from app.guide.state import CalibrationState
+from app.guide.view import BoardGeometry, CameraPicture, ChoicesPicture, ObjectPicture
+from app.metrology.arm import Arm, tip_centres
+from app.metrology.chessboard.board import Chessboard
+from app.metrology.crenellated import FACES, Crenellated
+from tests.guide.builders import REST_RAD, captured, live_of, point, reach_tip, started, state_after
+
+BOARD = Chessboard("sheet 7", "C-7", (7, 6), 10.0, 0.05, 0.05)
+SEEN: dict[str, object] = {"corners": [{"name": "0,0", "u": 5.0, "v": 5.0, "residual_px": 0.1}]}
+NOTHING: dict[str, object] = {"corners": []}
+
+
+def touched_at(arm: Arm, x_mm: float, y_mm: float, z_mm: float) -> tuple[str, dict[str, object]]:
+    origin = tip_centres(arm, REST_RAD[None])[0]
+    return point("board", reach_tip(arm, origin + [x_mm, y_mm, z_mm], REST_RAD))
+
+
+def pictures(count: int, seen: dict[str, object]) -> list[tuple[str, dict[str, object]]]:
+    outcome = {"outline": [], "stripe": [], "findings": [], "result": None, **seen}
+    return [captured(outcome=outcome)] * count
+
+
+def at(step: str, *rows: tuple[str, dict[str, object]]) -> CalibrationState:
+    back = [] if step == "touch" else [("went_back", {"to": step})]
+    return state_after(started("touch"), *rows, *back)
+
+
+def test_a_board_is_drawn_from_its_certificate(arm: Arm) -> None:
+    setup = state_after(started("setup"))
+    picture = view_of(setup, live_of(setup, arm, BOARD)).picture
+    assert isinstance(picture, ChoicesPicture)
+    assert picture.object == BoardGeometry((7, 6), 10.0)
+
+
+def test_a_board_need_not_be_touched(arm: Arm) -> None:
+    state = at("touch")
+    view = view_of(state, live_of(state, arm, BOARD))
+    assert isinstance(view.picture, ObjectPicture)
+    (face,) = view.picture.faces
+    assert (face.face, face.taken, face.wanted, face.selected) == ("board", 0, WANTED, True)
+    go_on = next(action for action in view.actions if action.name == "confirm_touch")
+    assert go_on.enabled
+    assert go_on.primary
+    assert faces_of(BOARD) == ("board",)
+    assert face_in_use("crest", BOARD) == "board"
+
+
+def test_touches_of_a_board_are_judged_by_the_plane_through_them(
+    arm: Arm, block: Crenellated
+) -> None:
+    places = [(x, y, 0.0) for x, y, _ in suggested_on_board(BOARD)]
+    good = [touched_at(arm, *place) for place in places]
+    state = at("touch", *good)
+    view = view_of(state, live_of(state, arm, BOARD))
+    assert isinstance(view.picture, ObjectPicture)
+    assert view.progress is not None
+    assert view.progress.text == f"{WANTED} of {WANTED} points"
+    assert all(abs(one.residual_um or 0.0) < 1.0 for one in view.picture.points)
+    assert not view.findings
+
+    state = at("touch", *good, touched_at(arm, 30.0, 25.0, 1.0))
+    view = view_of(state, live_of(state, arm, BOARD))
+    assert isinstance(view.picture, ObjectPicture)
+    assert [one.outlier for one in view.picture.points] == [False] * WANTED + [True]
+    assert "Point 7 is +1000 µm off the plane" in view.findings[0].text
+    assert any(one.name == "void_point" and one.args == {"index": 6} for one in view.actions)
+    # a sheet that bends by half a millimetre has slipped no point
+    bent = Chessboard("bent", "", (7, 6), 10.0, 0.05, 0.6)
+    assert not view_of(state, live_of(state, arm, bent)).findings
+
+
+def test_the_first_views_are_planned_and_shown(arm: Arm) -> None:
+    outlines = set()
+    for taken, view in enumerate(VIEWS):
+        state = at("place", *pictures(taken, SEEN))
+        shown = view_of(state, live_of(state, arm, BOARD, corners_seen=0))
+        assert isinstance(shown.picture, CameraPicture)
+        outlines.add(tuple(shown.picture.target))
+        assert planned_view(taken) == view
+        told = view.words if taken else "straight above"
+        assert told in shown.instruction
+        assert any("laser's line must cross" in one.text for one in shown.findings)
+    assert len(outlines) == len(VIEWS)
+    assert planned_view(len(VIEWS)) is None
+
+
+def test_a_planned_view_looks_as_it_is_told() -> None:
+    """Tilted to the right, the camera is nearer to the board's right side, which looks larger."""
+    size = (1280, 1024)
+
+    def sides(tilt_right_deg: float, tilt_back_deg: float) -> np.ndarray:
+        view = next(
+            one
+            for one in VIEWS
+            if np.sign(one.tilt_right_deg) == tilt_right_deg
+            and np.sign(one.tilt_back_deg) == tilt_back_deg
+        )
+        lines = np.array(first_outline(BOARD, *size, True, view))[:4].reshape(-1, 2, 2)
+        return np.asarray(np.linalg.norm(lines[:, 1] - lines[:, 0], axis=1))
+
+    near, right, far, left = sides(1, 0)
+    assert right > 1.05 * left
+    near, right, far, left = sides(-1, 0)
+    assert left > 1.05 * right
+    near, right, far, left = sides(0, 1)
+    assert far > 1.05 * near
+    near, right, far, left = sides(0, -1)
+    assert near > 1.05 * far
+    straight = np.array(first_outline(BOARD, *size, True, VIEWS[0]))
+    assert straight.min() >= 0
+    assert straight[:, [0, 2]].max() < size[0]
+    assert straight[:, [1, 3]].max() < size[1]
+
+
+@pytest.mark.parametrize(
+    ("usable", "unusable", "more"), [(1, 0, "2 more pictures"), (2, 2, "one more picture")]
+)
+def test_too_few_pictures_are_not_solved(arm: Arm, usable: int, unusable: int, more: str) -> None:
+    state = at("solve", *pictures(unusable, NOTHING), *pictures(usable, SEEN))
+    view = view_of(state, live_of(state, arm, BOARD))
+    solve = next(action for action in view.actions if action.name == "solve")
+    assert not solve.enabled
+    assert more in solve.why_not
+    assert still_missing(3) == ""
+
+
+def test_another_pose_is_asked_for_until_the_plan_is_through(arm: Arm) -> None:
+    state = at("solve", *pictures(2, SEEN))
+    view = view_of(state, live_of(state, arm, BOARD))
+    assert VIEWS[2].words in view.instruction
+    primary = [action.name for action in view.actions if action.primary]
+    assert primary == ["another_pose"]
+
+
+def test_a_block_keeps_its_faces(block: Crenellated) -> None:
+    assert faces_of(block) == FACES
+    assert face_in_use("floor", block) == "floor"
+    assert asdict(BoardGeometry((7, 6), 10.0))["kind"] == "board"

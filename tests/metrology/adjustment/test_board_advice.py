@@ -1,0 +1,109 @@
+"""Which pose of a chessboard to take next, on an arm with joints."""
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from app.metrology.adjustment.board_joint import BoardCalibration, calibrate_board
+from app.metrology.adjustment.board_problem import BoardInputs
+from app.metrology.adjustment.pose_advice import PoseAdvice, held, next_poses
+from app.metrology.adjustment.reaching import REACHED_MM, joints_for
+from app.metrology.adjustment.state import SENSOR
+from app.metrology.adjustment.uncertainty import by_sensor, measuring_volume
+from app.metrology.arm import Arm, Joint, Tip, flange_pose
+from app.metrology.chessboard.board import middle_of
+from app.metrology.frames import Floats, inverse, rigid
+from app.metrology.laser_plane import LaserPlane
+from tests.metrology.boards import NORMAL, POSES, SIZE, T_FLANGE_CAM, seen_from
+from tests.metrology.seen_boards import PAPER, Errors, seen_at
+
+REST_RAD = np.radians([0.0, -70.0, 40.0, 0.0, 70.0, 0.0])
+ENCODER_SD_RAD = 1e-5
+PLANE = LaserPlane(NORMAL, 137.0)  # across the board's middle where it is looked at from above
+
+
+@pytest.fixture(scope="module")
+def arm() -> Arm:
+    shape = [(0, -90, 280), (450, 0, 0), (60, -90, 0), (0, 90, 400), (0, -90, 0), (0, 0, 90)]
+    joints = tuple(
+        Joint(f"J{i + 1}", a, np.radians(alpha), d, 0.0, encoder_sd_rad=ENCODER_SD_RAD)
+        for i, (a, alpha, d) in enumerate(shape)
+    )
+    return Arm("test arm", "A-1", joints, Tip(0.0, 0.0, 120.0, 6.0))
+
+
+def taken(arm: Arm, poses: tuple[Floats, ...], seed: int = 1) -> BoardInputs:
+    """Pictures ``T_cam_obj`` taken with an arm, the first with its joints at rest."""
+    rng = np.random.default_rng(seed)
+    T_arm_obj = flange_pose(arm, REST_RAD) @ T_FLANGE_CAM @ poses[0]
+    seen, angles = [], []
+    for k, T_cam_obj in enumerate(poses):
+        q = joints_for(arm, T_arm_obj @ inverse(T_cam_obj) @ inverse(T_FLANGE_CAM), REST_RAD)
+        assert q is not None
+        seen.append(seen_at(rng, k + 1, PAPER, T_cam_obj, PLANE, Errors()))
+        angles.append(q + rng.normal(0, ENCODER_SD_RAD, len(q)))
+    return BoardInputs(arm, PAPER, tuple(seen), np.array(angles), SIZE)
+
+
+@pytest.fixture(scope="module")
+def five(arm: Arm) -> BoardInputs:
+    return taken(arm, POSES[:5])
+
+
+@pytest.fixture(scope="module")
+def found(five: BoardInputs) -> BoardCalibration:
+    return calibrate_board(five)
+
+
+@pytest.fixture(scope="module")
+def advice(arm: Arm, five: BoardInputs, found: BoardCalibration) -> list[PoseAdvice]:
+    return next_poses(found.adjusted, arm, PAPER, five.readings)
+
+
+def test_the_advised_pose_brings_what_was_foretold(
+    arm: Arm, five: BoardInputs, found: BoardCalibration, advice: list[PoseAdvice]
+) -> None:
+    best, worst = advice[0], advice[-1]
+    assert best.total_um < worst.total_um <= 1.02 * found.known.total_um
+    reached = (
+        found.adjusted.state.T_arm_obj @ best.T_obj_cam @ inverse(found.adjusted.state.T_flange_cam)
+    )
+    np.testing.assert_allclose(flange_pose(arm, best.q_rad), reached, atol=REACHED_MM)
+    uv = measuring_volume(found.adjusted).uv_px
+    after = {}
+    for one in (best, worst):
+        more = calibrate_board(taken(arm, (*POSES[:5], inverse(one.T_obj_cam))))
+        after[one.total_um] = rms_um(more, uv)
+    assert after[best.total_um] < after[worst.total_um]
+    assert after[best.total_um] == pytest.approx(best.total_um, rel=0.2)
+
+
+def rms_um(found: BoardCalibration, uv_px: Floats) -> float:
+    """Standard uncertainty of the points that pixels (N, 2) show, over all of them."""
+    by = by_sensor(found.adjusted.state, uv_px)
+    covariance = found.adjusted.covariance[SENSOR, SENSOR]
+    return float(1e3 * np.sqrt(np.mean(np.einsum("gik,kl,gil->g", by, covariance, by))))
+
+
+def test_the_outline_lies_in_the_picture(advice: list[PoseAdvice]) -> None:
+    for one in advice:
+        ends = np.array(one.outline_px).reshape(-1, 2)
+        assert ends.min() > 0
+        assert (ends < SIZE).all()
+
+
+def test_right_is_what_is_right_in_the_picture_however_the_board_lies() -> None:
+    straight, middle = inverse(seen_from(0, 0, 0, 230)), middle_of(PAPER)
+    right, back = straight[:3, 0], -straight[:3, 1]
+
+    def swung(axis: Floats, T_obj_cam: Floats) -> Floats:
+        turn = Rotation.from_rotvec(np.radians(20) * axis).as_matrix()
+        return rigid(turn, middle - turn @ middle) @ T_obj_cam
+
+    # swung to the right, the camera has moved to where its picture's right was
+    T = swung(back, straight)
+    assert (T[:3, 3] - straight[:3, 3]) @ right > 50
+    assert held(T, straight, PAPER).words == "tilt right 20°"
+    half_turn = rigid(np.diag([-1.0, -1.0, 1.0]), 2 * middle)
+    turned = half_turn @ straight
+    assert held(half_turn @ T, turned, PAPER).words == "tilt right 20°"
