@@ -38,12 +38,24 @@ const BEYOND = 0.35;
 const LABEL_PX = 15;
 const KINDS = Object.keys(MARKS) as ImageMark["kind"][];
 
-/** How much residuals are enlarged, so that the largest is well seen and hardly reaches its neighbour. */
-function enlargement(corners: ImageCorner[], stripe_off: Vec3[], width_px: number): number {
-  const offs = [...corners.map((c) => c.residual_px ?? 0), ...stripe_off.map((p) => Math.abs(p[2]))];
-  const largest = Math.max(1e-6, ...offs);
-  const longest_px = Math.min(width_px / 18, 1.2 * spacing_px(corners));
-  return [1000, 500, 200, 100, 50, 20, 10].find((times) => largest * times <= longest_px) ?? 5;
+/** How many times residuals (px) are enlarged, so that the largest is well seen and covers little. */
+function enlargement(residuals_px: number[], longest_px: number): number {
+  const largest = Math.max(1e-6, ...residuals_px);
+  return [2000, 1000, 500, 200, 100, 50, 20, 10].find((times) => largest * times <= longest_px) ?? 5;
+}
+
+/** Of corners and stripe, each by its own: a corner is found far better than a point of the stripe. */
+interface Enlarged {
+  corners: number;
+  stripe: number;
+}
+
+function enlarged(corners: ImageCorner[], stripe_off: Vec3[], width_px: number): Enlarged {
+  const longest_px = width_px / 18;
+  return {
+    corners: enlargement(corners.map((c) => c.residual_px ?? 0), Math.min(longest_px, 1.2 * spacing_px(corners))),
+    stripe: enlargement(stripe_off.map((p) => Math.abs(p[2])), longest_px),
+  };
 }
 
 /** The picture's frame, widened to what of the object lies beyond it. */
@@ -74,11 +86,16 @@ function alongRows(stripe_off: Vec3[]): boolean {
   return spread(1) > spread(0);
 }
 
+function stripeArrows(stripe_off: Vec3[], times: number): string {
+  const across = alongRows(stripe_off) ? "h" : "v";
+  return stripe_off.map(([u, v, off]) => `M${u} ${v}${across}${off * times}`).join("");
+}
+
 /** The captured picture with what was found in it. */
 export function StillImage(props: StillImageProps) {
   const { image_url, width_px, height_px, corners, outline, stripe, marks = [], residuals = false, worst = [] } = props;
   const stripe_off = residuals ? (props.stripe_off ?? []) : [];
-  const times = residuals ? enlargement(corners, stripe_off, width_px) : 0;
+  const times = residuals ? enlarged(corners, stripe_off, width_px) : null;
   const [name, setName] = useState<string | null>(null);
   const { ref, width, height } = useElementSize<HTMLDivElement>();
   const shown = Math.max(width_px / Math.max(width, 1), height_px / Math.max(height, 1));
@@ -107,7 +124,7 @@ export function StillImage(props: StillImageProps) {
           <path
             className={styles.arrow}
             stroke="#ff9ea1"
-            d={stripe_off.map(([u, v, off]) => (alongRows(stripe_off) ? `M${u} ${v}h${off * times}` : `M${u} ${v}v${off * times}`)).join("")}
+            d={times ? stripeArrows(stripe_off, times.stripe) : ""}
           />
           {marks.length > 0 && (
             <rect x="-0.5" y="-0.5" width={width_px} height={height_px} className={styles.frame} />
@@ -126,8 +143,8 @@ export function StillImage(props: StillImageProps) {
           {corners.map((c) => (
             <g key={c.name} transform={`translate(${c.u} ${c.v})`} onPointerEnter={() => setName(c.name)}>
               <circle r={Math.min(width_px / 50, apart_px / 2)} className={styles.reach} />
-              {residuals && c.off_px && (
-                <path className={styles.arrow} stroke={COLOURS.corner} d={arrow(c.off_px[0] * times, c.off_px[1] * times)} />
+              {times && c.off_px && (
+                <path className={styles.arrow} stroke={COLOURS.corner} d={arrow(c.off_px[0] * times.corners, c.off_px[1] * times.corners)} />
               )}
               <circle r={residuals ? 2 : Math.min(width_px / 160, apart_px / 5)} className={styles.corner} stroke={COLOURS.corner} />
             </g>
@@ -178,7 +195,13 @@ function told(name: string, residual_px: number | null): string {
   return residual_px === null ? where : t("{corner}: residual {value} px", { corner: where, value: figures(residual_px, 3) });
 }
 
-function summary({ corners, stripe }: Overlay, times: number): string {
+function summary({ corners, stripe }: Overlay, times: Enlarged | null): string {
   const found = t("{corners} corners, {points} stripe points", { corners: figures(corners.length), points: figures(stripe.length) });
-  return times ? `${found}. ${t("Arrows: found minus computed, {times} times enlarged.", { times })}` : found;
+  return times ? `${found}. ${arrowsTold(times)}` : found;
+}
+
+function arrowsTold({ corners, stripe }: Enlarged): string {
+  return corners === stripe
+    ? t("Arrows: found minus computed, {times} times enlarged.", { times: corners })
+    : t("Arrows: found minus computed, of corners {times} times enlarged, of the stripe {stripe} times.", { times: corners, stripe });
 }

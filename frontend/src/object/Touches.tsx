@@ -137,9 +137,8 @@ export function ResidualSticks({ view, object, points, scale_um }: SticksProps) 
   const sticks = placed(points).filter(({ at_mm, face }) => isSeen(object, at_mm, normalOf(face), view.to));
   return (
     <g className={styles.sticks} aria-hidden="true">
-      {sticks.map((point) => (
-        <path key={point.index} d={stick(view, point, scale_um)} />
-      ))}
+      <path d={sticks.map((point) => stick(view, point, scale_um)).join("")} className={styles.halo} />
+      <path d={sticks.map((point) => stick(view, point, scale_um)).join("")} className={styles.stick} />
     </g>
   );
 }
