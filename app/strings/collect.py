@@ -26,11 +26,6 @@ SILENT = (
     *("app/files/ply.py", "app/files/identify.py", "app/files/extract.py", "app/files/verify.py"),
     *("app/files/calibration_figures.py", "app/files/flange_poses.py"),
     "app/files/arm_identification.py",
-    *(
-        f"app/metrology/adjustment/{name}.py"
-        for name in ("board_lines", "board_problem", "board_start", "mounting")
-    ),
-    "app/metrology/chessboard",
     "app/metrology/grey_lanes.py",
     "app/metrology/lanes.py",
     "app/metrology/vectors.py",

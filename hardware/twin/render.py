@@ -11,7 +11,7 @@ import cv2
 import numpy as np
 
 from hardware.twin.camera import LaserSheet, Optics, sight_lines
-from hardware.twin.casting import Image, cast_room, lattice, refine_room
+from hardware.twin.casting import Codes, Image, cast_room, lattice, refine_room
 from hardware.twin.kinematics import Floats
 from hardware.twin.noise import (
     POOL,
@@ -64,6 +64,7 @@ class Renderer:
         corner = float(np.arctan(np.linalg.norm(self._lines, axis=2).max()))
         self._view_rad = max(corner, sheet.half_angle_rad) + SPARE_RAD
         self._allocate(optics.height_px, optics.width_px)
+        self._cast: tuple[Floats, Codes, Image] | None = None
         self._room: tuple[Floats, int, Image] | None = None
         self._stripe: tuple[Floats, Image, int, int] | None = None
 
@@ -140,10 +141,11 @@ class Renderer:
         look = np.array([light.directed, light.ambient, light.groove_shade, light.texture, away_mm])
         lamps = self._lamp_bundles(into, rows)
         lines = self._lines if rays > SMEARED else np.ascontiguousarray(self._lines[::2, ::2])
-        codes = np.empty(lines.shape[:2], dtype=np.int32)
-        wide = np.empty(lines.shape[:2], dtype=np.float32)
+        codes, wide = self._cast_for(T_arm_sensor, lines.shape[:2])
         scene = (kinds, rows, eyes, lights, lamps, look, self._grain, codes, wide)
-        cast_room(lines, *scene)
+        if self._cast is None:
+            cast_room(lines, *scene)
+            self._cast = (T_arm_sensor.copy(), codes, wide)
         if rays > SMEARED:
             refine_room(lines, lattice(rays), *scene)
             image = self._blurred(wide)[1:-1, 1:-1].copy()
@@ -157,6 +159,15 @@ class Renderer:
             image = cast(Image, whole)[1:-1, 1:-1].copy()
         self._room = (T_arm_sensor.copy(), rays, image)
         return image
+
+    def _cast_for(self, T_arm_sensor: Floats, shape: tuple[int, ...]) -> tuple[Codes, Image]:
+        """Codes and light of one ray a pixel: those of before where the sensor has not moved,
+        which a finer picture only refines; else empty, and ``_cast`` is None."""
+        kept = self._cast
+        if kept is not None and kept[1].shape == shape and np.array_equal(kept[0], T_arm_sensor):
+            return kept[1:]
+        self._cast = None
+        return np.empty(shape, dtype=np.int32), np.empty(shape, dtype=np.float32)
 
     def laser_light(self, T_arm_sensor: Floats) -> tuple[Image, int, int]:
         """(H, W) light of the laser, peak about 1, blur and speckle included, no noise.

@@ -18,17 +18,20 @@ from hardware.interfaces import Frame, LinkHealth, SensorInfo
 from hardware.twin.faults import Faults
 from hardware.twin.kinematics import Floats
 from hardware.twin.noise import Digits
-from hardware.twin.render import FINE, QUICK, SMEARED, Renderer
+from hardware.twin.render import QUICK, SMEARED, Renderer
 
 EXPOSURE_RANGE_US = (50.0, 20_000.0)
 READOUT_NS = 3_000_000
-HELD = 34
-"""Rays over a pixel at an edge while a hand holds the sensor and trembles."""
+STILL, HELD = 55, 34
+"""Rays over a pixel at an edge: while nothing moves at all, few enough that a picture is ready
+before the sensor counts as lost; and while a hand holds the sensor and trembles."""
 SMEAR_MM = 0.15
 """The sensor's way in one exposure from which on its pictures of the room are smeared."""
 LEVER_MM = 130.0
 SHARE_OF_A_CORE = 0.5
 """Rendering takes no more of the machine than this; the frame rate gives way."""
+SILENT_NS = 0.6e9
+"""The share gives way where pictures would be further apart: soon the sensor counted as lost."""
 WAKE_S = 0.05
 STALE_NS = 300_000_000
 """Frames that nobody asked for this long are forgotten, as in a camera's ring of buffers."""
@@ -84,7 +87,7 @@ class Studio:
     def _rays(self, T: Floats, mid_ns: int, exposure_us: float) -> int:
         """How finely it is worth to render a picture taken at a pose."""
         if self._last is not None and np.array_equal(T, self._last):
-            return FINE
+            return STILL
         if self._resting(mid_ns):
             return HELD
         half_ns = round(exposure_us * 500)
@@ -92,6 +95,11 @@ class Studio:
         way = float(np.linalg.norm(last[:3, 3] - first[:3, 3]))
         turn = float(np.linalg.norm(last[:3, :3] - first[:3, :3])) / np.sqrt(2)
         return SMEARED if way + LEVER_MM * turn > SMEAR_MM else QUICK
+
+
+def _rest_ns(cost_ns: float) -> float:
+    """How long to rest after a picture; the next may well cost as much."""
+    return min(cost_ns * (1 / SHARE_OF_A_CORE - 1), max(SILENT_NS - cost_ns, 0.0))
 
 
 class TwinSensor:
@@ -146,7 +154,7 @@ class TwinSensor:
             with self._state:
                 self._check_open()
                 late_ns = now_ns() - mid_ns - exposure_us * 500 - READOUT_NS - self._period_ns
-                wait_ns = max(self._period_ns + max(0.0, late_ns), cost_ns / SHARE_OF_A_CORE)
+                wait_ns = max(self._period_ns + max(0.0, late_ns), cost_ns + _rest_ns(cost_ns))
                 self._due_ns = max(self._due_ns, mid_ns + wait_ns)
                 if self._rng.random() < self._studio.faults.frame_drop_rate:
                     self._health.lost += 1

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import httpx
+import numpy as np
 import pytest
 
 from app.files.acceptance import read_acceptance
@@ -255,3 +256,44 @@ def scan_with_it(http: httpx.Client, server: Server) -> None:
     assert scans[0]["points"] >= 1000
     cloud = http.get(f"/api/scans/{scans[0]['id']}/cloud.ply").content
     assert f"element vertex {scans[0]['points']}".encode() in cloud[:500]
+
+
+def test_a_whole_calibration_on_the_chessboard_by_the_hand(server: Server, tmp_path: Path) -> None:
+    """Touched first, then the planned views, then those that help most."""
+    http = server.http
+    http.post("/api/flow/start").raise_for_status()
+    server.do("confirm_devices")
+    view = server.do("choose", field="object", id="chessboard")
+    assert view["picture"]["object"]["kind"] == "board"  # type: ignore[index]
+    server.do("confirm_setup")
+    server.do("let_hand", all=True)
+    server.wait(lambda view: view["busy"] is None, PATIENCE_S)
+    view = http.get("/api/flow").json()
+    assert view["step"] == "review", view["findings"]
+
+    picture, result = view["picture"], view["picture"]["result"]
+    told = "\n".join(f"{each['quality']}: {each['text']}" for each in view["findings"])
+    assert result["verdict"] == "good", told
+    assert picture["object"] == {"kind": "board", "inner_corners": [7, 6], "square_mm": 4.5}
+    touched = [point["at_mm"] for point in picture["points"]]
+    assert len(touched) == 6
+    assert all(-4.5 < x < 31.5 and -4.5 < y < 27 and z == 0 for x, y, z in touched)
+    assert len(picture["poses"]) >= 5
+    assert all(len(pose["corners"]) == 42 for pose in picture["poses"])
+    assert all(len(pose["outline"]) == 4 for pose in picture["poses"])
+
+    folder = server.data / "sessions" / view["session_id"]
+    calibrate_session(folder, tmp_path / "again.json")
+    again = json.loads((tmp_path / "again.json").read_text())
+    np.testing.assert_allclose(again["probe_matrix"], result["probe_matrix"], atol=1e-9)
+
+    server.do("accept")
+    newest = next(one for one in http.get("/api/calibrations").json() if one["active"])
+    assert newest["object_serial"] == "TWIN-C1"
+    record = http.get(f"/api/calibrations/{newest['id']}").json()
+    assert record["picture"]["points"] == picture["points"]
+    assert record["picture"]["object"] == picture["object"]
+    report = http.get(f"/api/calibrations/{newest['id']}/report.html")
+    assert report.content == report_as(folder, ".html")
+    assert "chessboard" in report.text
+    assert loops() == server.loops
