@@ -16,7 +16,7 @@ export const HELP: Readonly<Record<string, readonly string[]>> = {
     words("Spread the points wide over each face, clear of its edges. Tap a point in the drawing to see it and take it out."),
   ],
   "flow/place": [
-    words("Hold the sensor so that the object fills the picture and the laser's line crosses its merlons."),
+    words("Hold the sensor so that the object fills the picture and the laser's line crosses it."),
     words("The arm's main button goes on; undo held goes a step back."),
   ],
   "flow/capture": [

@@ -1,3 +1,4 @@
+import type { ObjectGeometry } from "../api/flowTypes";
 import type { CalibrationResult } from "../api/resultTypes";
 import { figures } from "../parts/format";
 import { lengthFigures, unitOf } from "../parts/lengths";
@@ -5,13 +6,13 @@ import { Readouts } from "../parts/Readouts";
 import { t } from "../state/language";
 
 /** The figures that a metrologist looks for first. */
-export function KeyFigures({ result }: { result: CalibrationResult }) {
+export function KeyFigures({ result, object }: { result: CalibrationResult; object: ObjectGeometry }) {
   const [near, far] = result.depth_range_mm;
   return (
     <Readouts
       wrap
       readouts={[
-        { label: t("Edges, rms"), value: figures(result.reprojection_rms_px, 3), unit: "px" },
+        { label: object.kind === "board" ? t("Corners, rms") : t("Edges, rms"), value: figures(result.reprojection_rms_px, 3), unit: "px" },
         { label: t("Laser plane, rms"), value: lengthFigures(result.laser_plane_rms_um, "µm"), unit: unitOf("µm") },
         ...(result.alignment_rms_um === null
           ? []

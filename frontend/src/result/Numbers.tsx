@@ -1,3 +1,4 @@
+import type { ObjectGeometry } from "../api/flowTypes";
 import type { CalibrationResult, PosePicture } from "../api/resultTypes";
 import { CopyCsv } from "../parts/CopyCsv";
 import { DataTable } from "../parts/DataTable";
@@ -6,17 +7,23 @@ import styles from "./Numbers.module.css";
 import { PosesTable } from "./PosesTable";
 import { POSES, tablesOf } from "./tables";
 
-export function Numbers({ result, poses }: { result: CalibrationResult; poses: PosePicture[] }) {
-  const tables = tablesOf(result);
+interface NumbersProps {
+  result: CalibrationResult;
+  poses: PosePicture[];
+  object: ObjectGeometry;
+}
+
+export function Numbers({ result, poses, object }: NumbersProps) {
+  const tables = tablesOf(result, object);
   return (
     <div className={styles.numbers}>
       <div className={styles.copy}>
-        <CopyCsv tables={tablesOf(asSent(result))} />
+        <CopyCsv tables={tablesOf(asSent(result), object)} />
       </div>
       <div className={styles.tables}>
         {tables.map((table) => (
           <div key={table.title} className={styles.table} data-wide={table.wide || undefined}>
-            {table.title === POSES ? <PosesTable poses={poses} /> : <DataTable table={table} />}
+            {table.title === POSES ? <PosesTable poses={poses} object={object} /> : <DataTable table={table} />}
           </div>
         ))}
       </div>

@@ -1,3 +1,4 @@
+import type { ObjectGeometry } from "../api/flowTypes";
 import type { PosePicture } from "../api/resultTypes";
 import { SetAside } from "../image/PoseView";
 import { figures } from "../parts/format";
@@ -5,10 +6,11 @@ import { lengthFigures, unitOf } from "../parts/lengths";
 import table from "../parts/DataTable.module.css";
 import { t } from "../state/language";
 import { lookAtPose } from "../state/store";
+import { partOf } from "./names";
 import styles from "./PosesTable.module.css";
 
 /** Every pose that was taken: how it fits, or why it does not count; of a laser line, that it does not; to look at, or to set aside. */
-export function PosesTable({ poses }: { poses: PosePicture[] }) {
+export function PosesTable({ poses, object }: { poses: PosePicture[]; object: ObjectGeometry }) {
   const acts = poses.some(({ action }) => action);
   return (
     <table className={table.table}>
@@ -16,7 +18,7 @@ export function PosesTable({ poses }: { poses: PosePicture[] }) {
       <thead>
         <tr>
           <th scope="col">{t("Pose")}</th>
-          <th scope="col">{t("Edges")}, px</th>
+          <th scope="col">{t(partOf(object))}, px</th>
           <th scope="col">{t("Stripe")}, px</th>
           <th scope="col">{t("Off")}, {unitOf("µm")}</th>
           {acts && <th scope="col" aria-label={t("Set aside")} />}

@@ -48,9 +48,9 @@ export function ResultPicture({ picture }: { picture: ResultView }) {
           <UncertaintyMap result={result} width_px={poses[0].width_px} height_px={poses[0].height_px} />
         )}
         {tab === "budget" && <Budget result={result} />}
-        {tab === "numbers" && <Numbers result={result} poses={poses} />}
+        {tab === "numbers" && <Numbers result={result} poses={poses} object={picture.object} />}
       </div>
-      <KeyFigures result={result} />
+      <KeyFigures result={result} object={picture.object} />
     </div>
   );
 }

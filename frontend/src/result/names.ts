@@ -1,3 +1,4 @@
+import type { ObjectGeometry } from "../api/flowTypes";
 import { t, words } from "../state/language";
 import type { Values } from "../state/sentences";
 
@@ -33,4 +34,9 @@ export function cornerWords(name: string, say: (text: string, values?: Values) =
   const [where, part] = [PLACES[place], LEVELS[level]];
   if (!where || !part) return name;
   return `${say(part, { n: Number(number) + 1 })}, ${say(where)}`;
+}
+
+/** What of the object is measured in a picture, beside the stripe. */
+export function partOf(object: ObjectGeometry): string {
+  return object.kind === "board" ? words("Corners") : words("Edges");
 }

@@ -1,19 +1,20 @@
+import type { ObjectGeometry } from "../api/flowTypes";
 import type { CalibrationResult, WorstPoint } from "../api/resultTypes";
 import { amount, type TableData } from "../parts/table";
 import { said, t, words } from "../state/language";
 import { filled } from "../state/sentences";
-import { cornerWords } from "./names";
+import { cornerWords, partOf } from "./names";
 
 export const POSES = words("Poses");
 const KINDS: Record<WorstPoint["kind"], string> = { corner: words("corner"), contact: words("contact"), stripe: words("stripe") };
 const DISTORTION = ["k1", "k2", "p1", "p2", "k3"];
 
-export function tablesOf(result: CalibrationResult): TableData[] {
+export function tablesOf(result: CalibrationResult, object: ObjectGeometry): TableData[] {
   return [
     ...facesTables(result),
     {
       title: POSES,
-      head: [words("Pose"), { words: words("Edges"), unit: "px" }, { words: words("Stripe"), unit: "px" }, { words: words("Off"), unit: "µm" }],
+      head: [words("Pose"), { words: partOf(object), unit: "px" }, { words: words("Stripe"), unit: "px" }, { words: words("Off"), unit: "µm" }],
       rows: result.poses.map((p) =>
         p.used
           ? [String(p.number), amount(p.edges_rms_px, 3), p.stripe_rms_px === null ? { plain: "left out", shown: t("left out") } : amount(p.stripe_rms_px, 3), amount(p.off_um, 0, "µm")]
