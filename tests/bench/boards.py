@@ -1,15 +1,20 @@
 """Does a calibration on a chessboard keep its word? Claimed against observed errors.
 
-    python -m tests.bench.boards [SESSIONS]
+    python -m tests.bench.boards [SESSIONS] [--arms N]
 
-Sessions of eight pictures of a bent sheet on a robot, with everything that errs drawn anew.
+Sessions of eight pictures of a bent sheet on a robot, with everything that errs drawn anew; and
+of the simulated station's board, pictures rendered, by arms that their papers describe to 45 µm.
 """
 
 import argparse
+import tempfile
+from pathlib import Path
 
 import numpy as np
 
 from app.metrology.adjustment.board_joint import calibrate_board
+from hardware.twin.station import TwinConfig
+from tests.metrology.rendered_boards import RenderedBoards, errors_um
 from tests.metrology.seen_boards import Errors, error_um, session
 
 SET_UPS = {
@@ -22,13 +27,33 @@ SET_UPS = {
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("sessions", type=int, nargs="?", default=60)
-    count = parser.parse_args().sessions
+    parser.add_argument("--arms", type=int, default=8)
+    asked = parser.parse_args()
+    count = asked.sessions
     print(f"{'':<40}{'observed':>10}{'claimed':>10}{'claimed / observed':>22}")
     for name, errors in SET_UPS.items():
         found = [calibrate_board(session(seed, errors)) for seed in range(count)]
         claimed = np.sqrt(np.mean([one.known.total_um**2 for one in found]))
         observed = np.sqrt(np.mean([error_um(one) ** 2 for one in found]))
-        print(f"{name:<40}{observed:>7.0f} µm{claimed:>7.0f} µm{claimed / observed:>22.2f}")
+        _tell(name, observed, claimed)
+    if asked.arms:
+        _tell("the simulated station's arm, untouched", *_on_arms(asked.arms))
+
+
+def _on_arms(count: int) -> tuple[float, float]:
+    """Observed and claimed error over so many simulated stations, rms, µm."""
+    observed, claimed = [], []
+    for seed in range(1, count + 1):
+        with tempfile.TemporaryDirectory() as folder:
+            station = RenderedBoards(Path(folder), TwinConfig(seed=seed))
+            observed.append(np.mean(errors_um(station) ** 2))
+            claimed.append(station.found.known.total_um**2)
+    return float(np.sqrt(np.mean(observed))), float(np.sqrt(np.mean(claimed)))
+
+
+def _tell(name: str, observed_um: float, claimed_um: float) -> None:
+    share = claimed_um / observed_um
+    print(f"{name:<40}{observed_um:>7.0f} µm{claimed_um:>7.0f} µm{share:>22.2f}")
 
 
 if __name__ == "__main__":

@@ -1,110 +1,19 @@
 """The chessboard on the simulated table, calibrated by its papers and held against the truth."""
 
-import json
-from dataclasses import dataclass
-from functools import cached_property
-from pathlib import Path
-
 import numpy as np
 import pytest
 
-from app.files.arm import read_arm
-from app.files.objects import read_object
-from app.metrology.adjustment.board_joint import BoardCalibration, calibrate_board, see_board
-from app.metrology.adjustment.board_problem import BoardInputs
-from app.metrology.adjustment.board_start import SeenBoard
-from app.metrology.camera import Camera, project
-from app.metrology.chessboard.board import Chessboard
-from app.metrology.frames import Floats, apply, inverse
-from app.metrology.laser_plane import LaserPlane
-from app.metrology.reconstruct import sensor_points
-from hardware.twin.holding import sensor_over_board
-from hardware.twin.kinematics import reach
-from hardware.twin.noise import Digits
-from hardware.twin.station import Twin, TwinConfig
-from hardware.twin.world import Board
-
-COUNT = 8
-
-
-@dataclass(frozen=True)
-class Shot:
-    """One pose: what both pictures show, what the encoders say, and where the sensor truly was."""
-
-    ambient: Digits
-    laser: Digits
-    reading_rad: Floats
-    T_board_sensor: Floats
-
-
-class Session:
-    """A twin that is not started, as nothing moves: poses are reached and pictures rendered."""
-
-    def __init__(self, folder: Path, config: TwinConfig) -> None:
-        self.twin = Twin(config)
-        self._rng = np.random.default_rng(config.seed + 500)
-        self._renderer = self.twin._renderer()
-        for name, paper in self.twin.papers().items():
-            (folder / name).write_text(json.dumps(paper))
-        self.arm = read_arm(folder / "arm.json")
-        board = read_object(folder / "chessboard.json")
-        assert isinstance(board, Chessboard)
-        self.board = board
-        self.axis = str(self.twin.papers()["sensor.json"]["stripe_axis"])
-        self.shots = [self._shot(view) for view in range(COUNT)]
-
-    def _shot(self, view: int) -> Shot:
-        rig, thing = self.twin._rig, self.twin._scene.thing("board")
-        assert isinstance(thing.shape, Board)
-        T_board_sensor = sensor_over_board(thing.shape, self.twin.hand._sight, view, self._rng)
-        T = thing.T_arm_obj @ T_board_sensor
-        q = reach(rig.arm, T @ inverse(rig.T_flange_sensor), self.twin._home, self._rng)
-        noise = self._rng.normal(0.0, rig.arm.encoder_sd_rad, len(q))
-        pictures = (self._renderer.picture(T, 1.0, 0.0), self._renderer.picture(T, 0.0, 1.0))
-        return Shot(*pictures, q + noise, T_board_sensor)
-
-    @cached_property
-    def seen(self) -> tuple[SeenBoard, ...]:
-        return tuple(
-            see_board(k + 1, self.board, shot.ambient, shot.laser, self.axis)
-            for k, shot in enumerate(self.shots)
-        )
-
-    @cached_property
-    def found(self) -> BoardCalibration:
-        readings = np.array([shot.reading_rad for shot in self.shots])
-        size = (self.twin.config.width_px, self.twin.config.height_px)
-        return calibrate_board(BoardInputs(self.arm, self.board, self.seen, readings, size))
-
-    def camera(self, T_frame_sensor: Floats) -> Camera:
-        """The true camera, placed in a frame."""
-        optics = self.twin._rig.optics
-        T = optics.T_cam_sensor @ inverse(T_frame_sensor)
-        size = (optics.width_px, optics.height_px)
-        return Camera(optics.matrix, T[:3, :3], T[:3, 3], *size, np.array(optics.distortion))
-
-    def true_points(self, uv_px: Floats) -> Floats:
-        """Where the light of pixels (N, 2) truly comes from, flange frame."""
-        sheet = self.twin._rig.sheet
-        plane = LaserPlane(np.array(sheet.normal), sheet.offset_mm)
-        points = sensor_points(self.camera(np.eye(4)), plane, uv_px)
-        return apply(self.twin._rig.T_flange_sensor, points)
-
-
-def errors_um(session: Session) -> Floats:
-    """(G,) how far reconstructed points over the measuring volume lie off, flange frame."""
-    found, uv = session.found, session.found.known.volume.uv_px
-    state = found.adjusted.state
-    ours = apply(state.T_flange_cam, sensor_points(state.camera, state.plane, uv))
-    return np.asarray(1e3 * np.linalg.norm(ours - session.true_points(uv), axis=1))
+from app.metrology.camera import project
+from hardware.twin.station import TwinConfig
+from tests.metrology.rendered_boards import RenderedBoards, errors_um
 
 
 @pytest.fixture(scope="module")
-def session(tmp_path_factory: pytest.TempPathFactory) -> Session:
-    return Session(tmp_path_factory.mktemp("twin"), TwinConfig(seed=1))
+def session(tmp_path_factory: pytest.TempPathFactory) -> RenderedBoards:
+    return RenderedBoards(tmp_path_factory.mktemp("twin"), TwinConfig(seed=1))
 
 
-def test_corners_are_seen_where_they_are(session: Session) -> None:
+def test_corners_are_seen_where_they_are(session: RenderedBoards) -> None:
     board = session.twin._board
     off = []
     for shot, seen in zip(session.shots, session.seen, strict=True):
@@ -118,7 +27,7 @@ def test_corners_are_seen_where_they_are(session: Session) -> None:
     assert np.abs(every.mean(axis=0)).max() < 0.004
 
 
-def test_points_are_as_good_as_said(session: Session) -> None:
+def test_points_are_as_good_as_said(session: RenderedBoards) -> None:
     found = session.found
     assert all(pose.used and not pose.reason for pose in found.poses)
     corners = [corner[1:] for pose in found.poses for corner in pose.corners_px]
