@@ -241,7 +241,14 @@ def _check_findings(state: ArmState, picture: ArmPicture) -> list[Finding]:
     found = [Finding("neutral", text)]
     if state.limit_um is None:
         text = "No limit is set, so this check neither passes nor fails."
-        found.insert(0, Finding("attention", text, "Set the arm's specification as the limit."))
+        found.insert(
+            0,
+            Finding(
+                "attention",
+                text,
+                "Set the arm's specification as the limit where the next check begins.",
+            ),
+        )
     elif quality_of(half_range, state.limit_um) == "bad":
         text = f"{max(half_range):.0f} µm exceed the limit of {state.limit_um:g} µm."
         remedy = "Clean tip and seat, check the clamps, and repeat. If it stays, identify the arm."
