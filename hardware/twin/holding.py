@@ -35,18 +35,19 @@ class View:
 
 
 VIEWS = (
-    View(4, -3),
-    View(22, 4, 6, 4),
-    View(-22, -3, -5, -8),
-    View(3, 23, 0, 6),
-    View(-4, -23, 4, -5),
+    View(3, -2),
+    View(2, -21, 2, 4),
+    View(21, 3, -20, -6),
+    View(-3, 21, 1, 6),
+    View(-21, -3, 20, -5),
     View(16, 15, 24, 7),
     View(-16, 16, -24, 4),
     View(-15, -16, 22, 8),
     View(16, -15, -22, 6),
     View(20, 3, 0, -6),
 )
-"""What a calibration on a chessboard wants: tilts to every side, turns and heights."""
+"""What a calibration on a chessboard wants: tilts to every side, turns and heights; the first
+five as the operator is told to, from straight above to the right, back, left and front."""
 
 
 def sensor_over_block(block: Comb, rng: np.random.Generator) -> Floats:

@@ -3,7 +3,10 @@
 import numpy as np
 import pytest
 
+from app.guide.board_views import VIEWS
+from app.metrology.adjustment.pose_advice import held
 from app.metrology.camera import project
+from app.metrology.frames import inverse
 from hardware.twin.station import TwinConfig
 from tests.metrology.rendered_boards import RenderedBoards, errors_um
 
@@ -35,3 +38,13 @@ def test_points_are_as_good_as_said(session: RenderedBoards) -> None:
     rms_um = np.sqrt(np.mean(errors_um(session) ** 2))
     assert rms_um < 3 * found.known.total_um
     assert found.known.total_um < 60
+
+
+def test_the_hand_holds_the_sensor_as_the_operator_is_told(session: RenderedBoards) -> None:
+    T_cam_sensor = session.twin._rig.optics.T_cam_sensor
+    holds = [shot.T_board_sensor @ inverse(T_cam_sensor) for shot in session.shots]
+    for told, hold in zip(VIEWS, holds[: len(VIEWS)], strict=True):
+        done = held(hold, holds[0], session.board)
+        assert abs(done.tilt_right_deg - told.tilt_right_deg) < 8
+        assert abs(done.tilt_back_deg - told.tilt_back_deg) < 8
+        assert abs(done.turn_deg - told.turn_deg) < 8
