@@ -1,7 +1,7 @@
 """The step 'touch': contact points on the object's faces. Pure."""
 
 from app.guide.body import Body, geometry, lost_devices, offer
-from app.guide.faces import face_progress, next_face
+from app.guide.faces import face_in_use, face_progress, next_face
 from app.guide.live import Live
 from app.guide.state import CalibrationState
 from app.guide.touch_report import TouchReport
@@ -26,11 +26,12 @@ def touch_step(state: CalibrationState, live: Live) -> Body:
         )
     if isinstance(item, Chessboard):
         return _on_board(state, live, touch, item)
-    faces = face_progress(touch, state.face, item)
+    selected = face_in_use(state.face, item)
+    faces = face_progress(touch, selected, item)
     done = sum(min(face.taken, face.wanted) for face in faces)
     wanted = sum(face.wanted for face in faces)
     return Body(
-        instruction=_instruction(faces, state.face, done >= wanted, touch),
+        instruction=_instruction(faces, selected, done >= wanted, touch),
         picture=ObjectPicture(geometry(item), faces, touch.points),
         number=_number(touch),
         progress=Progress(done, wanted, f"{done} of {wanted} points"),

@@ -80,7 +80,7 @@ def _go_on(guide: Guide) -> None:
     report = guide.sheets.touch(state)
     if report is None or item is None:
         return
-    faces = face_progress(report, state.face, item)
+    faces = face_progress(report, face_in_use(state.face, item), item)
     here = next(face for face in faces if face.selected)
     goal = next_face(faces, here.face)
     if here.taken == here.wanted and goal != here.face:

@@ -57,6 +57,15 @@ def test_a_board_need_not_be_touched(arm: Arm) -> None:
     assert face_in_use("crest", BOARD) == "board"
 
 
+def test_a_block_is_touched_after_a_board_was(arm: Arm, block: Crenellated) -> None:
+    """A point of the board that was undone leaves its face selected, which a block has not."""
+    state = at("touch", ("face_selected", {"face": "board"}))
+    view = view_of(state, live_of(state, arm, block))
+    assert isinstance(view.picture, ObjectPicture)
+    assert [one.face for one in view.picture.faces if one.selected] == [face_in_use("board", block)]
+    assert view.instruction.startswith("Touch the")
+
+
 def test_touches_of_a_board_are_judged_by_the_plane_through_them(
     arm: Arm, block: Crenellated
 ) -> None:
