@@ -34,10 +34,17 @@ def first_outline(
     """The object's outline in the middle of the picture, seen as ``view`` is from straight above.
 
     It is a guide for the eye: neither lens nor mounting are known before the first calibration.
-    ``upright`` is false where the stripe runs down the picture, and the camera lies on its side.
+    ``upright`` is false where the stripe runs down the picture, and the camera lies on its side
+    over a block; a board lies any way, and is drawn as it fills the picture best.
     """
     away = 6.0 * width_mm(item)
-    rotation = _rotation(view) if upright else ON_ITS_SIDE @ _rotation(view)
+    rotation = _rotation(view)
+    if isinstance(item, Chessboard):
+        columns, rows = item.inner_corners
+        if (columns >= rows) != (width_px >= height_px):
+            rotation = rotation @ ON_ITS_SIDE
+    elif not upright:
+        rotation = ON_ITS_SIDE @ rotation
     for _ in range(3):
         ends = _seen(item, away, width_px, height_px, rotation).reshape(-1, 2)
         spread = (ends.max(axis=0) - ends.min(axis=0)) / (width_px, height_px)

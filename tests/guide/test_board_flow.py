@@ -12,6 +12,7 @@ from app.guide.faces import face_in_use, faces_of
 from app.guide.framing import first_outline
 from app.guide.state import CalibrationState
 from app.guide.view import BoardGeometry, CameraPicture, ChoicesPicture, ObjectPicture
+from app.metrology.adjustment.pose_advice import Hold
 from app.metrology.arm import Arm, tip_centres
 from app.metrology.chessboard.board import Chessboard
 from app.metrology.crenellated import FACES, Crenellated
@@ -131,6 +132,26 @@ def test_a_planned_view_looks_as_it_is_told() -> None:
     assert straight.min() >= 0
     assert straight[:, [0, 2]].max() < size[0]
     assert straight[:, [1, 3]].max() < size[1]
+
+
+@pytest.mark.parametrize("corners", [(7, 6), (6, 7)])
+@pytest.mark.parametrize("size", [(1280, 1024), (1024, 1280)])
+@pytest.mark.parametrize("upright", [True, False])
+def test_a_board_fills_the_picture_and_tilts_as_it_shows(
+    corners: tuple[int, int], size: tuple[int, int], upright: bool
+) -> None:
+    """Whichever way the stripe runs: what is right in the picture is right."""
+    board = Chessboard("sheet", "", corners, 10.0, 0.05, 0.05)
+
+    def ends(view: Hold) -> np.ndarray:
+        return np.array(first_outline(board, *size, upright, view))[:4].reshape(-1, 2)
+
+    wide, high = np.ptp(ends(VIEWS[0]), axis=0)
+    assert (wide > high) == (size[0] > size[1])
+    tilted = ends(Hold(20.0, 0.0, 0.0, 0.0))
+    right = tilted[tilted[:, 0] > size[0] / 2, 1]
+    left = tilted[tilted[:, 0] < size[0] / 2, 1]
+    assert np.ptp(right) > 1.05 * np.ptp(left)
 
 
 @pytest.mark.parametrize(
