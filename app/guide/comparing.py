@@ -4,7 +4,7 @@ import numpy as np
 
 from app.files.calibration import CalibrationFile, calibration_in
 from app.guide.journal import Calibration
-from app.guide.view import Comparison, MovedPoint
+from app.guide.result_view import Comparison, MovedPoint
 from app.metrology.adjustment.board_joint import BoardCalibration
 from app.metrology.adjustment.joint import JointCalibration
 from app.metrology.frames import Floats, apply

@@ -16,13 +16,14 @@ from app.guide.journal import Calibrations, Journal
 from app.guide.live import ConnectedArm, ConnectedSensor, Live
 from app.guide.outcome import Outcome, from_payload
 from app.guide.permissions import why_not
+from app.guide.result_view import CalibrationResult
 from app.guide.seen_poses import SeenPoses
 from app.guide.session import Flow, GuidedSession, new_session_id
 from app.guide.session_folder import SessionFolder
 from app.guide.sheets import CHOOSING, Sheets, best_guess
 from app.guide.signing import UNSIGNED, Signing
 from app.guide.state import ENDS, FIELDS, KINDS, CalibrationState, after
-from app.guide.view import CalibrationResult, FlowView
+from app.guide.view import FlowView
 from app.metrology.adjustment.pose_advice import Hold
 from app.metrology.arm import flange_pose
 from app.metrology.findings import LIMITS, Limits

@@ -5,7 +5,8 @@ from dataclasses import asdict, dataclass
 
 from pydantic import TypeAdapter
 
-from app.guide.view import CalibrationResult, ImageCorner, Segment, TouchedPoint, Vec3
+from app.guide.result_view import CalibrationResult
+from app.guide.view import ImageCorner, Segment, TouchedPoint, Vec3
 from app.metrology.detection.evidence import Mark
 from app.station.findings import Finding
 

@@ -6,8 +6,9 @@ from typing import Literal
 from app.guide.body import offer
 from app.guide.live import Live
 from app.guide.outcome import Outcome, PoseDrawing
+from app.guide.result_view import CalibrationResult, PoseRow
 from app.guide.state import CalibrationState, Capture
-from app.guide.view import Action, CalibrationResult, PosePicture, PoseRow
+from app.guide.view import Action, PosePicture
 
 
 def pose_pictures(

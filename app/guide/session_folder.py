@@ -28,10 +28,10 @@ from app.files.session import (
 )
 from app.guide.library import Library
 from app.guide.live import Chosen
+from app.guide.result_view import CalibrationResult
 from app.guide.signing import Signing
 from app.guide.state import CalibrationState, Contact
 from app.guide.state import Capture as Captured
-from app.guide.view import CalibrationResult
 from app.metrology.refusal import Refusal
 from app.station.capture import Capture
 

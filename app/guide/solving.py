@@ -14,19 +14,18 @@ from app.guide.comparing import compare
 from app.guide.journal import Calibration
 from app.guide.looking import drawn, shown
 from app.guide.outcome import Outcome, PoseDrawing
-from app.guide.session_folder import SessionFolder
-from app.guide.view import (
+from app.guide.result_view import (
     BudgetRow,
     CalibrationResult,
     Comparison,
     FaceResult,
-    ImageCorner,
     MapPoint,
     PlaneKnown,
     PoseRow,
-    TouchedPoint,
     WorstPoint,
 )
+from app.guide.session_folder import SessionFolder
+from app.guide.view import ImageCorner, TouchedPoint
 from app.guide.wording import sentence
 from app.metrology import findings as metrology
 from app.metrology.adjustment.board_joint import BoardCalibration, calibrate_board

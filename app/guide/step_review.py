@@ -4,9 +4,10 @@ from app.guide.body import Body, geometry, offer
 from app.guide.live import Live
 from app.guide.outcome import Outcome
 from app.guide.pose_pictures import pose_pictures
+from app.guide.result_view import CalibrationResult
 from app.guide.state import CalibrationState
 from app.guide.steps_picture import solve_step
-from app.guide.view import Action, CalibrationResult, LiveNumber, ResultPicture
+from app.guide.view import Action, LiveNumber, ResultPicture
 from app.station.findings import Finding
 
 

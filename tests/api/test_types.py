@@ -10,7 +10,7 @@ import pytest
 
 from app import replay
 from app.api import record_schema, schema
-from app.guide import due, view
+from app.guide import due, result_view, view
 from app.metrology.detection import evidence
 from app.station import (
     aids,
@@ -41,15 +41,15 @@ SHAPES: dict[str, type] = {
     "DeviceLine": view.DeviceLine,
     "ImageCorner": view.ImageCorner,
     "ImageMark": evidence.Mark,
-    "BudgetRow": view.BudgetRow,
-    "FaceResult": view.FaceResult,
-    "WorstPoint": view.WorstPoint,
-    "MovedPoint": view.MovedPoint,
-    "Comparison": view.Comparison,
-    "CalibrationResult": view.CalibrationResult,
-    "PlaneKnown": view.PlaneKnown,
-    "MapPoint": view.MapPoint,
-    "PoseRow": view.PoseRow,
+    "BudgetRow": result_view.BudgetRow,
+    "FaceResult": result_view.FaceResult,
+    "WorstPoint": result_view.WorstPoint,
+    "MovedPoint": result_view.MovedPoint,
+    "Comparison": result_view.Comparison,
+    "CalibrationResult": result_view.CalibrationResult,
+    "PlaneKnown": result_view.PlaneKnown,
+    "MapPoint": result_view.MapPoint,
+    "PoseRow": result_view.PoseRow,
     "PosePicture": view.PosePicture,
     "FlowView": view.FlowView,
     "FlowCommand": schema.FlowCommand,
@@ -205,4 +205,6 @@ def test_this_check_sees_a_difference() -> None:
     with pytest.raises(AssertionError):
         assert_same(view.Step, "id: string; title: string;")
     with pytest.raises(AssertionError):
-        assert_same(view.Comparison, "with_name: string; max_um: number | null; rms_um: number;")
+        assert_same(
+            result_view.Comparison, "with_name: string; max_um: number | null; rms_um: number;"
+        )

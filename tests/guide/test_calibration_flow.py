@@ -12,22 +12,11 @@ from app.guide.faces import touch_report
 from app.guide.live import Live
 from app.guide.outcome import Outcome, from_payload, to_payload
 from app.guide.permissions import why_not
+from app.guide.result_view import BudgetRow, CalibrationResult, MapPoint, PlaneKnown, PoseRow
 from app.guide.state import STEPS, CalibrationState
 from app.guide.touch_report import TouchReport
 from app.guide.touching import suggested_places
-from app.guide.view import (
-    Action,
-    BudgetRow,
-    Busy,
-    CalibrationResult,
-    FlowView,
-    MapPoint,
-    ObjectPicture,
-    PlaneKnown,
-    PoseRow,
-    ResultPicture,
-    StillPicture,
-)
+from app.guide.view import Action, Busy, FlowView, ObjectPicture, ResultPicture, StillPicture
 from app.metrology.arm import Arm
 from app.metrology.crenellated import Crenellated
 from app.station.findings import Finding, Quality

@@ -16,9 +16,9 @@ from app.files.session import read_session
 from app.guide.comparing import compare
 from app.guide.live import Chosen
 from app.guide.looking import look_at
+from app.guide.result_view import Comparison
 from app.guide.session_folder import SessionFolder
 from app.guide.solving import solve
-from app.guide.view import Comparison
 from app.metrology.adjustment.block_start import SeenPose
 from app.metrology.adjustment.joint import calibrate_joint
 from app.metrology.findings import LIMITS
