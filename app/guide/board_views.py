@@ -1,5 +1,8 @@
 """Which pictures of a chessboard to take before the calibration itself can tell. Pure."""
 
+from collections.abc import Sequence
+
+from app.guide.state import Capture
 from app.metrology.adjustment.board_start import FEWEST_POSES
 from app.metrology.adjustment.pose_advice import Hold
 
@@ -15,9 +18,22 @@ VIEWS = (
 """Each against a hold straight above the board."""
 
 
-def planned_view(taken: int) -> Hold | None:
-    """The next view after so many pictures; None once the calibration tells which helps most."""
-    return VIEWS[taken] if taken < len(VIEWS) else None
+def next_view(listed: Sequence[Capture]) -> int | None:
+    """Which of ``VIEWS`` to take after the pictures taken, those set aside among them: the next,
+    or in the end one that was set aside; None once the calibration tells which helps most."""
+    aside = [view for view, picture in enumerate(listed[: len(VIEWS)]) if picture.gone]
+    if sum(not picture.gone for picture in listed) >= len(VIEWS):
+        return None
+    if len(listed) < len(VIEWS):
+        return len(listed)
+    again = len(listed) - len(VIEWS)  # pictures taken since, for the first of those set aside
+    return aside[min(again, len(aside) - 1)]
+
+
+def planned_view(listed: Sequence[Capture]) -> Hold | None:
+    """How to hold the sensor for the ``next_view``."""
+    view = next_view(listed)
+    return None if view is None else VIEWS[view]
 
 
 def words_of(view: Hold) -> str:

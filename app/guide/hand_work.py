@@ -4,7 +4,7 @@ import time
 from collections.abc import Callable
 
 from app.guide import works
-from app.guide.board_views import planned_view
+from app.guide.board_views import next_view
 from app.guide.confirming import confirm
 from app.guide.faces import face_in_use, face_progress
 from app.guide.guide import Guide
@@ -110,8 +110,10 @@ def _hold(guide: Guide, hand: Hand, progress: Progress) -> bool:
     advice = guide.live().advice
     if advice is None:
         progress("The hand holds the sensor over the object", 0.2)
-        board = guide.sheets.chosen(guide.state).board
-        return hand.hold_over("board" if board else "block", len(guide.state.pictures))
+        if guide.sheets.chosen(guide.state).board is None:
+            return hand.hold_over("block")
+        view = next_view(guide.state.listed)
+        return hand.hold_over("board", len(guide.state.pictures) if view is None else view)
     progress(f"The hand goes to the next pose: {advice.words}", 0.2)
     return hand.hold_at(advice.q_rad)
 
@@ -153,7 +155,7 @@ def _another_helps(guide: Guide) -> bool:
     advice, taken = guide.live().advice, len(guide.state.pictures)
     most = POSES
     if guide.sheets.chosen(guide.state).board is not None:
-        if planned_view(taken) is not None:
+        if next_view(guide.state.listed) is not None:
             return True
         most = BOARD_POSES
     return advice is not None and advice.worth_it and taken < most

@@ -96,7 +96,7 @@ def _camera(state: CalibrationState, live: Live) -> CameraPicture:
 
 def _planned(state: CalibrationState, live: Live) -> Hold | None:
     """Of a chessboard the first views; there is no advice before them."""
-    return planned_view(len(state.pictures)) if live.chosen.board is not None else None
+    return planned_view(state.listed) if live.chosen.board is not None else None
 
 
 def _about_line(live: Live) -> list[Finding]:

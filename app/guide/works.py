@@ -2,7 +2,7 @@
 
 from app.guide.advice import to_payload as to_advice
 from app.guide.advising import advise
-from app.guide.board_views import planned_view
+from app.guide.board_views import next_view
 from app.guide.guide import Guide
 from app.guide.looking import look_at
 from app.guide.outcome import from_payload, to_payload
@@ -51,7 +51,7 @@ def capture(guide: Guide, progress: Progress) -> None:
 def keep_advice(guide: Guide) -> None:
     """Keeps which pose to take next; where the poses cannot be solved, why."""
     inputs, board = guide.state.inputs, guide.sheets.chosen(guide.state).board
-    if board is not None and planned_view(len(guide.state.pictures)) is not None:
+    if board is not None and next_view(guide.state.listed) is not None:
         return  # the next view is planned, whatever was found
     try:
         advice = advise(guide.folder, guide.known_poses(), guide.limits)

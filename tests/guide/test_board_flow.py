@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from app.guide.board_touching import WANTED, suggested_on_board
-from app.guide.board_views import VIEWS, planned_view, still_missing
+from app.guide.board_views import VIEWS, next_view, planned_view, still_missing
 from app.guide.calibration_flow import view_of
 from app.guide.faces import face_in_use, faces_of
 from app.guide.framing import first_outline
@@ -98,12 +98,30 @@ def test_the_first_views_are_planned_and_shown(arm: Arm) -> None:
         shown = view_of(state, live_of(state, arm, BOARD, corners_seen=0))
         assert isinstance(shown.picture, CameraPicture)
         outlines.add(tuple(shown.picture.target))
-        assert planned_view(taken) == view
+        assert planned_view(state.listed) == view
         told = view.words if taken else "straight above"
         assert told in shown.instruction
         assert any("laser's line must cross" in one.text for one in shown.findings)
     assert len(outlines) == len(VIEWS)
-    assert planned_view(len(VIEWS)) is None
+    assert planned_view(at("place", *pictures(len(VIEWS), SEEN)).listed) is None
+
+
+def test_a_view_that_was_set_aside_is_asked_for_again() -> None:
+    def wanted(*rows: tuple[str, dict[str, object]]) -> int | None:
+        return next_view(at("place", *rows).listed)
+
+    def aside(number: int) -> tuple[str, dict[str, object]]:
+        return "pose_voided", {"number": number}
+
+    three, all_views = pictures(3, SEEN), pictures(len(VIEWS), SEEN)
+    assert wanted(*three, aside(2)) == 3
+    assert wanted(*three, aside(2), *pictures(2, SEEN)) == 1
+    assert wanted(*all_views, aside(2)) == 1
+    again = [*all_views, aside(2), *pictures(1, SEEN)]
+    assert wanted(*again) is None
+    assert wanted(*again, aside(4)) == 3
+    assert wanted(*again, aside(6)) == 1
+    assert wanted(*three, ("retaken", {})) == 2
 
 
 def test_a_planned_view_looks_as_it_is_told() -> None:
