@@ -23,8 +23,10 @@ def place_step(state: CalibrationState, live: Live) -> Body:
     """Bring the sensor over the object and clamp the arm."""
     found = live.corners_seen >= FEWEST_CORNERS
     there = live.to_move is None or reached(live.to_move)
-    planned = _planned(state, live)
-    goal = "Hold the sensor over the object so that it lies about as the dashed outline."
+    planned, picture = _planned(state, live), _camera(state, live)
+    goal = "Hold the sensor over the object, in another way than before."
+    if picture.target:
+        goal = "Hold the sensor over the object so that it lies about as the dashed outline."
     if planned is not None:
         goal = words_of(planned)
     elif live.advice is not None and not there:
@@ -35,7 +37,7 @@ def place_step(state: CalibrationState, live: Live) -> Body:
             if found and there and planned is None
             else goal
         ),
-        picture=_camera(state, live),
+        picture=picture,
         number=_to_go(live) or _stillness(live),
         progress=_poses(state, live),
         findings=[*lost_devices(live), *_picture_findings(live), *_about_line(live)],

@@ -397,3 +397,15 @@ def test_a_pose_used_without_its_laser_line_says_so(
     (pose,) = picture.poses
     assert (pose.state, pose.note) == ("used", f"Used, but {row.reason}")
     assert (pose.edges_rms_px, pose.stripe_rms_px) == (0.1, None)
+
+
+def test_no_outline_is_spoken_of_where_none_is_drawn(
+    arm: Arm, block: Crenellated, contacts: list[tuple[str, dict[str, object]]]
+) -> None:
+    first = state_after(started("place"), *contacts)
+    assert "dashed outline" in view_of(first, live_of(first, arm, block)).instruction
+    # after a picture of which no advice came
+    later = state_after(started("touch"), *contacts, captured(), ("another_pose", {}))
+    view = view_of(later, live_of(later, arm, block, corners_seen=0))
+    assert view.step == "place"
+    assert "outline" not in view.instruction
