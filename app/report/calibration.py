@@ -67,11 +67,11 @@ def calibration_report(folder: Path) -> Report:
     text = verdict.text if verdict else "The file carries no verdict."
     sections = [
         _what(sheet, session, accepted),
-        _results(sheet, accepted),
+        _results(sheet, session, accepted),
         signatures(_operator(sheet, accepted)),
         _findings(sheet),
         *_pictures(sheet, session, accepted),
-        _tables(sheet),
+        _tables(sheet, session),
         _parameters(sheet),
         inputs_section(
             folder, sheet.inputs, CALIBRATION, accepted.calibration_sha256 if accepted else None
@@ -131,7 +131,9 @@ def _coordinates(target: object) -> str:
     return text
 
 
-def _results(sheet: CalibrationFile, accepted: Acceptance | None) -> Section:
+def _results(
+    sheet: CalibrationFile, session: Session | BoardSession, accepted: Acceptance | None
+) -> Section:
     known, left = sheet.uncertainty, sheet.residuals
     rows: list[tuple[str, str, str, str, str]] = []
     if known is not None:
@@ -158,9 +160,11 @@ def _results(sheet: CalibrationFile, accepted: Acceptance | None) -> Section:
             ("Calibrated distance from the camera", "", f"{near:.1f} to {far:.1f} mm", "", "")
         )
     if left is not None:
+        board = isinstance(session, BoardSession)
+        fitted = "Corners, rms" if board else "Edges and corners, rms"
         stripe = f"Stripe about the laser plane, rms of {left.stripe_points} points"
         rows += [
-            ("Edges and corners, rms", f"{left.reprojection_rms_px:.3f} px", "", "", ""),
+            (fitted, f"{left.reprojection_rms_px:.3f} px", "", "", ""),
             (stripe, *_um(left.laser_plane_rms_um), "", ""),
         ]
         if left.contacts_um:
@@ -224,7 +228,7 @@ def _pictures(
     of_poses = _poses_shown(sheet)
     by_number = {pose.number: pose for pose in session.poses}
     images: list[tuple[Figure, str]] = [
-        figures.on_image(by_number[part.number], part, camera)
+        figures.on_image(by_number[part.number], part, camera, _fitted(session))
         for part in of_poses
         if part.number in by_number
     ]
@@ -241,6 +245,11 @@ def _pictures(
         bars = figures.budget(sheet.uncertainty, *limits)
         sections.append(Section("Error budget", [Pictures([bars])]))
     return sections
+
+
+def _fitted(session: Session | BoardSession) -> str:
+    """What of the object the poses were fitted to; a board has no edges that were measured."""
+    return "Corners" if isinstance(session, BoardSession) else "Edges"
 
 
 def calibrated_plane(sheet: CalibrationFile) -> LaserPlane:
@@ -276,7 +285,7 @@ def _contact_points(sheet: CalibrationFile, arm: Arm, session: Session) -> Float
     return np.asarray((tip_centres(arm, session.contacts.q_rad) - T[:3, 3]) @ T[:3, :3])
 
 
-def _tables(sheet: CalibrationFile) -> Section:
+def _tables(sheet: CalibrationFile, session: Session | BoardSession) -> Section:
     tables: list[Table] = []
     if sheet.poses:
         rows = [
@@ -287,7 +296,8 @@ def _tables(sheet: CalibrationFile) -> Section:
             )
             for pose in sheet.poses
         ]
-        columns = ("Pose", "", "Edges, px", "Points", "Stripe, px", "Points", "Object off, µm")
+        fitted = "Corners, px" if isinstance(session, BoardSession) else "Edges, px"
+        columns = ("Pose", "", fitted, "Points", "Stripe, px", "Points", "Object off, µm")
         tables.append(Table(columns, rows, (7, 36, 11, 9, 11, 9, 17), 2))
     if sheet.residuals is not None and sheet.residuals.faces:
         faces = [

@@ -145,8 +145,12 @@ def _view(
         figure.items.append(Dot(a, 1.7, colour, "#ffffff", 0.4))
 
 
-def on_image(pose: Pose, part: PosePart, camera: Camera) -> tuple[Figure, str]:
-    """A pose's picture with the residuals of corners and stripe as arrows, magnified."""
+def on_image(pose: Pose, part: PosePart, camera: Camera, measured: str) -> tuple[Figure, str]:
+    """A pose's picture with the residuals of corners and stripe as arrows, magnified.
+
+    Args:
+        measured: what of the object the pose was fitted to, "Edges" or "Corners".
+    """
     size = (camera.width_px, camera.height_px)
     figure = Figure(250, 250 * size[1] / size[0], f"Residuals of pose {part.number} on its picture")
     scale = figure.width / size[0]
@@ -172,11 +176,11 @@ def on_image(pose: Pose, part: PosePart, camera: Camera) -> tuple[Figure, str]:
     worst = max((float(np.hypot(*off)) for off in part.corners_px.values()), default=0.0)
     words = (
         f"Pose {part.number}: found minus computed, {factor:g} times larger; corners yellow, at "
-        f"most {worst:.2f} px; stripe red. Edges {part.edges_rms_px:.3f} px, stripe "
+        f"most {worst:.2f} px; stripe red. {measured} {part.edges_rms_px:.3f} px, stripe "
         f"{part.stripe_rms_px:.3f} px rms."
         if part.stripe_points
         else f"Pose {part.number}: found minus computed, {factor:g} times larger; corners yellow, "
-        f"at most {worst:.2f} px; no stripe. Edges {part.edges_rms_px:.3f} px rms."
+        f"at most {worst:.2f} px; no stripe. {measured} {part.edges_rms_px:.3f} px rms."
     )
     return figure, words
 

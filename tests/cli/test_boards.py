@@ -23,6 +23,7 @@ from app.metrology.frames import Floats, apply, inverse, rigid
 from app.metrology.laser_plane import LaserPlane
 from app.metrology.reconstruct import sensor_points
 from app.metrology.stripe import Stripe
+from app.report.reports import report_as
 from tests.cli.test_cli import crenel, names_in, refused
 from tests.files.builders import ARM, edit_json, edit_text
 from tests.metrology.boards import (
@@ -99,6 +100,20 @@ def by_arm(arm_session: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     assert shown.exit_code == 0, shown.output
     assert "arm encoders" in shown.stdout
     return out
+
+
+def test_its_report_speaks_of_corners_and_never_of_edges(
+    arm_session: Path, by_arm: Path, tmp_path: Path
+) -> None:
+    folder = tmp_path / "session"
+    shutil.copytree(arm_session, folder)
+    shutil.copy(by_arm, folder / "calibration.json")
+    shown = report_as(folder, ".html").decode()
+    assert "Corners, rms" in shown
+    assert "Corners, px" in shown
+    assert "stripe red. Corners" in shown
+    assert "Edges" not in shown.replace("Edges and corners", "")
+    assert "Edges and corners, rms" not in shown
 
 
 def test_a_robots_session_gives_the_same_file_as_any_other(

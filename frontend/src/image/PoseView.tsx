@@ -16,12 +16,14 @@ interface PoseViewProps {
   /** Draws each corner's residual, enlarged. */
   residuals?: boolean;
   worst?: WorstPoint[];
+  /** What was measured in the pictures, once poses are solved: corners or edges. */
+  part?: string;
 }
 
 const WORDS = { taken: "", used: "", left_out: words("left out"), aside: words("set aside") };
 
 /** The poses one beside the other, the picture of one of them, and the way to set it aside. */
-export function PoseView({ poses, shown, onShow, residuals = false, worst = [] }: PoseViewProps) {
+export function PoseView({ poses, shown, onShow, residuals = false, worst = [], part = words("Edges") }: PoseViewProps) {
   const pose = poses.find(({ number }) => number === shown) ?? poses[poses.length - 1];
   if (!pose) return null;
   return (
@@ -44,7 +46,7 @@ export function PoseView({ poses, shown, onShow, residuals = false, worst = [] }
               </button>
             ))}
           </div>
-          <p className={styles.told}>{told(pose)}</p>
+          <p className={styles.told}>{told(pose, part)}</p>
           {pose.action && <SetAside pose={pose} />}
         </div>
       )}
@@ -69,8 +71,8 @@ export function SetAside({ pose }: { pose: PosePicture }) {
   );
 }
 
-function told({ number, note, edges_rms_px, off_um }: PosePicture): string {
+function told({ number, note, edges_rms_px, off_um }: PosePicture, part: string): string {
   if (note) return bound(`${note.replace(/\.$/, "")}.`);
   if (edges_rms_px === null || off_um === null) return t("Pose {n}", { n: number });
-  return bound(t("Edges {edges} px rms, {off} off the others", { edges: figures(edges_rms_px, 2), off: measured(off_um, "µm") }));
+  return bound(t("{part} {px} px rms, {off} off the others", { part: t(part), px: figures(edges_rms_px, 3), off: measured(off_um, "µm") }));
 }

@@ -6,6 +6,7 @@ import { t, words } from "../state/language";
 import { useLook } from "../state/useLook";
 import { Budget } from "./Budget";
 import { KeyFigures } from "./KeyFigures";
+import { partOf } from "./names";
 import { Numbers } from "./Numbers";
 import { ResidualObject } from "./ResidualObject";
 import styles from "./ResultPicture.module.css";
@@ -43,7 +44,7 @@ export function ResultPicture({ picture }: { picture: ResultView }) {
       </div>
       <div className={styles.shown} tabIndex={0}>
         {tab === "object" && <ResidualObject object={picture.object} points={picture.points} worst={result.worst} />}
-        {tab === "image" && <PoseView poses={poses} shown={pose} onShow={setPose} residuals worst={result.worst} />}
+        {tab === "image" && <PoseView poses={poses} shown={pose} onShow={setPose} residuals worst={result.worst} part={partOf(picture.object)} />}
         {tab === "map" && poses[0] && (
           <UncertaintyMap result={result} width_px={poses[0].width_px} height_px={poses[0].height_px} />
         )}
