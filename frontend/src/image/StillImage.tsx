@@ -196,7 +196,9 @@ function told(name: string, residual_px: number | null): string {
 }
 
 function summary({ corners, stripe }: Overlay, times: Enlarged | null): string {
-  const found = t("{corners} corners, {points} stripe points", { corners: figures(corners.length), points: figures(stripe.length) });
+  // the stripe is sent thinned for drawing: the number of its points would be a false one
+  const text = stripe.length > 0 ? words("{corners} corners and the laser stripe") : words("{corners} corners, no laser stripe");
+  const found = t(text, { corners: figures(corners.length) });
   return times ? `${found}. ${arrowsTold(times)}` : found;
 }
 
