@@ -75,3 +75,19 @@ def test_a_kernel_is_compiled_anew_when_another_file_changes(
     house.write(INNER, "inner.py", share=3.0, added=5.0)
     assert house.run() == (18.0, 0)
     assert house.run() == (18.0, 1)
+
+
+@pytest.mark.parametrize("compiled", [hardware.compiled, app.metrology.compiled])
+def test_processes_keep_their_code_in_files_of_their_own(
+    tmp_path: Path, compiled: ModuleType
+) -> None:
+    """Two that compile at once must not write one file: each would find the other's code in it."""
+    house = House(tmp_path, compiled)
+    house.write(INNER, "inner.py", share=2.0, added=1.0)
+    house.run()
+    first = set(tmp_path.rglob("*.nbc"))
+    for index in tmp_path.rglob("*.nbi"):
+        index.unlink()  # as a second process that began before the first was done
+    house.run()
+    second = set(tmp_path.rglob("*.nbc")) - first
+    assert len(first) == len(second) > 0

@@ -4,6 +4,7 @@ import hashlib
 import linecache
 import re
 import sys
+import uuid
 from collections.abc import Callable
 from functools import cache
 from typing import TypeVar, cast
@@ -13,6 +14,8 @@ from numba.core.dispatcher import Dispatcher
 
 F = TypeVar("F", bound=Callable[..., object])
 
+PROCESS = uuid.uuid4().hex[:8]
+"""Names this process, wherever the kernels are kept."""
 ROOM = __name__.split(".")[0]
 IMPORTED = re.compile(rf"^from ({ROOM}\.[\w.]+) import ", re.MULTILINE)
 HAS_KERNELS = re.compile(r"^from (numba|.*\.compiled)\b", re.MULTILINE)
@@ -45,11 +48,15 @@ def compiled_here(function: Callable[..., object]) -> bool:
 def renewed(compiled: object, function: Callable[..., object]) -> object:
     """The kernel, compiled anew once any file has changed whose code or constants are in it.
 
-    numba by itself looks only at the file that the kernel stands in.
+    numba by itself looks only at the file that the kernel stands in. It also numbers what it
+    keeps before it writes it, so that of two processes one may read the other's code in place
+    of its own, and crash: here each names its files its own way.
     """
     kept = getattr(getattr(compiled, "_cache", None), "_cache_file", None)
     if kept is not None:  # as it is where numba is switched off
         kept._source_stamp = _stamp(function.__module__)
+        name = kept._data_name_pattern.removesuffix(".nbc")
+        kept._data_name_pattern = f"{name}-{PROCESS}.nbc"
     return compiled
 
 
