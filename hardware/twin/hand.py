@@ -3,14 +3,11 @@
 Moves block until they are done. Any other thread may read ``state`` and ``cancel``.
 """
 
-import threading
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager, suppress
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from contextlib import suppress
 
 import numpy as np
 
-from hardware.clock import now_ns
 from hardware.interfaces import Button
 from hardware.twin.contact import BOARD, contact_spot, outward, reachable_faces
 from hardware.twin.holding import Sight, sensor_over_block, sensor_over_board
@@ -21,7 +18,8 @@ from hardware.twin.kinematics import (
     flange_pose,
     translation,
 )
-from hardware.twin.motion import HALT_S, JointPath, Motion
+from hardware.twin.motion import JointPath, Motion
+from hardware.twin.moving import HandState, Moving
 from hardware.twin.passing import SECONDS, passing_poses
 from hardware.twin.sweeping import sweep_poses, sweeps_of
 from hardware.twin.swinging import (
@@ -40,10 +38,8 @@ from hardware.twin.swinging import (
 from hardware.twin.ways import Ways
 from hardware.twin.world import Ball, Board, Box, Comb, Scene
 
-LEAD_NS = 4_000_000
 CLEAR_MM = 3.0
 """From here the tip goes straight to the face, and back."""
-SETTLE_S, PRESS_S = 0.36, 0.05
 APPROACH_S, RETRACT_S = 0.09, 0.06
 TRIES = 12
 GAUGE = "gauge"
@@ -54,22 +50,6 @@ BESIDE = (0.0, 0.3, 0.6, -0.3)
 """Places on a sphere between its numbered ones, tried where the arm does not get to one."""
 LEAST_HEIGHT = 0.15
 """Over a sphere's middle, as a share of its radius, that is touched: its foot is below."""
-
-
-@dataclass(frozen=True)
-class HandState:
-    """What the hand does now; ``progress`` is from 0 to 1."""
-
-    activity: str = ""
-    progress: float = 0.0
-
-    @property
-    def busy(self) -> bool:
-        return self.activity != ""
-
-
-class _CancelledError(Exception):
-    """The move under way was cancelled."""
 
 
 class Hand:
@@ -91,15 +71,13 @@ class Hand:
         pace: float = 1.0,
         seed: int = 0,
     ) -> None:
-        self._arm, self._motion, self._scene, self._press = arm, motion, scene, press
+        self._arm, self._scene = arm, scene
         self._sight, self._T_sensor_flange = sight, np.linalg.inv(sight.T_flange_sensor)
         self._contact_sd_mm = contact_sd_mm
         self._rng = np.random.default_rng(seed)
         self.ways = Ways(arm, motion, pace, contact_sd_mm, self._rng)
-        self._moving = threading.Lock()
-        self._cancelled = threading.Event()
+        self._moving = Moving(motion, press, self._forget_touched)
         self._touched: str | None = None
-        self._state = HandState()
         block = scene.thing("block")
         assert isinstance(block.shape, Comb)
         self.faces = reachable_faces(block.shape, arm.tip_diameter_mm / 2)
@@ -111,7 +89,7 @@ class Hand:
 
     @property
     def state(self) -> HandState:
-        return self._state
+        return self._moving.state
 
     @property
     def bar_mm(self) -> float:
@@ -125,7 +103,7 @@ class Hand:
 
     def cancel(self) -> None:
         """Makes the move under way stop smoothly and end; later moves are not affected."""
-        self._cancelled.set()
+        self._moving.cancel()
 
     def touch(self, face: str, index: int) -> bool:
         """Touches the ``index``-th place of a face and presses the primary button.
@@ -138,18 +116,20 @@ class Hand:
             raise KeyError(f"the hand cannot touch {face!r}; it can touch {known}")
         thing = self._scene.thing("board" if face == BOARD else "block")
         assert isinstance(thing.shape, Comb | Board)
-        with self._move("touching the board" if face == BOARD else f"touching the {face} face"):
+        with self._moving.move(
+            "touching the board" if face == BOARD else f"touching the {face} face"
+        ):
             spot = contact_spot(thing.shape, face, index, self._arm.tip_diameter_mm / 2, self._rng)
             away = thing.T_arm_obj[:3, :3] @ outward(face)
             clear = (CLEAR_MM + _depth(thing.shape, face)) * away
             left = None if self._touched == GAUGE else self._touched
             to_spot, contact = self.ways.to_touch(thing.T_arm_obj, face, spot, clear, left)
-            self._run(to_spot, 0.0, 0.4)
+            self._moving.play(to_spot, 0.0, 0.4)
             slower = 1.5 if face == "floor" else 1.0
-            self._run(self.ways.straight(contact, slower * APPROACH_S), 0.4, 0.5)
-            self._press_primary()
+            self._moving.play(self.ways.straight(contact, slower * APPROACH_S), 0.4, 0.5)
+            self._moving.press_primary()
             lifted = translation(*clear.tolist()) @ contact
-            self._run(self.ways.straight(lifted, slower * RETRACT_S), 0.9, 1.0)
+            self._moving.play(self.ways.straight(lifted, slower * RETRACT_S), 0.9, 1.0)
             self._touched = face
             return True
         return False
@@ -163,14 +143,14 @@ class Hand:
         thing = self._scene.thing(name)
         if not isinstance(thing.shape, Comb | Board):
             raise KeyError(f"the hand does not hold the sensor over {name!r}")
-        with self._move("placing the sensor"):
+        with self._moving.move("placing the sensor"):
             for _ in range(TRIES):
                 T = thing.T_arm_obj @ self._held_over(thing.shape, view)
                 try:
                     path = self.ways.to(T @ self._T_sensor_flange, 60.0)
                 except UnreachableError:
                     continue
-                self._run(path, 0.0, 1.0, trembles=True)
+                self._moving.play(path, 0.0, 1.0, trembles=True)
                 return True
             raise UnreachableError(f"the arm cannot hold the sensor over the {name}")
         return False
@@ -183,9 +163,9 @@ class Hand:
 
     def hold_at(self, q_rad: Sequence[float]) -> bool:
         """Holds the arm at joint angles, as well as a hand can; False when cancelled."""
-        with self._move("going to the next pose"):
-            self._run(self.ways.turned_to(np.asarray(q_rad, dtype=np.float64)), 0.0, 0.9)
-            self._run(self.ways.turned_to(self.ways.now()), 0.9, 1.0, trembles=True)
+        with self._moving.move("going to the next pose"):
+            self._moving.play(self.ways.turned_to(np.asarray(q_rad, dtype=np.float64)), 0.0, 0.9)
+            self._moving.play(self.ways.turned_to(self.ways.now()), 0.9, 1.0, trembles=True)
             return True
         return False
 
@@ -194,15 +174,15 @@ class Hand:
         if name not in self.parts:
             raise KeyError(f"there is no part {name!r}; there are {', '.join(self.parts)}")
         thing = self._scene.thing(name)
-        with self._move(f"scanning the {name}"):
+        with self._moving.move(f"scanning the {name}"):
             sweeps = sweeps_of(thing)
             for i, sweep in enumerate(sweeps):
                 begin, share = i / len(sweeps), 1 / len(sweeps)
                 start = thing.T_arm_obj @ sweep.start @ self._T_sensor_flange
-                self._run(self.ways.to(start, 50.0), begin, begin + 0.25 * share)
+                self._moving.play(self.ways.to(start, 50.0), begin, begin + 0.25 * share)
                 poses = sweep_poses(thing.T_arm_obj, sweep) @ self._T_sensor_flange
                 path = self.ways.over(poses, sweep.seconds)
-                self._run(path, begin + 0.25 * share, begin + share)
+                self._moving.play(path, begin + 0.25 * share, begin + share)
             return True
         return False
 
@@ -210,11 +190,11 @@ class Hand:
         """Goes over the plate and back, nearer and away again; False when cancelled."""
         plate = self._scene.thing("plate")
         assert isinstance(plate.shape, Box)
-        with self._move("passing over the plate"):
+        with self._moving.move("passing over the plate"):
             poses = passing_poses(plate.T_arm_obj, 0.7 * plate.shape.high_mm[1])
             poses = poses @ self._T_sensor_flange
-            self._run(self.ways.to(poses[0], 50.0), 0.0, 0.2)
-            self._run(self.ways.over(poses, SECONDS), 0.2, 1.0)
+            self._moving.play(self.ways.to(poses[0], 50.0), 0.0, 0.2)
+            self._moving.play(self.ways.over(poses, SECONDS), 0.2, 1.0)
             return True
         return False
 
@@ -231,7 +211,7 @@ class Hand:
 
     def touch_ball(self, ball: int, index: int) -> bool:
         """Touches the sphere in its ``ball``-th place and presses the primary button."""
-        with self._move("touching the sphere"):
+        with self._moving.move("touching the sphere"):
             centre = seat_centre(self._arm, ball)
             self._tap(lambda q: self._onto_ball(centre, BALL_MM / 2, index, q))
             return True
@@ -244,7 +224,7 @@ class Hand:
         shape, T = thing.shape, thing.T_arm_obj
         if not isinstance(shape, Ball | Box):
             raise KeyError(f"{name!r} is no gauge")
-        with self._move(f"touching the {name}"):
+        with self._moving.move(f"touching the {name}"):
             if isinstance(shape, Ball):
                 radius, centre = shape.radius_mm, T[:3, 3]
                 self._tap(lambda q: self._onto_ball(centre, radius, index, q, LEAST_HEIGHT, WAYS))
@@ -256,6 +236,9 @@ class Hand:
                 )
             return True
         return False
+
+    def _forget_touched(self) -> None:
+        self._touched = None
 
     def _onto_ball(
         self,
@@ -279,15 +262,15 @@ class Hand:
         up = translation(0.0, 0.0, LIFT_MM) @ flange_pose(self._arm, self.ways.now())
         if self._touched != GAUGE:
             with suppress(UnreachableError):
-                self._run(self.ways.straight(up, LIFT_S), 0.0, 0.1)
-        self._run(self.ways.turned_to(onto.q_rad[0]), 0.1, 0.5)
-        self._run(onto, 0.5, 0.6)
-        self._press_primary()
-        self._run(JointPath(onto.times_s, onto.q_rad[::-1].copy()), 0.9, 1.0)
+                self._moving.play(self.ways.straight(up, LIFT_S), 0.0, 0.1)
+        self._moving.play(self.ways.turned_to(onto.q_rad[0]), 0.1, 0.5)
+        self._moving.play(onto, 0.5, 0.6)
+        self._moving.press_primary()
+        self._moving.play(JointPath(onto.times_s, onto.q_rad[::-1].copy()), 0.9, 1.0)
         self._touched = GAUGE
 
     def _go_into(self, name: str, centre_mm: Floats, posture: int) -> bool:
-        with self._move(f"going to {name}"):
+        with self._moving.move(f"going to {name}"):
             limits = self._arm.limits_rad
             start = (
                 0.8 * self._rng.uniform(limits[:, 0], limits[:, 1]) if posture else self.ways.now()
@@ -295,58 +278,20 @@ class Hand:
             into = way_into_seat(self._arm, centre_mm, start, self._rng, self.ways.pace)
             up = translation(0.0, 0.0, LIFT_MM) @ flange_pose(self._arm, self.ways.now())
             with suppress(UnreachableError):
-                self._run(self.ways.straight(up, LIFT_S), 0.0, 0.1)
-            self._run(self.ways.turned_to(into.q_rad[0]), 0.1, 0.8)
-            self._run(into, 0.8, 1.0)
+                self._moving.play(self.ways.straight(up, LIFT_S), 0.0, 0.1)
+            self._moving.play(self.ways.turned_to(into.q_rad[0]), 0.1, 0.8)
+            self._moving.play(into, 0.8, 1.0)
             self._touched = None
             return True
         return False
 
     def swing_in_seat(self) -> bool:
         """Swings the arm about the tip where it is; False when cancelled."""
-        with self._move("swinging the arm"):
+        with self._moving.move("swinging the arm"):
             path = swing_path(self._arm, self.ways.now(), self._rng, self._contact_sd_mm / 4)
-            self._run(self.ways.paced(path), 0.0, 1.0)
+            self._moving.play(self.ways.paced(path), 0.0, 1.0)
             return True
         return False
-
-    @contextmanager
-    def _move(self, activity: str) -> Iterator[None]:
-        with self._moving:
-            self._cancelled.clear()
-            self._state = HandState(activity)
-            try:
-                yield
-            except _CancelledError:
-                self._motion.halt(now_ns())
-                self._touched = None
-                threading.Event().wait(HALT_S)
-            finally:
-                self._state = HandState()
-
-    def _run(self, path: JointPath, begin: float, end: float, trembles: bool = False) -> None:
-        """Plays a path and waits for its end, telling progress from ``begin`` to ``end``."""
-        if self._cancelled.is_set():
-            raise _CancelledError
-        start_ns = now_ns() + LEAD_NS
-        end_ns = self._motion.play(path, start_ns, trembles)
-        while (left_s := (end_ns - now_ns()) / 1e9) > 0:
-            done = 1 - min(left_s / path.duration_s, 1.0)
-            self._state = HandState(self._state.activity, begin + done * (end - begin))
-            if self._cancelled.wait(min(left_s, 0.05)):
-                raise _CancelledError
-
-    def _press_primary(self) -> None:
-        """Once the tip rests."""
-        self._pause(SETTLE_S)
-        pressed_ns = now_ns()
-        self._press(Button.PRIMARY, True, pressed_ns)
-        self._press(Button.PRIMARY, False, pressed_ns + round(PRESS_S * 0.8e9))
-        self._pause(PRESS_S)
-
-    def _pause(self, seconds: float) -> None:
-        if self._cancelled.wait(seconds):
-            raise _CancelledError
 
 
 def _depth(shape: Comb | Board, face: str) -> float:
