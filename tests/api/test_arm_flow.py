@@ -193,7 +193,15 @@ def test_several_seats_identify_the_arm_and_the_old_one_is_kept(
     assert ArmFile.read(arms / "simulated.json").identification is not None
     assert volumetric_error_um(true, read_arm(arms / "simulated.json")) < 0.8 * was
     assert [path.read_bytes() for path in (arms / "replaced").iterdir()] == [before]
-    (arms / "simulated.json").write_bytes(before)
+    assert command(server, "save").status_code == 422
+    identified = (arms / "simulated.json").read_bytes()
+    (arms / "simulated.json").write_bytes(identified + b"\n")
+    assert command(server, "restore").json()["code"] == "arm-changed"
+    (arms / "simulated.json").write_bytes(identified)
+    do(server, "restore")
+    assert (arms / "simulated.json").read_bytes() == before
+    view = view_of(server)
+    assert (view["title"], view["actions"][0]["name"]) == ("Before and after", "save")
     do(server, "end")
 
 

@@ -85,6 +85,7 @@ ACTS: dict[str, Callable[[ArmGuide, Args, str | None], None]] = {
     "drop_seat": _drop,
     "fit": _fit,
     "save": lambda guide, args, key: works.save(guide, key),
+    "restore": lambda guide, args, key: works.restore(guide, key),
     "reopen": lambda guide, args, key: guide.append("reopened", {}, key),
     "again": lambda guide, args, key: _again(guide, key),
     "let_hand": _let_hand,

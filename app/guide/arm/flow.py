@@ -300,7 +300,12 @@ def _actions(state: ArmState, live: ArmLive) -> list[Action]:
             offer("again", "Check again"),
         ]
     if state.saved:
-        return [offer("end", "Done", primary=True)]
+        restore = offer(
+            "restore",
+            "Put the arm back as it was",
+            confirm="Use the arm as it was before? What was identified is kept in this session.",
+        )
+        return [offer("end", "Done", primary=True), restore]
     save = offer(
         "save",
         "Use this arm from now on",

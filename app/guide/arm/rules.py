@@ -30,6 +30,7 @@ ONLY_IN = {
     "drop_seat": ("seat",),
     "fit": ("seat",),
     "save": ("result",),
+    "restore": ("result",),
     "reopen": ("result",),
     "again": ("result",),
     "let_hand": ("seat", "swing"),
@@ -169,6 +170,10 @@ def _save(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
     return "" if state.solved else "Identify the arm first."
 
 
+def _restore(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
+    return "" if state.saved else "The arm is as it was."
+
+
 def _hand(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
     return "" if live.has_hand else "There is no simulated hand on real devices."
 
@@ -184,5 +189,6 @@ RULES: dict[str, Rule] = {
     "set_limit": _set_limit,
     "drop_seat": _drop_seat,
     "save": _save,
+    "restore": _restore,
     "let_hand": _hand,
 }

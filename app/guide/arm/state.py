@@ -57,7 +57,9 @@ class ArmState:
     solved: Payload | None = None
     refused: Payload | None = None
     saved: str = ""
-    """Name of the arm's file once the identified arm is in use."""
+    """Name of the arm's file while the identified arm is in use."""
+    replaced: str = ""
+    """Name that the file of the arm before is kept by."""
     ended: bool = False
 
     @property
@@ -139,7 +141,10 @@ CHANGES: dict[str, Callable[[ArmState, Payload], ArmState]] = {
     "solved": lambda state, payload: replace(state, solved=payload, refused=None),
     "fit_refused": lambda state, payload: replace(state, refused=payload, solved=None),
     "reopened": lambda state, payload: replace(state, solved=None),
-    "saved": lambda state, payload: replace(state, saved=payload["name"]),
+    "saved": lambda state, payload: replace(
+        state, saved=payload["name"], replaced=payload["replaced"]
+    ),
+    "restored": lambda state, payload: replace(state, saved="", replaced=""),
     "hand_started": lambda state, payload: state,
     "hand_stopped": lambda state, payload: state,
     "ended": lambda state, payload: replace(state, ended=True, swinging=False),

@@ -1,8 +1,9 @@
 """The longer works of an arm session: the fit, and putting the identified arm into use."""
 
 from datetime import UTC, datetime
+from pathlib import Path
 
-from app.files.arm_identification import ARM, IDENTIFIED
+from app.files.arm_identification import IDENTIFIED
 from app.files.atomic import write_atomically
 from app.files.failures import files_refused
 from app.files.identify import (
@@ -53,16 +54,43 @@ def fit(guide: ArmGuide, progress: Progress) -> None:
 
 def save(guide: ArmGuide, key: str | None) -> None:
     """Makes the identified arm the station's; the one before is kept aside."""
-    arms = guide.data_folder / "arms"
-    target = arms / f"{guide.state.arm}.json"
+    target, aside = _places(guide)
     stamp = datetime.now(UTC).strftime("%Y%m%d-%H%M%S")
-    kept = arms / REPLACED / f"{guide.state.arm}-{stamp}.json"
+    kept = aside / f"{guide.state.arm}-{stamp}.json"
     with files_refused(target):
         kept.parent.mkdir(exist_ok=True)
-        write_atomically(kept, (guide.folder / ARM).read_bytes())
+        write_atomically(kept, target.read_bytes())
         write_atomically(target, (guide.folder / IDENTIFIED).read_bytes())
     guide.append("saved", {"name": target.name, "replaced": kept.name}, key)
     guide.station.bus.event("accepted", "The identified arm is in use.", "good")
+
+
+def restore(guide: ArmGuide, key: str | None) -> None:
+    """Makes the arm before the identified one the station's again.
+
+    Raises:
+        Refusal: the arm's file is no longer what this session wrote, or cannot be replaced.
+    """
+    target, aside = _places(guide)
+    kept = aside / guide.state.replaced
+    with files_refused(target):
+        now, identified = target.read_bytes(), (guide.folder / IDENTIFIED).read_bytes()
+    if now != identified:
+        raise Refusal(
+            "arm-changed",
+            f"{target.name} was changed after this session had written it",
+            remedy=f"the arm of before is in arms/{REPLACED}/{kept.name}; put it back by hand",
+        )
+    with files_refused(kept):
+        write_atomically(target, kept.read_bytes())
+    guide.append("restored", {"name": target.name}, key)
+    guide.station.bus.event("accepted", "The arm is as it was before.", "good")
+
+
+def _places(guide: ArmGuide) -> tuple[Path, Path]:
+    """The file of the session's arm, and the folder that keeps those that were replaced."""
+    arms = guide.data_folder / "arms"
+    return arms / f"{guide.state.arm}.json", arms / REPLACED
 
 
 def _payload(result: Identification) -> dict[str, object]:

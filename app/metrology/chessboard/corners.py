@@ -142,7 +142,7 @@ def _refuse_other_board(lattice: Lattice, board: Chessboard) -> None:
             "give the certificate of the board in the picture"
             if more
             else "bring the whole board into the picture, and its outermost corners off the laser;"
-            " if the board has no more, correct inner_corners",
+            " if the board has no more, give its own certificate",
         )
     low, high = places.min(axis=0), places.max(axis=0)
     on_sides = [int(np.sum(places[:, k] == end[k])) for k in (0, 1) for end in (low, high)]
