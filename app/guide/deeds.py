@@ -39,6 +39,7 @@ DEEDS = {
     "solve": "had it calculated",
     "fit": "had it calculated",
     "save": "saved the result",
+    "restore": "put back what was there before",
     "accept": "accepted the result",
     "back": "went a step back",
     "reopen": "went back to the points",

@@ -52,7 +52,7 @@ def test_hello_comes_first_then_the_whole_state_then_beats(server: Server) -> No
 def test_what_one_tab_does_the_other_sees(touching: Server) -> None:
     with connect(touching.live, additional_headers=touching.cookie) as socket:
         assert message(socket)["type"] == "hello"
-        rev = touching.command("select_face", face="front").json()["rev"]
+        rev = touching.do("select_face", face="front")["rev"]
         deadline = time.monotonic() + 5
         while True:
             assert time.monotonic() < deadline
