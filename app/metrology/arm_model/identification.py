@@ -9,18 +9,16 @@ from app.metrology.arm import Arm
 from app.metrology.arm_model.adjustment import residuals
 from app.metrology.arm_model.checks import (
     check_arm_fits,
-    check_bars,
     check_enough,
     check_places_stood_still,
     check_scatter,
-    check_spheres,
-    check_tip_diameter,
     check_unseen,
     warnings_of,
 )
 from app.metrology.arm_model.observations import Observations, Stacked
 from app.metrology.arm_model.parameters import parameter_names, parameter_values
 from app.metrology.arm_model.selection import REASONS, Reason, candidates
+from app.metrology.arm_model.sizes import check_bars, check_spheres, check_tip_diameter
 from app.metrology.arm_model.solving import Fit, solve
 from app.metrology.arm_model.validation import (
     Validation,
