@@ -120,14 +120,25 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
 
 
 @pytest.fixture
-def touching(server: Server) -> Server:
-    """A new session at the touch step, with the arm at rest."""
+def at_setup(server: Server) -> Server:
+    """A new session at the set-up step, with the block chosen.
+
+    What was used last is preselected, and a test before may have used the chessboard.
+    """
     server.wait(lambda view: view["busy"] is None)
     if server.flow()["running"]:
         server.do("abandon")
     server.http.post("/api/flow/start").raise_for_status()
-    for name in ("confirm_devices", "confirm_setup"):
-        server.do(name)
+    server.do("confirm_devices")
+    server.do("choose", field="object", id="simulated")
+    return server
+
+
+@pytest.fixture
+def touching(at_setup: Server) -> Server:
+    """A new session at the touch step of the block, with the arm at rest."""
+    server = at_setup
+    server.do("confirm_setup")
     server.wait(lambda view: enabled(view, "take_point"))
     return server
 
