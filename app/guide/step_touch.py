@@ -43,13 +43,18 @@ def touch_step(state: CalibrationState, live: Live) -> Body:
 def _on_board(state: CalibrationState, live: Live, touch: TouchReport, board: Chessboard) -> Body:
     """A board need not be touched: touches check its squares' size, and where it lies."""
     (face,) = face_progress(touch, state.face, board)
-    done, wanted = face.taken, face.wanted
+    wanted = face.wanted
+    done = min(face.taken, wanted)
     left = wanted - done
-    if done == 0:
+    if touch.suspects:
+        instruction = _remove_first(touch)
+    elif done == 0:
         instruction = (
             f"Go on to the pictures. {wanted} touches, spread over the printed side, would "
             "check the size of its squares."
         )
+    elif left == 1:
+        instruction = "Touch the printed side once more, far from the others. Or go on."
     elif left > 0:
         instruction = f"Touch the printed side {left} more times, spread wide. Or go on."
     else:
@@ -82,6 +87,8 @@ def _actions(
 def _instruction(
     faces: list[FaceProgress], selected: str, complete: bool, touch: TouchReport
 ) -> str:
+    if complete and touch.suspects:
+        return _remove_first(touch)
     if complete:
         more = touch.advice is not None and touch.advice.more
         return f"All points are there. Go on, or add {'more as told below' if more else 'some'}."
@@ -94,6 +101,12 @@ def _instruction(
     return (
         f"{_place(selected)} Spread {here.wanted} points, hold still, and press the arm's button."
     )
+
+
+def _remove_first(touch: TouchReport) -> str:
+    if len(touch.suspects) == 1:
+        return f"Point {touch.suspects[0] + 1} is off its face. Remove it, then go on."
+    return "Some points are off their face. Remove them, then go on."
 
 
 def _place(face: str) -> str:

@@ -70,7 +70,9 @@ interface UnplacedProps {
 
 /** Points whose place on the object is not known yet: each can be taken out all the same. */
 function Unplaced({ points, chosen, onPoint }: UnplacedProps) {
-  const options = points.filter(({ at_mm }) => !at_mm).map(({ index }) => ({ value: index, label: `${index + 1}` }));
+  const options = points
+    .filter(({ at_mm }) => !at_mm)
+    .map(({ index, outlier }) => ({ value: index, label: `${index + 1}`, mark: outlier ? t("outlier") : undefined }));
   return (
     <div className={styles.points}>
       <Chips label={t("Points on this face")} options={options} value={chosen ?? -1} onChange={onPoint} />

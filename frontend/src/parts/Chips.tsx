@@ -2,8 +2,8 @@ import styles from "./Chips.module.css";
 
 interface ChipsProps<T> {
   label: string;
-  /** `lang` where a label is in that language. */
-  options: { value: T; label: string; lang?: string }[];
+  /** `lang` where a label is in that language; `mark` says in a word why one stands out. */
+  options: { value: T; label: string; lang?: string; mark?: string | undefined }[];
   value: T;
   onChange: (value: T) => void;
   id?: string;
@@ -20,10 +20,13 @@ export function Chips<T extends string | number>({ label, options, value, onChan
           type="button"
           className={styles.chip}
           aria-pressed={option.value === value}
+          aria-label={option.mark && `${option.label}, ${option.mark}`}
+          title={option.mark}
           lang={option.lang}
           onClick={() => onChange(option.value)}
         >
           {option.label}
+          {option.mark && <span className={styles.mark} />}
         </button>
       ))}
     </div>
