@@ -244,10 +244,12 @@ def _picture_findings(live: Live) -> list[Finding]:
 
 
 def _once(findings: Sequence[Finding]) -> list[Finding]:
+    """Each once, and none that another one gives as its reason."""
     told = {
         sentence(finding.text): Finding(
             finding.quality, sentence(finding.text), sentence(finding.remedy)
         )
         for finding in findings
+        if not any(f": {finding.text}" in other.text for other in findings)
     }
     return list(told.values())

@@ -184,6 +184,9 @@ def test_the_live_picture_is_told_of_once_and_in_sentences(arm: Arm, block: Cren
     live = live_of(state, arm, block, corners_seen=0, picture_findings=dark)
     view = view_of(state, live)
     assert view.findings == [Finding("attention", "The picture is dark.", "Open the iris.")]
+    for_it = Finding("attention", "no board was found: the picture is dark", "open the iris")
+    (said,) = view_of(state, replace(live, picture_findings=(*dark, for_it))).findings
+    assert said.text == "No board was found: the picture is dark."
     (hint,) = view_of(state, replace(live, laser_on=True)).findings
     assert "laser is on" in hint.text
     (found,) = view_of(state, live_of(state, arm, block, corners_seen=20)).findings

@@ -109,7 +109,7 @@ def test_no_board_is_refused() -> None:
 
 def test_a_picture_too_dark_or_too_soft_is_at_fault_before_the_framing() -> None:
     dark = picture(POSES[1], Look(laser=False, bright=8.0, dark=5.0, noise=2.0))
-    with pytest.raises(DetectionRefusal, match="dark") as refused:
+    with pytest.raises(DetectionRefusal, match="the picture is dim") as refused:
         detect_board(dark, BOARD)
     assert refused.value.fault == "exposure"
     soft = picture(POSES[1], Look(laser=False, blur_px=20.0))

@@ -126,8 +126,8 @@ def _refuse_other_board(lattice: Lattice, board: Chessboard) -> None:
     if len(lattice) < 4:
         raise Refusal(
             "board-not-found",
-            f"no chessboard of {columns} x {rows} inner corners is in the picture",
-            "it is out of the picture, too dark, too blurred, or covered",
+            f"no chessboard of {columns} x {rows} inner corners was found",
+            "it is out of the picture, covered or blurred, or another object lies there",
             "bring the whole board into the picture, sharp and evenly lit",
         )
     places = np.array(list(lattice))

@@ -28,7 +28,7 @@ def with_board_evidence(
     """The refusal with what is at fault, and what was found of the board's lines as marks."""
     fault = _FAULTS[refusal.code]
     if refusal.code in ("board-not-found", "board-blurred"):
-        fault, refusal = by_picture(fault, refusal, picture_findings(image))
+        fault, refusal = by_picture(fault, refusal, picture_findings(image), guessed=True)
     marks = clipped_regions(image >= saturation_level(image)) if fault == "exposure" else []
     return DetectionRefusal(refusal, fault, (*marks, *_lines(saddles, lattice)))
 

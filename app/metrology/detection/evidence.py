@@ -99,20 +99,23 @@ def with_evidence(
 
 
 def by_picture(
-    fault: Fault, refusal: Refusal, findings: list[PictureFinding]
+    fault: Fault, refusal: Refusal, findings: list[PictureFinding], guessed: bool = False
 ) -> tuple[Fault, Refusal]:
-    """What is at fault: the picture as such before what was not seen in it."""
+    """What is at fault: the picture as such before what was not seen in it.
+
+    Args:
+        fault, refusal: what holds where nothing is wrong with the picture as such.
+        findings: what is wrong with it.
+        guessed: the refusal's reason only lists what it could be, so that a finding
+            comes in its place and not before it.
+    """
     named = next((one for one in findings if one.code in _FINDING_FAULTS), None)
     if named is None:
         return fault, refusal
-    return _FINDING_FAULTS[named.code], _first(named, refusal)
-
-
-def _first(named: PictureFinding, refusal: Refusal) -> Refusal:
-    """The refusal with what is to be mended first, and the figure that says so."""
-    why = "; ".join(part for part in (named.text, refusal.why) if part)
-    remedy = "; ".join(part for part in (named.remedy, refusal.remedy) if part)
-    return Refusal(refusal.code, refusal.what, why, remedy)
+    kept = ("", "") if guessed else (refusal.why, refusal.remedy)
+    why = "; ".join(part for part in (named.text, kept[0]) if part)
+    remedy = "; ".join(part for part in (named.remedy, kept[1]) if part)
+    return _FINDING_FAULTS[named.code], Refusal(refusal.code, refusal.what, why, remedy)
 
 
 def clipped_regions(clipped: NDArray[np.bool_]) -> list[Mark]:
