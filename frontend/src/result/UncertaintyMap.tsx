@@ -119,7 +119,7 @@ function Field({ cells, words, width_px, height_px }: FieldProps) {
           ))}
         </g>
         <text
-          x={Math.min(Math.max(worst.u, 0.07 * width_px), 0.93 * width_px)}
+          x={Math.min(Math.max(worst.u, 0.09 * width_px), 0.91 * width_px)}
           y={worst.v}
           className={styles.worst}
           fontSize={width_px / 28}
