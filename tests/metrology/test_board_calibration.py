@@ -10,6 +10,7 @@ from scipy.spatial.transform import Rotation
 from app.files.images import read_grey
 from app.files.session import BoardSession, read_any_session
 from app.metrology.adjustment.board_joint import BoardCalibration, calibrate_board, see_board
+from app.metrology.adjustment.board_lines import line_scatter
 from app.metrology.adjustment.board_problem import BoardInputs
 from app.metrology.adjustment.board_view import BoardView
 from app.metrology.adjustment.sheet import board_papers, height_of, surface
@@ -35,6 +36,7 @@ from tests.metrology.boards import (
     picture,
 )
 from tests.metrology.builders import BLOCK
+from tests.metrology.seen_boards import Errors, session
 from tests.real_sessions import session_of
 
 
@@ -207,3 +209,16 @@ def test_real_pictures(real: Path, tmp_path: Path) -> None:
     assert "poses 1, 2 lie" in moved[0].text
     assert max(pose.edges_rms_px for pose in result.poses) < 0.3
     assert 2330 < result.camera.matrix[0, 0] < 2450
+
+
+@pytest.mark.parametrize(
+    ("line_mm", "least_mm", "most_mm"), [(0.005, 0.004, 0.03), (0.2, 0.1, 0.4)]
+)
+def test_a_steady_laser_is_told_from_an_unsteady_one(
+    line_mm: float, least_mm: float, most_mm: float
+) -> None:
+    """Both are far from what is usual, which is thought of only where little is seen."""
+    errors = Errors(turn_rad=5e-5, shift_mm=0.02, line_mm=line_mm, line_rad=line_mm / 50)
+    for seed in range(3):
+        off_mm, _ = line_scatter(calibrate_board(session(seed, errors)).adjusted)
+        assert least_mm < off_mm < most_mm

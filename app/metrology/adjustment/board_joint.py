@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from app.metrology.adjustment.board_findings import ROBOT_ROW, BoardEvidence, board_findings
-from app.metrology.adjustment.board_lines import scatter_told
+from app.metrology.adjustment.board_lines import line_scatter, scatter_told, with_line_scatter
 from app.metrology.adjustment.board_problem import BoardInputs, BoardStart, board_problem
 from app.metrology.adjustment.board_results import (
     BoardContacts,
@@ -18,7 +18,6 @@ from app.metrology.adjustment.board_results import (
     board_worst,
 )
 from app.metrology.adjustment.board_start import SeenBoard
-from app.metrology.adjustment.board_view import BoardView
 from app.metrology.adjustment.mounting import Mounting
 from app.metrology.adjustment.not_seen import refuse_nothing_seen
 from app.metrology.adjustment.pose_results import PoseResult, left_out, line_left_out
@@ -40,6 +39,9 @@ from app.metrology.stripe import extract_stripe
 from app.metrology.stripe_flanks import Image
 
 Progress = Callable[[str, float], None]
+
+# How far whole lines lie off their plane is told anew until it is told the same within this.
+SCATTER_SETTLED, SCATTER_ROUNDS = 1.2, 5
 
 
 @dataclass(frozen=True)
@@ -109,15 +111,15 @@ def _adjusted(inputs: BoardInputs, start: BoardStart) -> tuple[Adjusted, Mountin
     found, mounting = without_strays(found, start.mounting, inputs.board.size_mm)
     found = without_stray_contacts(found)
     again = sorted_anew(found)
-    if not start.moved:
-        off_mm, off_rad = scatter_told(found)
-        views = [
-            replace(view, line_off_mm=float(off_mm), line_off_rad=float(off_rad))
-            for view in again.views
-            if isinstance(view, BoardView)
-        ]
-        again = replace(again, views=tuple(views))
-    return adjust(again, found.state), mounting
+    if start.moved:
+        return adjust(again, found.state), mounting
+    # The start's lines can lie so far off that nothing is made of them at first.
+    for _ in range(SCATTER_ROUNDS):
+        before, now = line_scatter(found), scatter_told(found)
+        found = adjust(with_line_scatter(again, now), found.state)
+        if np.all(np.abs(np.log(now / before)) < np.log(SCATTER_SETTLED)):
+            break
+    return found, mounting
 
 
 def _assembled(inputs: BoardInputs, found: Adjusted, start: BoardStart) -> BoardCalibration:

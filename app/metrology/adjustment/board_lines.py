@@ -2,13 +2,14 @@
 off it, and which contradict the others."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.special import stdtrit
 
 from app.metrology.adjustment.board_bundle import Bundle
 from app.metrology.adjustment.board_view import BoardView, on_sheet
+from app.metrology.adjustment.evidence import Problem
 from app.metrology.adjustment.sheet import around_pattern
 from app.metrology.adjustment.solve import Adjusted
 from app.metrology.frames import Floats
@@ -23,9 +24,10 @@ AGREEING_ROUNDS = 8
 # Contradicting lines are left out where they are no larger a share than this, or where the
 # others agree so closely that chance puts none of them so far off more often than so.
 MISTAKES_SHARE, CHANCE = 0.2, 1e-3
-# By how much whole lines are off their plane (mm) and turned out of it (rad): where few
-# tell, and at least.
-USUAL_SCATTER, LEAST_SCATTER = np.array([0.05, 1e-3]), np.array([0.005, 1e-4])
+# By how much whole lines are off their plane (mm) and turned out of it (rad): what is usual, by
+# what factor either way one deviation of that, and the sizes thought of at all, as multiples.
+USUAL_SCATTER, USUAL_WITHIN = np.array([0.05, 1e-3]), 5.0
+SIZES = np.geomspace(0.1, 100.0, 121)
 THROUGH_ROUNDS = 15
 PLANE_DRAWS, DRAWN_POINTS = 400, 60
 AGREEING_TIMES = 4.0
@@ -174,21 +176,35 @@ def _through(per_pose: Sequence[Floats], moved: bool) -> tuple[LaserPlane, Float
         step = -C @ np.einsum("lki,k,lk->i", by_plane, weight, off)
         left = off + by_plane @ step
         fitted = np.einsum("lki,ij,lkj->k", by_plane, C, by_plane) * weight
-        told = np.sum(left**2, axis=0) + USUAL_SCATTER**2
-        scatter = np.maximum(np.sqrt(told / (len(off) - fitted + 1)), LEAST_SCATTER)
+        scatter = _scatter(np.sum(left**2, axis=0), len(off) - fitted)
         if moved:
             scatter[1] = max(scatter[1], scatter[0] / half_mm)
         plane = plane.stepped(step)
     return plane, scatter
 
 
+def line_scatter(found: Adjusted) -> Floats:
+    """By how much (mm, rad) whole lines were taken to lie off their plane."""
+    view = next(view for view in found.problem.views if isinstance(view, BoardView))
+    return np.array([view.line_off_mm, view.line_off_rad])
+
+
+def with_line_scatter(problem: Problem, scatter: Floats) -> Problem:
+    """The problem with lines that lie off their plane by so much (mm, rad)."""
+    off_mm, off_rad = scatter.tolist()
+    views = [
+        replace(view, line_off_mm=off_mm, line_off_rad=off_rad)
+        for view in problem.views
+        if isinstance(view, BoardView)
+    ]
+    return replace(problem, views=tuple(views))
+
+
 def scatter_told(found: Adjusted) -> Floats:
     """The same two deviations (mm, rad) after an adjustment, in which the lines also had a say
     in how the sheet bends: what each line's offset and turn left over, against what of them
     the adjustment did not determine (Foerstner)."""
-    state = next(view for view in found.problem.views if isinstance(view, BoardView))
-    now = np.array([state.line_off_mm, state.line_off_rad])
-    square, free = (USUAL_SCATTER / now) ** 2, np.ones(2)
+    square, free = np.zeros(2), np.zeros(2)
     for scene, (_, rows), (_, judgement) in zip(
         found.linear.scenes, found.linear.rows, found.judgements, strict=True
     ):
@@ -199,7 +215,22 @@ def scatter_told(found: Adjusted) -> Floats:
         J = own @ rows.jacobian[kept] @ scene.by_unknowns
         square += (own @ rows.residuals[kept]) ** 2
         free += np.maximum(1 - np.einsum("ku,uw,kw->k", J, found.covariance, J), 0.0)
-    return np.asarray(np.maximum(now * np.sqrt(square / free), LEAST_SCATTER))
+    return _scatter(square * line_scatter(found) ** 2, free)
+
+
+def _scatter(squares: Floats, free: Floats) -> Floats:
+    """The standard deviation (mm, rad) of values that sum up to ``squares`` (2,), of which so many
+    are ``free`` (2,).
+
+    A sensor at rest scatters far less than is usual, a laser that moves far more: before any
+    is seen, only the order of magnitude is known (a log-normal prior). Told is the expected
+    logarithm, so that one or two lines leave what is usual.
+    """
+    sizes = SIZES[:, None] * USUAL_SCATTER
+    by_usual = -((np.log(SIZES) / np.log(USUAL_WITHIN)) ** 2)[:, None] / 2
+    log = by_usual - free * np.log(sizes) - squares / (2 * sizes**2)
+    weight = np.exp(log - log.max(axis=0))
+    return np.asarray(np.exp(np.sum(weight * np.log(sizes), axis=0) / weight.sum(axis=0)))
 
 
 def _half_length(points_mm: Floats) -> float:
