@@ -135,7 +135,7 @@ def _about_print(evidence: BoardEvidence) -> list[Finding]:
             "board-print",
             f"The corners lie {1e3 * told_mm:.0f} µm off a regular pattern, by the certificate "
             f"{1e3 * board.standard_uncertainty_mm:.0f} µm: allowed for.",
-            "Check that this is the board, and its standard_uncertainty_mm.",
+            "Check that this is the board, and how exact its certificate takes it to be.",
         )
     ]
 

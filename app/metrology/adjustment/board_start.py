@@ -169,6 +169,6 @@ def refuse_other_size(mounting: Mounting, board: Chessboard) -> None:
             f"by the arm's motion the squares of {board.name} are"
             f" {scale * board.square_mm:.2f} mm wide",
             f"its certificate says {board.square_mm:g} mm",
-            "measure the squares, and correct square_mm; or check that every picture has its"
+            "measure the squares, and correct the certificate; or check that every picture has its"
             " own pose, in mm",
         )

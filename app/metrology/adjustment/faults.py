@@ -237,5 +237,5 @@ def _board_size(square_mm: float, limits: Limits, told: Told) -> Finding | None:
         f"By the arm's motion the squares are {(1 + share) * square_mm:.3f} mm wide (± "
         f"{2 * sd * square_mm:.3f}), by the certificate {square_mm:g} mm: all "
         "lengths would be off by as much.",
-        "Measure the pattern over all its squares, and correct square_mm.",
+        "Measure the pattern over all its squares, and correct the certificate.",
     )

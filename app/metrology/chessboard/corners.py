@@ -131,7 +131,8 @@ def _refuse_other_board(lattice: Lattice, board: Chessboard) -> None:
             "bring the whole board into the picture, sharp and evenly lit",
         )
     places = np.array(list(lattice))
-    found = tuple(int(n) for n in np.ptp(places, axis=0) + 1)
+    # told in the certificate's order, whichever way the picture lies
+    found = sorted((int(n) for n in np.ptp(places, axis=0) + 1), reverse=columns >= rows)
     if sorted(found) != sorted((columns, rows)):
         more = max(found) > max(columns, rows) or min(found) > min(columns, rows)
         raise Refusal(
