@@ -160,12 +160,17 @@ def test_a_whole_calibration_by_the_hand(at_setup: Server, tmp_path: Path) -> No
     assert again["probe_matrix"] == result["probe_matrix"]
 
     before = {one["id"] for one in http.get("/api/calibrations").json()}
+    assert view["session_id"] not in before
+    assert (http.get("/api/home").json()["calibration"] is None) == (not before)
     rev = view["rev"]
     accepted = server.command("accept", rev=rev, key="accepted-once")
     assert accepted.json()["running"] is False
     assert server.command("accept", rev=rev, key="accepted-once").status_code == 200
-    (summary,) = (each for each in http.get("/api/calibrations").json() if each["active"])
-    assert summary["id"] not in before
+    after = http.get("/api/calibrations").json()
+    assert {one["id"] for one in after} - before == {view["session_id"]}
+    assert len(after) == len(before) + 1
+    (summary,) = (one for one in after if one["active"])
+    assert summary["id"] == view["session_id"]
     assert summary["arm_serial"] == "TWIN-A1"
     home = http.get("/api/home").json()
     assert home["calibration"]["id"] == summary["id"]
