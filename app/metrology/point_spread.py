@@ -4,10 +4,24 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.camera import Camera
-from app.metrology.compiled import kernel
 from app.metrology.frames import Floats
 from app.metrology.laser_plane import LaserPlane
 from app.metrology.reconstruct import placed_points, sensor_points
+from app.native.arguments import F64, Array, Function, Real
+from app.native.product import CRENEL
+
+_spread = Function(
+    CRENEL,
+    "spread",
+    Array(F64, "n", 3),
+    Array(F64, "n"),
+    Array(F64, 3),
+    Array(F64, 3),
+    Real(),
+    Array(F64, 3),
+    Real(),
+    Array(F64, "n", written=True),
+)
 
 
 def scan_points(
@@ -61,7 +75,8 @@ def spread_um(
     turn = camera.rotation.T @ in_cam  # of the ray, a pixel, at depth 1
     reach_mm = plane.offset_mm - float(plane.normal @ centre)
     along = float(plane.normal @ turn) / reach_mm
-    return _spread(
+    found_um = np.empty(len(points_mm))
+    _spread(
         np.ascontiguousarray(points_mm, dtype=np.float64),
         np.ascontiguousarray(sigma_px, dtype=np.float64),
         np.ascontiguousarray(turn),
@@ -69,26 +84,6 @@ def spread_um(
         along,
         np.ascontiguousarray(camera.rotation[2]),
         float(camera.translation_mm[2]),
+        found_um,
     )
-
-
-@kernel
-def _spread(
-    points_mm: Floats,
-    sigma_px: Floats,
-    turn: Floats,
-    centre_mm: Floats,
-    along: float,
-    axis: Floats,
-    behind_mm: float,
-) -> Floats:
-    """``1000 |depth| |turn - (point - centre) along| sigma``; depth by the camera's axis."""
-    found = np.empty(len(points_mm))
-    for i, point in enumerate(points_mm):
-        x, y, z = point[0], point[1], point[2]
-        depth = axis[0] * x + axis[1] * y + axis[2] * z + behind_mm
-        a = turn[0] - (x - centre_mm[0]) * along
-        b = turn[1] - (y - centre_mm[1]) * along
-        c = turn[2] - (z - centre_mm[2]) * along
-        found[i] = 1e3 * abs(depth) * np.sqrt(a * a + b * b + c * c) * sigma_px[i]
-    return found
+    return found_um

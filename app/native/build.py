@@ -1,0 +1,225 @@
+"""Compiles the C libraries of a checkout, with nothing but Python's standard library.
+
+The compiler is ``$CC`` where that is set, else the one of the ``ziglang`` package. Each library
+is one shared object that holds its code once for each processor variant; ``library`` chooses.
+"""
+
+import argparse
+import hashlib
+import os
+import platform
+import shlex
+import subprocess
+import sys
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+SHARED = ROOT / "app" / "native" / "c"
+"""What the text of every library needs."""
+VARIANTS: dict[str, dict[str, tuple[str, ...]]] = {
+    "x86_64": {"v1": (), "v3": ("-march=x86_64_v3",), "v4": ("-march=x86_64_v4",)},
+    "aarch64": {"v1": ()},
+}
+"""Flags of each variant by machine, the least demanding first."""
+FLAGS = (
+    "-std=c11",
+    "-O3",
+    "-fPIC",
+    "-fvisibility=hidden",
+    "-ffp-contract=fast",
+    "-fno-math-errno",
+    "-fno-trapping-math",
+    "-fno-sanitize=undefined",  # which zig switches on by itself
+    "-Wall",
+    "-Wextra",
+    "-Wno-unknown-pragmas",
+    "-Wno-psabi",
+)
+ZIG_TARGETS = {
+    "linux": "{machine}-linux-gnu.2.17",
+    "darwin": "{machine}-macos",
+    "win32": "{machine}-windows-gnu",
+}
+WHEEL_PLATFORMS = {"linux": "manylinux_2_17_{machine}"}
+SUFFIXES = {"linux": ".so", "darwin": ".dylib", "win32": ".dll"}
+
+
+class BuildError(RuntimeError):
+    """A library could not be compiled."""
+
+
+@dataclass(frozen=True)
+class Source:
+    """A library's name and its folder, which holds the sources in ``c``."""
+
+    name: str
+    folder: Path
+
+    @property
+    def files(self) -> list[Path]:
+        """All sources and headers, in a fixed order."""
+        return sorted(
+            path for path in (self.folder / "c").rglob("*") if path.suffix in (".c", ".h")
+        )
+
+    def built(self, system: str = sys.platform) -> Path:
+        """Where the compiled library is."""
+        return self.folder / f"{self.name}{SUFFIXES.get(system, '.so')}"
+
+
+LIBRARIES = (
+    Source("crenel", ROOT / "app" / "native"),
+    Source("simulator", ROOT / "hardware" / "twin" / "native"),
+)
+
+
+@dataclass(frozen=True)
+class Target:
+    """The system and the machine that a library is for."""
+
+    system: str
+    machine: str
+
+    @classmethod
+    def here(cls) -> "Target":
+        names = {"amd64": "x86_64", "arm64": "aarch64"}
+        machine = platform.machine().lower()
+        return cls(sys.platform, names.get(machine, machine))
+
+    @property
+    def zig(self) -> str:
+        """The target's name as zig has it."""
+        return ZIG_TARGETS[self.system].format(machine=self.machine)
+
+
+def source_hash(source: Source) -> str:
+    """Identifies the text of all sources of a library."""
+    digest = hashlib.sha256()
+    for path in source.files:
+        digest.update(path.relative_to(source.folder).as_posix().encode() + b"\0")
+        digest.update(path.read_bytes() + b"\0")
+    return digest.hexdigest()
+
+
+def build(
+    source: Source,
+    target: Target | None = None,
+    output: Path | None = None,
+    extra_flags: tuple[str, ...] = (),
+) -> Path:
+    """Compiles a library.
+
+    Args:
+        target: what it is for; this machine by default.
+        output: where to write it; beside its sources by default.
+        extra_flags: further flags of the compiler, such as those of a sanitizer.
+
+    Returns:
+        The shared library.
+
+    Raises:
+        BuildError: no compiler is here, or it failed; the message holds its output.
+    """
+    target = target or Target.here()
+    output = output or source.built(target.system)
+    compiler, zig = _compiler(target)
+    with tempfile.TemporaryDirectory(prefix="crenel-build-") as folder:
+        environment = os.environ | (_zig_caches(Path(folder)) if zig else {})
+        common = (*compiler, *FLAGS, *extra_flags)
+        code, about = str(source.folder / "c" / "library.c"), str(SHARED / "about.c")
+        commands, objects = [], []
+        for variant, flags in variants_of(target).items():
+            spelled = flags if zig else tuple(flag.replace("_v", "-v") for flag in flags)
+            objects.append(f"{folder}/{variant}.o")
+            commands.append((*common, *spelled, f"-DVARIANT={variant}", "-c", code))
+        objects.append(f"{folder}/about.o")
+        commands.append((*common, f'-DSOURCES="{source_hash(source)}"', "-c", about))
+        _run_all(
+            [(*command, "-o", to) for command, to in zip(commands, objects, strict=True)],
+            environment,
+        )
+        part = output.with_name(f"{output.name}.{os.getpid()}.part")
+        _run_all([(*common, *_linking(target), *objects, "-o", str(part), "-lm")], environment)
+        os.replace(part, output)
+    return output
+
+
+def wheel_tag(target: Target | None = None) -> str:
+    """Of a wheel that holds the libraries: any Python 3, one platform."""
+    target = target or Target.here()
+    plain = f"{target.system}_{target.machine}"
+    named = plain if "CC" in os.environ else WHEEL_PLATFORMS.get(target.system, plain)
+    if target.system != "linux":
+        import sysconfig
+
+        named = sysconfig.get_platform().replace("-", "_").replace(".", "_")
+    return f"py3-none-{named.format(machine=target.machine)}"
+
+
+def variants_of(target: Target) -> dict[str, tuple[str, ...]]:
+    """The variants of a target's library, each with its flags, the least demanding first."""
+    return VARIANTS.get(target.machine, {"v1": ()})
+
+
+def _compiler(target: Target) -> tuple[tuple[str, ...], bool]:
+    """The compiler's command, and whether it is zig."""
+    if chosen := os.environ.get("CC"):
+        return tuple(shlex.split(chosen)), False
+    try:
+        import ziglang
+    except ImportError:
+        raise BuildError(
+            "There is no compiler: install ziglang with pip, or name a C compiler in CC"
+        ) from None
+    zig = Path(ziglang.__file__).parent / ("zig.exe" if os.name == "nt" else "zig")
+    # without a target zig compiles for exactly this processor
+    return (str(zig), "cc", "-target", target.zig), True
+
+
+def _zig_caches(folder: Path) -> dict[str, str]:
+    return {"ZIG_LOCAL_CACHE_DIR": str(folder / "zig"), "ZIG_GLOBAL_CACHE_DIR": str(folder / "zig")}
+
+
+def _linking(target: Target) -> tuple[str, ...]:
+    """Flags that export the library's own functions and nothing of the compiler's."""
+    if target.system != "linux":
+        return ("-shared",)
+    return ("-shared", "-s", f"-Wl,--version-script={SHARED / 'exported.map'}")
+
+
+def _run_all(commands: list[tuple[str, ...]], environment: dict[str, str]) -> None:
+    """Runs commands side by side.
+
+    Raises:
+        BuildError: one of them failed.
+    """
+    out, err = subprocess.PIPE, subprocess.STDOUT
+    running = [
+        subprocess.Popen(command, env=environment, stdout=out, stderr=err, text=True)
+        for command in commands
+    ]
+    printed = [process.communicate()[0] for process in running]
+    for command, process, text in zip(commands, running, printed, strict=True):
+        if process.returncode:
+            raise BuildError(f"The compiler failed: {shlex.join(command)}\n{text}")
+        if text.strip():
+            print(text.rstrip(), file=sys.stderr)
+
+
+def main() -> None:
+    """``python -m app.native.build``: compiles both libraries."""
+    parser = argparse.ArgumentParser(prog="python -m app.native.build", description=main.__doc__)
+    parser.add_argument("--target", help="such as linux-aarch64 or win32-x86_64; else this machine")
+    parser.add_argument("--output", type=Path, help="a folder to write them to; else in place")
+    parser.add_argument("--flags", default="", help="more flags for the compiler")
+    chosen = parser.parse_args()
+    target = Target(*chosen.target.split("-", 1)) if chosen.target else Target.here()
+    for source in LIBRARIES:
+        output = chosen.output / source.built(target.system).name if chosen.output else None
+        print(build(source, target, output, tuple(shlex.split(chosen.flags))))
+
+
+if __name__ == "__main__":
+    main()

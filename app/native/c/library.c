@@ -1,0 +1,4 @@
+/* All of the library's code, in one text so that the compiler sees the whole of it. */
+#include "export.h"
+
+#include "points/spread.c"

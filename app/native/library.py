@@ -1,0 +1,93 @@
+"""Finding, checking and loading a compiled library, and choosing its processor variant."""
+
+import ctypes
+import os
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import cached_property
+
+from app.native.build import Source, Target, source_hash, variants_of
+
+VARIANT_SETTING = "CRENEL_VARIANT"
+"""Environment variable that names a variant, such as v1; else the best one is used."""
+REBUILD = "python -m app.native.build"
+
+
+class LibraryError(ImportError):
+    """A compiled library is missing, older than its sources, or not for this processor."""
+
+
+class Library:
+    """A compiled library, loaded when one of its functions is first asked for."""
+
+    def __init__(self, source: Source) -> None:
+        self._source = source
+        self._variant = ""
+
+    @property
+    def variant(self) -> str:
+        """The variant whose functions are called: v1, v3 or v4."""
+        if not self._variant:
+            self._variant = self._chosen()
+        return self._variant
+
+    @property
+    def variants(self) -> tuple[str, ...]:
+        """Those that this processor runs, the least demanding first."""
+        best = f"v{self._loaded.crenel_best_variant()}"
+        known = tuple(variants_of(Target.here()))
+        return known[: known.index(best) + 1]
+
+    @contextmanager
+    def using(self, variant: str) -> Iterator[None]:
+        """Calls the functions of another variant meanwhile, in all threads: for tests, benches."""
+        before = self.variant
+        self._variant = self._checked(variant)
+        try:
+            yield
+        finally:
+            self._variant = before
+
+    def symbol(self, name: str, variant: str) -> "ctypes._NamedFuncPointer":
+        """A variant's function, its arguments not declared.
+
+        Raises:
+            LibraryError: the library cannot be loaded.
+            AttributeError: it has no such function.
+        """
+        # a function of its own for every declaration, since argument types are its attributes
+        return self._loaded[f"crenel_{variant}_{name}"]
+
+    @cached_property
+    def _loaded(self) -> ctypes.CDLL:
+        path = self._source.built()
+        if not path.is_file():
+            raise LibraryError(f"{path} is not built. Build it: {REBUILD}")
+        try:
+            library = ctypes.CDLL(str(path))
+        except OSError as error:
+            raise LibraryError(f"{path} cannot be loaded: {error}. Build it: {REBUILD}") from error
+        library.crenel_sources.restype = ctypes.c_char_p
+        library.crenel_best_variant.restype = ctypes.c_int
+        # in an installed package the sources are not there, and cannot have changed
+        if self._source.files and library.crenel_sources().decode() != source_hash(self._source):
+            raise LibraryError(f"{path} is older than its C sources. Build it: {REBUILD}")
+        return library
+
+    def _chosen(self) -> str:
+        named = os.environ.get(VARIANT_SETTING)
+        return self._checked(named) if named else self.variants[-1]
+
+    def _checked(self, variant: str) -> str:
+        if variant not in self.variants:
+            able = ", ".join(self.variants)
+            raise LibraryError(
+                f"The variant {variant} does not run on this processor; {VARIANT_SETTING} "
+                f"may name one of: {able}"
+            )
+        return variant
+
+
+if sys.byteorder != "little":  # pragma: no cover - the formats read by the loops are, too
+    raise LibraryError("Crenel needs a little-endian processor")

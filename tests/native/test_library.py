@@ -1,0 +1,72 @@
+"""A library that is missing, stale or not for this processor is said to be so."""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from app.native.build import LIBRARIES, BuildError, Source, build, source_hash
+from app.native.library import VARIANT_SETTING, Library, LibraryError
+from app.native.product import CRENEL
+
+
+def copied(folder: Path) -> Source:
+    """The product's library, with its sources, elsewhere."""
+    source = LIBRARIES[0]
+    shutil.copytree(source.folder / "c", folder / "c")
+    shutil.copy(source.built(), folder)
+    return Source(source.name, folder)
+
+
+def test_a_missing_library_is_named_with_the_command_that_builds_it(tmp_path: Path) -> None:
+    with pytest.raises(LibraryError, match=r"is not built\. Build it: python -m app\.native\.build"):
+        _ = Library(Source("crenel", tmp_path)).variants
+
+
+def test_a_library_older_than_its_sources_is_refused(tmp_path: Path) -> None:
+    source = copied(tmp_path)
+    assert Library(source).variants == CRENEL.variants
+    header = tmp_path / "c" / "export.h"
+    header.write_text(header.read_text() + "/* changed */\n")
+    with pytest.raises(LibraryError, match="is older than its C sources"):
+        _ = Library(source).variants
+
+
+def test_an_installed_library_without_sources_is_used(tmp_path: Path) -> None:
+    source = copied(tmp_path)
+    shutil.rmtree(tmp_path / "c")
+    assert Library(source).variants == CRENEL.variants
+
+
+def test_the_hash_tells_files_apart(tmp_path: Path) -> None:
+    (tmp_path / "c").mkdir()
+    (tmp_path / "c" / "one.c").write_text("int one;")
+    before = source_hash(Source("some", tmp_path))
+    (tmp_path / "c" / "one.c").rename(tmp_path / "c" / "two.c")
+    assert source_hash(Source("some", tmp_path)) != before
+
+
+def test_an_unknown_variant_is_refused_with_those_that_run() -> None:
+    script = "from app.native.product import CRENEL; print(CRENEL.variant)"
+    environment = os.environ | {VARIANT_SETTING: "v1"}
+    told = subprocess.run(
+        [sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=True
+    )
+    assert told.stdout == "v1\n"
+    environment[VARIANT_SETTING] = "v9"
+    told = subprocess.run(
+        [sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=False
+    )
+    assert told.returncode
+    assert "The variant v9 does not run on this processor" in told.stderr
+    assert "one of: v1" in told.stderr
+
+
+def test_a_compiler_that_fails_is_quoted(tmp_path: Path) -> None:
+    source = copied(tmp_path)
+    (tmp_path / "c" / "library.c").write_text("this is not C")
+    with pytest.raises(BuildError, match=r"The compiler failed: (.|\n)*error:"):
+        build(source)
