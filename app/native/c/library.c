@@ -2,3 +2,6 @@
 #include "export.h"
 
 #include "points/spread.c"
+
+#include "stripe/runs.c"
+#include "stripe/speckle.c"

@@ -1,0 +1,75 @@
+/* What the points of a line scatter by beyond the noise of the pixels.
+ *
+ * Speckle shifts the light itself and is alike in neighbouring columns, so it shows only between
+ * points some columns apart: the fourth difference over such lags of a smooth surface is noise
+ * alone. Its median is robust to steps and texture. */
+
+static const double FOURTH = 70.0;             /* the sum of a fourth difference's squared factors */
+static const double MEDIAN_OF_SQUARE = 0.4549; /* of a standard normal deviate */
+/* The standard deviation of such a median of n, times the root of n, in shares of itself. */
+static const double CHANCE = 2.33;
+static const double LEAST_SPECKLE = 1e-12; /* px squared, to begin a search with */
+enum { FEWEST_DIFFERENCES = 30, HALVINGS = 9 };
+
+/* How many squares lie below the median that they would have with so much speckle. */
+static int64_t number_below(const double *squares, const double *known, int64_t n, double excused,
+                            double speckle)
+{
+    int64_t below = 0;
+    for (int64_t i = 0; i < n; i++)
+        below += squares[i] < MEDIAN_OF_SQUARE * (excused * known[i] + FOURTH * speckle);
+    return below;
+}
+
+/* In px squared, of points (n) in ascending order of columns with known variances.
+ *
+ * lag: columns apart at which the scatter is independent.
+ * alike: neighbours that share their noise, so that fewer points are independent; what their
+ * median may exceed the known variance by in chance is none.
+ * workspace (2 n). */
+static double speckle_variance(const double *along, const double *across, const double *variance,
+                               int64_t n, int64_t lag, int64_t alike, double *workspace)
+{
+    n -= 4 * lag;
+    if (n < FEWEST_DIFFERENCES)
+        return 0.0;
+    double *squares = workspace, *known = workspace + n, total = 0.0;
+    int64_t found = 0;
+    for (int64_t i = 0; i < n; i++) {
+        int64_t j = i + lag, k = i + 2 * lag, l = i + 3 * lag, m = i + 4 * lag;
+        bool whole = along[m] - along[i] == 4 * lag;
+        double fourth = across[i] + across[m] - 4 * (across[j] + across[l]) + 6 * across[k];
+        double own = variance[i] + variance[m] + 16 * (variance[j] + variance[l]) + 36 * variance[k];
+        /* over a gap there is no difference; it is never below anything */
+        squares[i] = whole ? fourth * fourth : INFINITY;
+        known[i] = whole ? own : 0.0;
+        total += known[i];
+        found += whole;
+    }
+    if (found < FEWEST_DIFFERENCES)
+        return 0.0;
+    /* a scatter that chance may give is none */
+    double excused = 1 + CHANCE * sqrt((double)alike / (double)found);
+    if (2 * number_below(squares, known, n, excused, 0.0) >= found)
+        return 0.0;
+    double low = 0.0, high = max_f64(total / (double)found / FOURTH, LEAST_SPECKLE);
+    while (high < INFINITY && 2 * number_below(squares, known, n, 1.0, high) < found) {
+        low = high;
+        high = 4 * high;
+    }
+    for (int i = 0; i < HALVINGS; i++) {
+        double middle = 0.5 * (low + high);
+        if (2 * number_below(squares, known, n, 1.0, middle) >= found)
+            high = middle;
+        else
+            low = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+EXPORT(double, speckle_variance)(int64_t n, const double *along, const double *across,
+                                 const double *variance, double *workspace, int64_t lag,
+                                 int64_t alike)
+{
+    return speckle_variance(along, across, variance, n, lag, alike, workspace);
+}
