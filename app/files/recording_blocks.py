@@ -60,12 +60,7 @@ def open_chunk(chunk: Chunk) -> Opened:
         found = zlib.crc32(data)
         if found != chunk.uncompressed_crc:
             raise CRCValidationError(chunk.uncompressed_crc, found, chunk)
-    count = wire.records_in(np.frombuffer(data, np.uint8))
-    if count < 0:
-        raise McapError("a record reaches beyond its chunk")
-    table = np.empty((count, 5), dtype=np.int64)
-    wire.find_records(np.frombuffer(data, np.uint8), table)
-    return Opened(data, table)
+    return Opened(data, wire.find_records(np.frombuffer(data, np.uint8)))
 
 
 def of_messages(messages: Sequence[Message]) -> Opened:
@@ -94,22 +89,19 @@ class Profiles:
 
 
 def profiles(opened: Opened, rows: wire.Table) -> Profiles:
-    """The stripes that ``rows`` (F, 9) of ``recording_wire.find_stripe`` tell of.
+    """The stripes that ``rows`` (F, 9) of ``recording_wire.find_stripes`` tell of.
 
     They must be of one axis.
     """
-    total, data = int(rows[:, wire.POINTS].sum()), opened.bytes
-
-    def column(which: int, kind: type[np.float64] | type[np.float32]) -> Floats:
-        out = np.empty(total, kind)
-        wire.gather(data, rows, which, out.itemsize, out.view(np.uint8))
-        return out.astype(np.float64, copy=False)
-
+    u, v, intensity, sigma_px = (
+        wire.gather_list(opened.bytes, rows, column).astype(np.float64, copy=False)
+        for column in (wire.U, wire.V, wire.INTENSITY, wire.SIGMA)
+    )
     return Profiles(
         rows[:, wire.POINTS],
-        column(wire.U, np.float64),
-        column(wire.V, np.float64),
-        column(wire.INTENSITY, np.float32),
-        column(wire.SIGMA, np.float32),
+        u,
+        v,
+        intensity,
+        sigma_px,
         "v" if len(rows) and rows[0, wire.AXIS] == ord("v") else "u",
     )

@@ -60,7 +60,7 @@ class Block:
     joints: list[JointSamples]
     frames: list[Frame]
     stripes: wire.Table
-    """(S, 9) of ``recording_wire.find_stripe``."""
+    """(S, 9) of ``recording_wire.find_stripes``."""
 
 
 def blocks(recording: Recording, pool: Executor, ahead: int) -> Iterator[Block]:
@@ -179,8 +179,7 @@ class _Reader:
         return Block(opened, joints, [frame for _, frame in frames], table)
 
     def _stripe_rows(self, opened: Opened, messages: wire.Table) -> wire.Table:
-        rows = np.empty((len(messages), wire.STRIPE_COLUMNS), dtype=np.int64)
-        wire.find_stripes(opened.bytes, messages, rows)
+        rows = wire.find_stripes(opened.bytes, messages)
         channel = int(messages[0, 1])
         if channel not in self._as_usual and rows[0, wire.POINTS] >= 0:
             told, read = self._decoded(opened, messages[0]), profiles(opened, rows[:1])
@@ -213,13 +212,10 @@ class _Reader:
         return found
 
     def _joints(self, opened: Opened, messages: wire.Table) -> list[JointSamples]:
-        rows = np.empty((len(messages), wire.MOST_JOINTS + 1), dtype=np.int64)
-        counts, names = np.empty((2, len(messages)), dtype=np.int64)
-        wire.find_all_joints(opened.bytes, messages, rows, counts, names)
+        rows, counts, names = wire.find_joints(opened.bytes, messages)
         channel, alike = int(messages[0, 1]), (names == names[0]) & (counts == counts[0])
         if counts[0] > 0 and alike.all() and self._as_usual.get(channel, True):
-            q_rad = np.empty((len(messages), counts[0]))
-            wire.gather_joints(opened.bytes, rows, counts[0], q_rad.view(np.uint8).reshape(-1))
+            q_rad = wire.gather_joints(opened.bytes, rows, int(counts[0]))
             told = self._decoded(opened, messages[0])
             assert isinstance(told, JointRecord)
             usual = told.stamp_ns == rows[0, 0] and np.array_equal(

@@ -5,3 +5,6 @@
 
 #include "stripe/runs.c"
 #include "stripe/speckle.c"
+#include "recording/records.c"
+#include "recording/joints.c"
+#include "recording/stripes.c"
