@@ -109,7 +109,7 @@ def demo(
     open_browser: Open = True,
 ) -> None:
     """The whole station on simulated hardware, in the browser."""
-    from app.main import demo as run_demo
+    from app.start import demo as run_demo
 
     run_demo(data, host, port, open_browser)
 
@@ -126,7 +126,7 @@ def serve(
     open_browser: Open = False,
 ) -> None:
     """The station on real hardware."""
-    from app.main import serve as run_serve
+    from app.start import serve as run_serve
 
     run_serve(config, data, host, port, open_browser)
 
@@ -155,7 +155,7 @@ def calibrate(
     """Calibrate from contact points and pictures: camera, laser plane, probe matrix."""
     from app.files.calibrate import calibrate_session
     from app.files.calibration_figures import figures_of
-    from app.metrology.findings import Limits
+    from app.metrology.limits import Limits
 
     began = time.perf_counter()
     with progress_bar("Calibrating", not as_json) as tell:

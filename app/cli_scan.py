@@ -216,8 +216,8 @@ def replay(
     """The live display fed from a recording, with any calibration."""
     from app.files.arm import read_arm
     from app.files.calibration import read_calibration
-    from app.main import replay as run_replay
     from app.replay import Replay
+    from app.start import replay as run_replay
 
     sensor = read_calibration(calibration or recording.with_name("calibration.json"))
     arm_model = read_arm(arm or recording.with_name("arm.json"))

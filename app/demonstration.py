@@ -25,17 +25,17 @@ PLACES = {
 
 
 @contextmanager
-def simulated_parts(data: Path, hosts: tuple[str, ...] = ()) -> Iterator[Parts]:
+def simulated_parts(data: Path) -> Iterator[Parts]:
     """A running twin, its sensor ready to take pictures, as the parts of a station.
 
     Raises:
         Refusal: the data folder cannot be written.
     """
     with Twin() as twin:
-        yield parts_of(twin, data, hosts)
+        yield parts_of(twin, data)
 
 
-def parts_of(twin: Twin, data: Path, hosts: tuple[str, ...] = ()) -> Parts:
+def parts_of(twin: Twin, data: Path) -> Parts:
     """A station on a started twin; the real serial driver reads its arm."""
     put_papers(twin, data)
     options = {"url": twin.arm_url}
@@ -44,7 +44,6 @@ def parts_of(twin: Twin, data: Path, hosts: tuple[str, ...] = ()) -> Parts:
         data=data,
         arm=lambda: arm_driver("serial-encoder", options),
         sensor=twin.sensor,
-        hosts=hosts,
         hand=twin.hand,
         guest="Demo",
         watching=Watching(

@@ -11,9 +11,9 @@ import time
 import webbrowser
 
 import uvicorn
-from fastapi import FastAPI
+from starlette.types import ASGIApp
 
-from app.api.watch import Network
+from app.api.guard import Network
 from app.files.failures import files_refused
 from app.metrology.refusal import Refusal
 from app.settings import Serving
@@ -97,7 +97,7 @@ class FirstLine(logging.Formatter):
         return super().format(plain)
 
 
-def make_server(app: FastAPI, serving: Serving = LOCAL) -> "StationServer":
+def make_server(app: ASGIApp, serving: Serving = LOCAL) -> "StationServer":
     """The server of an application, not yet running.
 
     Raises:

@@ -9,10 +9,10 @@ from pathlib import Path
 
 from app.files.gauge import DEFAULT_LIMITS, VerificationLimits
 from app.guide.due import DUE, DueLimits
-from app.metrology.findings import Limits
+from app.metrology.limits import Limits
 from app.metrology.refusal import Refusal
 from app.settings_file import LimitsTable, MqttTable, StationTable, read_file
-from app.supervise.broker import BrokerSettings
+from app.supervise.broker_settings import BrokerSettings
 
 DEFAULT_FILE = "station.toml"
 

@@ -57,9 +57,9 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from app.files.failures import files_refused
 from app.files.gauge import VerificationLimits
 from app.guide.due import DUE
-from app.metrology.findings import LIMITS
+from app.metrology.limits import LIMITS
 from app.metrology.refusal import Refusal
-from app.supervise.broker import BrokerSettings
+from app.supervise.broker_settings import BrokerSettings
 
 WORDS = {
     "string_type": "it must be text in quotes",

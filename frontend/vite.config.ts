@@ -12,6 +12,8 @@ export default defineConfig({
     target: "es2022",
     license: { fileName: "licences.md" },
     chunkSizeWarningLimit: 600,
+    // the client, and the page that is there while the station starts
+    rollupOptions: { input: ["index.html", "starting.html"] },
   },
   server: {
     fs: { allow: [".", "../app/strings"] },

@@ -1,24 +1,12 @@
 """The operator's client: the files that the build left in ``app/static``."""
 
-from pathlib import Path
-
 from fastapi import APIRouter, FastAPI, Request
 from starlette.exceptions import HTTPException
-from starlette.responses import FileResponse, HTMLResponse, Response
+from starlette.responses import Response
+
+from app.api.static_files import file_response, names_a_file, page_response
 
 router = APIRouter(include_in_schema=False)
-STATIC = Path(__file__).resolve().parents[1] / "static"
-FOREVER = "public, max-age=31536000, immutable"
-NOT_BUILT = """<!doctype html>
-<html lang="en"><head><meta charset="utf-8"><title>Crenel</title>
-<style>body{font:16px/1.5 system-ui,sans-serif;max-width:40rem;margin:15vh auto;padding:0 1rem}
-</style></head><body><h1>The client is not built</h1>
-<p>The station runs, and its interface answers under <code>/api</code>, but the pages of the
-operator's client were not built into this copy of the program.</p>
-<p>Install the program with <code>pip install .</code>, which builds them, or build them in
-the source tree: <code>npm ci &amp;&amp; npm run build</code> in <code>frontend</code>.</p>
-</body></html>
-"""
 
 
 @router.get("/api/openapi.json")
@@ -34,16 +22,9 @@ def no_such_interface(path: str) -> Response:
 
 
 @router.api_route("/{path:path}", methods=["GET", "HEAD"])
-def client(path: str, request: Request) -> Response:
+def client(path: str) -> Response:
     """A built file, or the page itself, which finds its own way by the address."""
-    index = STATIC / "index.html"
-    if not index.is_file():
-        return HTMLResponse(NOT_BUILT, 503)
-    file = (STATIC / path).resolve()
-    if path and file.is_file() and file.is_relative_to(STATIC):
-        # names under assets carry a hash of their content
-        hashed = file.is_relative_to(STATIC / "assets")
-        return FileResponse(file, headers={"Cache-Control": FOREVER if hashed else "no-cache"})
-    if path.startswith("assets/") or "." in path.rsplit("/", 1)[-1]:
+    found = file_response(path)
+    if found is None and names_a_file(path):
         raise HTTPException(404)
-    return FileResponse(index, headers={"Cache-Control": "no-cache"})
+    return found or page_response("index.html")

@@ -1,7 +1,6 @@
 """The ways to sign in: by name and password, by the console's code, and by a wall link."""
 
 import ipaddress
-import secrets
 import threading
 from hmac import compare_digest
 
@@ -11,10 +10,6 @@ from app.metrology.refusal import Refusal
 from app.store.accounts import Account, AccountStore, Role, plain_name
 from app.store.scrapers import ScraperStore
 from app.store.sign_ins import SignInStore, Visitor
-
-LETTERS = "ABCDEFGHJKLMNPQRSTUVWXYZ23456789"
-"""Without those that are taken for others."""
-CODE_LENGTH = 12
 
 
 class Entrance:
@@ -31,12 +26,13 @@ class Entrance:
         sign_ins: SignInStore,
         scrapers: ScraperStore,
         guest: str | None,
+        code: str,
     ) -> None:
         self._accounts, self._sign_ins, self._guest = accounts, sign_ins, guest
         self._scrapers = scrapers
         self._throttle = Throttle()
         self._lock = threading.Lock()
-        self._code = "".join(secrets.choice(LETTERS) for _ in range(CODE_LENGTH))
+        self._code = code
         if guest is not None and accounts.get(guest) is None:
             accounts.add(guest, Role.admin, None)
 

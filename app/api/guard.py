@@ -10,6 +10,7 @@ it. Who may do what is looked at behind this, in ``access``.
 import asyncio
 import ipaddress
 from collections.abc import Collection
+from typing import Literal
 from urllib.parse import urlsplit
 
 from starlette.datastructures import Headers, MutableHeaders
@@ -17,9 +18,11 @@ from starlette.exceptions import HTTPException
 from starlette.responses import PlainTextResponse
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from app.api.problems import problem
-from app.report.page import POLICY
+from app.api.problem import problem
+from app.report.policy import POLICY
 
+Network = Literal["here", "encrypted", "proxied", "open"]
+"""From where the station is reached: from this machine alone, or from others in some way."""
 LOCAL_NAMES = ("localhost", "127.0.0.1", "::1")
 LARGEST_BODY = 1 << 18
 BODY_S = 15.0

@@ -5,16 +5,14 @@ from http import HTTPStatus
 
 from fastapi import FastAPI, Request
 from fastapi.exceptions import RequestValidationError
-from pydantic_core import to_json
 from starlette.exceptions import HTTPException
 from starlette.responses import Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app.api.denied import Denied, TooManyTries
-from app.api.schema import Problem
+from app.api.problem import problem
 from app.guide.guide import StaleCommand
 from app.guide.session import STALE
-from app.guide.view import FlowView
 from app.metrology.refusal import Refusal
 from app.store.database import NOT_KEPT
 
@@ -23,19 +21,6 @@ log = logging.getLogger(__name__)
 UNPROCESSABLE = 422
 STATUSES = {STALE: 409, NOT_KEPT: 507, "disk-full": 507}
 """Of refusals that programs know by their status."""
-
-
-def problem(
-    status: int, code: str, detail: str, remedy: str = "", view: FlowView | None = None
-) -> Response:
-    """The response of an error."""
-    body = Problem("about:blank", HTTPStatus(status).phrase, status, detail, code, remedy, view)
-    exclude = {"view"} if view is None else None
-    return Response(
-        to_json(body, exclude=exclude, inf_nan_mode="null"),
-        status_code=status,
-        media_type="application/problem+json",
-    )
 
 
 def refusal_problem(refusal: Refusal, status: int = UNPROCESSABLE) -> Response:

@@ -52,6 +52,7 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ("GET", "/{path:path}"): ENTER,
     ("HEAD", "/{path:path}"): ENTER,
     ("GET", "/api/session"): ENTER,
+    ("GET", "/api/starting"): ENTER,
     ("POST", "/api/session"): ENTER,
     ("DELETE", "/api/session"): ENTER,
     ("POST", "/api/session/code"): ENTER,

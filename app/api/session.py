@@ -27,6 +27,7 @@ from app.api.schema import (
     SignIn,
     You,
 )
+from app.api.starting import READY, Readiness
 from app.station.lease import Control
 from app.store.accounts import Role
 from app.store.sign_ins import Visitor
@@ -43,6 +44,12 @@ ROLE_NAMES: dict[Role, RoleName] = {
 def session(request: Request, context: TheContext) -> Session:
     """Who is signed in here, or how one signs in."""
     return _session(context, visitor_of(request))
+
+
+@router.get("/starting")
+def starting() -> Readiness:
+    """Whether the station is ready: it is, once this answers; before, its start does."""
+    return READY
 
 
 @router.post("/session")

@@ -23,7 +23,8 @@ from websockets.typing import Subprotocol
 from app.api.access import until_signed_out
 from app.api.context import TheContext, context_of
 from app.api.fewer_points import FewerPoints
-from app.api.problems import NotFound, problem
+from app.api.problem import problem
+from app.api.problems import NotFound
 from app.station.picking import ViewCamera
 from app.station.viewing import Viewing
 

@@ -6,8 +6,9 @@ from collections import defaultdict
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Literal
+from typing import TYPE_CHECKING
 
+from app.api.guard import Network
 from app.files.moments import utc_now
 from app.metrology.refusal import Refusal
 from app.station.bus import Bus
@@ -21,14 +22,15 @@ from app.station.temperature import TemperatureWatch, Thermometer
 from app.station.watchdog import LoopWatchdog
 from app.store.backup import BackupMade, backup, last_backup, stamped_name
 from app.store.store import Store
-from app.supervise.broker import Broker, BrokerSettings, new_instance
+from app.supervise.broker_settings import BrokerSettings
 from app.supervise.fleet import Fleet
-from app.supervise.messages import station_id
+from app.supervise.messages import new_instance, station_id
 from app.supervise.notices import Notice, NoticeKind, Repeats
 from app.supervise.webhook import Webhook, WebhookStore
 
-Network = Literal["here", "encrypted", "proxied", "open"]
-"""From where the station is reached: from this machine alone, or from others in some way."""
+if TYPE_CHECKING:
+    from app.supervise.broker import Broker
+
 BUCKETS_S = (0.5, 1.0, 2.0, 5.0, 10.0, 30.0, 60.0, 120.0, 300.0)
 
 
@@ -124,9 +126,7 @@ class Watch:
         )
         self.losses = {"arm": LossWindow(), "sensor": LossWindow()}
         self.fleet = Fleet()
-        self.broker = (
-            None if mqtt is None else Broker(mqtt, self.station, name, self.instance, self.fleet)
-        )
+        self.broker = None if mqtt is None else self._broker_of(mqtt)
         self.webhooks = WebhookStore(store.folder)
         self.webhook = Webhook(self.webhooks.read())
         self.backups = Backups(bus, store.folder, settings.backups)
@@ -141,6 +141,12 @@ class Watch:
         self._bus = bus
         self._numbers = 0
         self._repeats = Repeats()
+
+    def _broker_of(self, settings: BrokerSettings) -> "Broker":
+        # most stations have none, and need not load its protocol
+        from app.supervise.broker import Broker
+
+        return Broker(settings, self.station, self.name, self.instance, self.fleet)
 
     def note_scan(self, result: ScanResult) -> None:
         """A scan has ended."""

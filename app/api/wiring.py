@@ -4,6 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from app.api.console_code import new_code
 from app.api.context import Context
 from app.api.entrance import Entrance
 from app.api.machine import stop_everything
@@ -27,7 +28,7 @@ from app.guide.scan_hand import ScanHand
 from app.guide.signing import Signing
 from app.guide.verify.commands import press as press_verify
 from app.guide.verify.guide import VerifyGuide, VerifyStation
-from app.metrology.findings import LIMITS, Limits
+from app.metrology.limits import LIMITS, Limits
 from app.metrology.refusal import Refusal
 from app.station.bus import Bus
 from app.station.distance_band import DistanceWatch
@@ -68,6 +69,8 @@ class Parts:
     """When what is to be done again."""
     guest: str | None = None
     """The account that a link on the console enters, of a demonstration or a replay."""
+    code: str = field(default_factory=new_code)
+    """What the console shows."""
     watching: Watching = field(default_factory=Watching)
     """Who is told of the station, and what else is looked at."""
 
@@ -150,7 +153,7 @@ def open_context(parts: Parts) -> Context:
         verify_guide,
         settings,
         lease,
-        Entrance(store.accounts, store.sign_ins, store.scrapers, parts.guest),
+        Entrance(store.accounts, store.sign_ins, store.scrapers, parts.guest, parts.code),
         watch,
         parts.due,
     )

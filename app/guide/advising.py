@@ -22,8 +22,8 @@ from app.metrology.adjustment.solve import Adjusted
 from app.metrology.adjustment.state import pose_scene
 from app.metrology.arm import Arm
 from app.metrology.chessboard.board import Chessboard
-from app.metrology.findings import Limits
 from app.metrology.frames import Floats, inverse, rigid, vector_from_rotation
+from app.metrology.limits import Limits
 from app.metrology.objects import CalibrationObject
 from app.metrology.refusal import Refusal
 

@@ -26,8 +26,8 @@ from app.guide.state import ENDS, FIELDS, KINDS, CalibrationState, after
 from app.guide.view import FlowView
 from app.metrology.adjustment.pose_advice import Hold
 from app.metrology.arm import flange_pose
-from app.metrology.findings import LIMITS, Limits
 from app.metrology.frames import Floats
+from app.metrology.limits import LIMITS, Limits
 from app.metrology.refusal import Refusal
 from app.station.bus import Bus
 from app.station.findings import Finding

@@ -8,7 +8,7 @@ from app.guide.pose_pictures import recorded_poses
 from app.guide.session_folder import SessionFolder
 from app.guide.state import CalibrationState, after
 from app.guide.view import ResultPicture
-from app.metrology.findings import LIMITS
+from app.metrology.limits import LIMITS
 from app.metrology.refusal import Refusal
 from app.station.findings import Finding
 

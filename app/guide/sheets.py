@@ -9,7 +9,7 @@ from app.guide.session_folder import SessionFolder
 from app.guide.state import FIELDS, CalibrationState
 from app.guide.touch_report import TouchReport
 from app.metrology.crenellated import Crenellated
-from app.metrology.findings import Limits
+from app.metrology.limits import Limits
 
 FRESH_S = 2.0
 """While the operator chooses, files that were added are seen after this time."""

@@ -32,8 +32,8 @@ from app.metrology.adjustment.board_joint import BoardCalibration, calibrate_boa
 from app.metrology.adjustment.joint import JointCalibration, Progress, calibrate_joint
 from app.metrology.adjustment.pose_results import PoseResult
 from app.metrology.adjustment.uncertainty import UncertaintyMap
-from app.metrology.findings import Limits
 from app.metrology.frames import apply, inverse
+from app.metrology.limits import Limits
 from app.metrology.objects import CalibrationObject
 from app.metrology.refusal import Refusal
 from app.station.findings import Finding

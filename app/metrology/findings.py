@@ -13,6 +13,7 @@ from app.metrology.camera import Camera
 from app.metrology.crenellated import Crenellated
 from app.metrology.detection.corners import ObjectDetection
 from app.metrology.frames import Floats
+from app.metrology.limits import LIMITS, Limits
 
 Quality = Literal["good", "attention", "bad", "neutral"]
 _GRAVE = {"bad": 0, "attention": 1}
@@ -31,17 +32,6 @@ FARTHEST_MM = 600.0
 # Share of the stripe on the levels that agrees with the plane.
 AGREEING = 0.85
 WORST_OF_A_KIND = 3
-
-
-@dataclass(frozen=True)
-class Limits:
-    """Uncertainty of a point, k = 1: good up to the first, not to be used beyond the second."""
-
-    good_um: float = 50.0
-    usable_um: float = 150.0
-
-
-LIMITS = Limits()
 
 
 def grave(off_mm: float, limits: Limits) -> Quality:

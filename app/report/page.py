@@ -19,12 +19,11 @@ from app.report.content import (
 )
 from app.report.faces import REGULAR, SEMIBOLD
 from app.report.language import Say
+from app.report.policy import POLICY
 from app.report.svg import svg
 from app.report.words import tied
 from app.strings.sentences import sentences_of
 
-POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; font-src data:"
-"""What such a page may load: nothing but what is in it."""
 MARKS = {"good": "Good", "attention": "Attention", "bad": "Bad", "neutral": "Note"}
 
 STYLE = """

@@ -7,6 +7,7 @@ pictures up for longer than a device may be silent.
 
 import multiprocessing
 import signal
+from collections.abc import Callable
 from contextlib import suppress
 
 import cv2
@@ -65,7 +66,7 @@ def warm_up() -> None:
     """Runs every compiled loop of the live station once.
 
     The first time on a machine they are compiled, each part in a process of its own; later
-    they are read from disk in about a second. To be called from the main thread.
+    they are read from disk in about a second.
     """
     warm_up_points()
     # a process that ends with its parent may have no children itself
@@ -78,16 +79,17 @@ def warm_up() -> None:
 def _share_out() -> None:
     """Compiles every part in a process of its own, which leaves the loops on disk."""
     beside = multiprocessing.get_context("spawn")
-    workers = [beside.Process(target=part, daemon=True) for part in PARTS]
-    # Ctrl-C is for the station, which ends its workers itself: they are born deaf to it
-    heard = signal.signal(signal.SIGINT, signal.SIG_IGN)
-    try:
-        for worker in workers:
-            worker.start()
-    finally:
-        signal.signal(signal.SIGINT, heard)
+    workers = [beside.Process(target=_deaf, args=(part,), daemon=True) for part in PARTS]
+    for worker in workers:
+        worker.start()
     for worker in workers:
         worker.join()
+
+
+def _deaf(part: Callable[[], None]) -> None:
+    """Ctrl-C is for the station, which ends its workers itself."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    part()
 
 
 def warm_up_stripes() -> None:

@@ -3,16 +3,15 @@
 import asyncio
 import contextlib
 import logging
-import secrets
 import ssl
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
 
 import aiomqtt
 
 from app.metrology.refusal import Refusal
+from app.supervise.broker_settings import BrokerSettings
 from app.supervise.fleet import Fleet
 from app.supervise.messages import (
     BEAT_S,
@@ -33,39 +32,6 @@ EVENTS_WAITING = 100
 
 
 @dataclass(frozen=True)
-class BrokerSettings:
-    """``[mqtt]`` of station.toml."""
-
-    host: str
-    port: int = 1883
-    user: str | None = None
-    password_file: Path | None = None
-    tls: bool = False
-    ca_file: Path | None = None
-    prefix: str = "crenel"
-    station: str | None = None
-    """As a part of topics; else by the station's name."""
-
-    def password(self) -> str | None:
-        """What the password file holds, without the line's end.
-
-        Raises:
-            Refusal: it cannot be read.
-        """
-        if self.password_file is None:
-            return None
-        try:
-            return self.password_file.read_text().rstrip("\r\n")
-        except (OSError, UnicodeDecodeError) as error:
-            raise Refusal(
-                "mqtt-password",
-                f"{self.password_file} cannot be read",
-                str(getattr(error, "strerror", None) or error),
-                "Name a file that holds the broker's password alone, readable by the station",
-            ) from error
-
-
-@dataclass(frozen=True)
 class BrokerState:
     """How the connection is, for the health page."""
 
@@ -74,11 +40,6 @@ class BrokerState:
     """What went wrong last, while it is not connected."""
     since_s: float
     tries: int
-
-
-def new_instance() -> str:
-    """A name of this start of a station."""
-    return secrets.token_hex(6)
 
 
 class Broker:

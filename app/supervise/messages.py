@@ -5,6 +5,7 @@ and docker/SUPERVISION.md tells the rest.
 """
 
 import re
+import secrets
 import unicodedata
 from typing import Annotated, Literal
 
@@ -161,6 +162,11 @@ def station_id(name: str) -> str:
     """A station's name as a part of a topic."""
     plain = unicodedata.normalize("NFKD", name).encode("ascii", "ignore").decode().lower()
     return re.sub(r"[^a-z0-9]+", "-", plain).strip("-")[:LONGEST_ID].strip("-") or "station"
+
+
+def new_instance() -> str:
+    """A name of this start of a station."""
+    return secrets.token_hex(6)
 
 
 def schema() -> dict[str, object]:

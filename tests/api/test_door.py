@@ -12,8 +12,7 @@ import httpx
 import pytest
 
 from app import serving
-from app.api import client as client_room
-from app.api import guard, reports
+from app.api import guard, reports, static_files
 from app.api.guard import LARGEST_BODY, Guard
 from app.metrology.refusal import Refusal
 from tests.api.conftest import Server
@@ -228,7 +227,7 @@ def test_what_fails_unexpectedly_tells_no_insides(
 def test_a_client_that_was_not_built_is_said_so(
     server: Server, monkeypatch: pytest.MonkeyPatch, tmp_path: object
 ) -> None:
-    monkeypatch.setattr(client_room, "STATIC", tmp_path)
+    monkeypatch.setattr(static_files, "STATIC", tmp_path)
     answer = server.http.get("/")
     assert answer.status_code == 503
     assert "not built" in answer.text
@@ -243,7 +242,7 @@ def test_the_built_client_is_served_with_every_address(
     (built / "index.html").write_text("<title>Crenel</title>")
     (built / "assets" / "app-3f2a.js").write_text("export {}")
     (built.parent / "outside.txt").write_text("secret")
-    monkeypatch.setattr(client_room, "STATIC", built)
+    monkeypatch.setattr(static_files, "STATIC", built)
     http: httpx.Client = server.http
     for path in ("/", "/calibrate", "/records/scans"):
         page = http.get(path)

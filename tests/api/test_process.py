@@ -46,8 +46,12 @@ def running(*arguments: str) -> Iterator[Running]:
     ) as process:
         try:
             assert process.stdout is not None
-            words = (word for line in process.stdout for word in line.split())
-            yield process, next(word for word in words if word.startswith("http"))
+            told = ""
+            for line in process.stdout:
+                told += line
+                if line.startswith("Ready"):
+                    break
+            yield process, next(word for word in told.split() if word.startswith("http"))
         finally:
             process.kill()
 

@@ -6,7 +6,7 @@ import pytest
 
 from app.files.gauge import DEFAULT_LIMITS
 from app.guide.due import DUE
-from app.metrology.findings import LIMITS, Limits
+from app.metrology.limits import LIMITS, Limits
 from app.metrology.refusal import Refusal
 from app.settings import read_settings
 

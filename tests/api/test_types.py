@@ -9,7 +9,7 @@ from typing import Literal, Union, get_args, get_origin, get_type_hints
 import pytest
 
 from app import replay
-from app.api import record_schema, schema
+from app.api import record_schema, schema, starting
 from app.guide import due, result_view, view
 from app.metrology.detection import evidence
 from app.station import (
@@ -69,6 +69,7 @@ SHAPES: dict[str, type] = {
     "PreviewHeader": preview.PreviewHeader,
     "You": schema.You,
     "Session": schema.Session,
+    "Readiness": starting.Readiness,
     "Person": lease.Person,
     "Control": lease.Control,
     "Account": schema.AccountSummary,

@@ -25,7 +25,7 @@ from app.api.watch import Watching
 from app.station.health import ORDER
 from app.store.accounts import Role
 from app.store.store import Store
-from app.supervise.broker import BrokerSettings
+from app.supervise.broker_settings import BrokerSettings
 from app.supervise.messages import schema
 from tests.api.conftest import Server
 from tests.supervise.test_webhook import Receiver, receiver

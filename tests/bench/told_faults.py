@@ -18,8 +18,8 @@ from app.bench.simulated import USUAL, Draw, SetUp, Station, drawn, station_of
 from app.metrology.adjustment.evidence import Touches
 from app.metrology.adjustment.faults import about_block_faults
 from app.metrology.adjustment.solve import adjust
-from app.metrology.findings import LIMITS
 from app.metrology.frames import Floats
+from app.metrology.limits import LIMITS
 
 FACES = ("crest", "front", "left", "right")
 STATIONS, POSES, PER_FACE = 4, 6, 10

@@ -197,6 +197,7 @@ def test_the_command_serves_the_display(tmp_path: Path) -> None:
         killer.start()
         assert process.stdout is not None
         address = process.stdout.readline().split()[3]
+        assert process.stdout.readline().startswith("Ready")
         with client(address) as http:
             assert "Replay of scan.mcap" in http.get("/api/home").text
         process.terminate()

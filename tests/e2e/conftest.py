@@ -52,9 +52,12 @@ QUIET = ("app.station.watchdog", "app.api.observer")
 
 
 class Demo:
-    """``crenel demo`` in a process of its own, or another command that begins as it does."""
+    """``crenel demo`` in a process of its own, or another command that begins as it does.
 
-    def __init__(self, data: Path, command: Sequence[str] = ()) -> None:
+    ``patient``: waits until it is ready, not only for its first page.
+    """
+
+    def __init__(self, data: Path, command: Sequence[str] = (), patient: bool = True) -> None:
         self.data = data
         self.process = subprocess.Popen(
             command
@@ -76,7 +79,7 @@ class Demo:
         told = ""
         for line in self.process.stdout:
             told += line
-            if "http://" in line:
+            if line.startswith("Ready" if patient else "Crenel is at"):
                 break
         watchdog.cancel()
         address = re.search(r"http://\S+", told)

@@ -8,8 +8,8 @@ import sys
 from pathlib import Path
 
 from app.demonstration import parts_of
-from app.main import _run
 from app.serving import listen
+from app.start import Plan, run
 from hardware.twin.station import Twin, TwinConfig
 
 
@@ -21,7 +21,8 @@ def serve(data: Path) -> None:
             twin.faults.camera_lost = not twin.faults.camera_lost
 
         signal.signal(signal.SIGUSR1, turn)
-        _run(parts_of(twin, data, ("127.0.0.1",)), listening, "127.0.0.1", False)
+        parts = parts_of(twin, data)
+        run(Plan("Failing", lambda: parts, "127.0.0.1", by_link=True), listening, False)
 
 
 if __name__ == "__main__":

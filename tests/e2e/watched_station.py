@@ -6,10 +6,10 @@ from pathlib import Path
 from types import SimpleNamespace
 
 from app.demonstration import parts_of
-from app.main import _run
 from app.serving import listen
+from app.start import Plan, run
 from app.store.store import Store
-from app.supervise.broker import BrokerSettings
+from app.supervise.broker_settings import BrokerSettings
 from hardware.twin.station import Twin
 from tests.api.calibrated import use_truth
 
@@ -17,14 +17,15 @@ from tests.api.calibrated import use_truth
 def serve(data: Path, broker_port: int) -> None:
     listening = listen("127.0.0.1", 0, 1)
     with Twin() as twin:
-        parts = parts_of(twin, data, ("127.0.0.1",))
+        parts = parts_of(twin, data)
         store = Store(data)
         guide = SimpleNamespace(_on_closed=lambda: None)
         context = SimpleNamespace(store=store, guide=guide)
         use_truth(SimpleNamespace(twin=twin, data=data, context=context), "truth")  # type: ignore[arg-type]
         store.close()
         watching = replace(parts.watching, mqtt=BrokerSettings("127.0.0.1", broker_port))
-        _run(replace(parts, watching=watching), listening, "127.0.0.1", False)
+        parts = replace(parts, watching=watching)
+        run(Plan("Watched", lambda: parts, "127.0.0.1", by_link=True), listening, False)
 
 
 if __name__ == "__main__":

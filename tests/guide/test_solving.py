@@ -21,7 +21,7 @@ from app.guide.session_folder import SessionFolder
 from app.guide.solving import solve
 from app.metrology.adjustment.block_start import SeenPose
 from app.metrology.adjustment.joint import calibrate_joint
-from app.metrology.findings import LIMITS
+from app.metrology.limits import LIMITS
 from app.metrology.refusal import Refusal
 from app.station.capture import Capture
 from app.station.joints import JointMean

@@ -14,8 +14,9 @@ from app.metrology.adjustment.board_view import BoardView
 from app.metrology.adjustment.mounting import mounting_by_motion
 from app.metrology.adjustment.robot_noise import PosesSeen, robot_noise
 from app.metrology.chessboard.board import middle_of
-from app.metrology.findings import Finding, Limits
+from app.metrology.findings import Finding
 from app.metrology.frames import Floats, rigid
+from app.metrology.limits import Limits
 from app.metrology.refusal import Refusal
 from app.strings.sentences import sentences_of
 from tests.metrology.boards import POSES, T_ARM_OBJ, T_FLANGE_CAM, TIP, seen_from

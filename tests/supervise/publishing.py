@@ -4,9 +4,16 @@ import asyncio
 import sys
 from datetime import UTC, datetime
 
-from app.supervise.broker import Broker, BrokerSettings, new_instance
+from app.supervise.broker import Broker
+from app.supervise.broker_settings import BrokerSettings
 from app.supervise.fleet import Fleet
-from app.supervise.messages import ActivityReport, DeviceReport, StationEvent, StationReport
+from app.supervise.messages import (
+    ActivityReport,
+    DeviceReport,
+    StationEvent,
+    StationReport,
+    new_instance,
+)
 
 DEVICE = DeviceReport(
     name="arm",

@@ -13,9 +13,10 @@ from pathlib import Path
 import aiomqtt
 from jsonschema import Draft202012Validator
 
-from app.supervise.broker import Broker, BrokerSettings, new_instance
+from app.supervise.broker import Broker
+from app.supervise.broker_settings import BrokerSettings
 from app.supervise.fleet import Fleet, StationShown
-from app.supervise.messages import parts_of, schema
+from app.supervise.messages import new_instance, parts_of, schema
 from tests.supervise.mosquitto import PASSWORD, USER, Mosquitto
 from tests.supervise.publishing import event_of, publish, report_of
 

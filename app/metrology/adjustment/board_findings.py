@@ -16,12 +16,12 @@ from app.metrology.adjustment.uncertainty import Known
 from app.metrology.chessboard.board import Chessboard, corner_points
 from app.metrology.findings import (
     Finding,
-    Limits,
     about_pixels,
     contacts_left_out,
     gravest_first,
     verdict,
 )
+from app.metrology.limits import Limits
 
 # What a budget calls a robot's share.
 ROBOT_ROW = "robot's poses"

@@ -34,8 +34,8 @@ from app.metrology.adjustment.sheet import bend_of, board_papers, shapes
 from app.metrology.adjustment.state import State
 from app.metrology.arm import Arm, RobotArm
 from app.metrology.chessboard.board import Chessboard, middle_of
-from app.metrology.findings import LIMITS, Limits
 from app.metrology.frames import Floats, apply, inverse, rigid
+from app.metrology.limits import LIMITS, Limits
 from app.metrology.refusal import Refusal
 
 # The one feature that is touched: the plane of the sheet.

@@ -19,13 +19,13 @@ from app.metrology.findings import (
     OPENING_MM,
     OPPOSITE,
     Finding,
-    Limits,
     grave,
     size_agrees,
     size_off,
     size_unchecked,
 )
 from app.metrology.frames import Floats
+from app.metrology.limits import Limits
 
 # Twice the logarithm of how much likelier a fault must be than none: strong evidence (Kass and
 # Raftery 1995).

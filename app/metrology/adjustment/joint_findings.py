@@ -19,7 +19,6 @@ from app.metrology.findings import (
     EDGE_RMS_PX,
     STRIPE_RMS_PX,
     Finding,
-    Limits,
     about_contacts,
     about_pixels,
     about_unseen,
@@ -28,6 +27,7 @@ from app.metrology.findings import (
     verdict,
 )
 from app.metrology.frames import Floats, inverse
+from app.metrology.limits import Limits
 
 # The arm reads worse than its sheet by this factor.
 NOISY = 2.5

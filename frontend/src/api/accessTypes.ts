@@ -19,6 +19,15 @@ export interface Session {
   by_code: boolean;
 }
 
+/** How far a starting station is: so many of its steps are done, a share of the time. */
+export interface Readiness {
+  ready: boolean;
+  station: string;
+  steps: string[];
+  done: number;
+  share: number;
+}
+
 export interface Person {
   id: string;
   name: string;

@@ -11,7 +11,7 @@ export class Refused extends Error {
   }
 }
 
-/** The station gave no answer: nobody knows whether it acted. */
+/** The station gave no answer: nobody knows whether it acted. One that only starts gives none either. */
 export class NoAnswer extends Error {}
 
 const ANSWER_WITHIN_MS = 10_000;
@@ -45,8 +45,9 @@ async function request(path: string, init: RequestInit): Promise<string> {
   } catch {
     throw new NoAnswer(path);
   }
-  if (!answer.ok) throw new Refused(problemOf(answer.status, text));
-  return text;
+  if (answer.ok) return text;
+  const problem = problemOf(answer.status, text);
+  throw problem.code === "starting" ? new NoAnswer(path) : new Refused(problem);
 }
 
 /** What is there, its sentences in this browser's language. */

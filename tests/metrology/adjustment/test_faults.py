@@ -11,8 +11,9 @@ from app.metrology.adjustment.evidence import Touches
 from app.metrology.adjustment.faults import about_block_faults
 from app.metrology.adjustment.scales import Scales
 from app.metrology.adjustment.solve import adjust
-from app.metrology.findings import LIMITS, Finding
+from app.metrology.findings import Finding
 from app.metrology.frames import Floats
+from app.metrology.limits import LIMITS
 
 THREE = ("crest", "front", "left")
 ALL_AROUND = ("crest", "front", "back", "left", "right")

@@ -14,8 +14,8 @@ from app.metrology.adjustment.joint import JointCalibration, JointInputs, calibr
 from app.metrology.adjustment.not_seen import NotSeen
 from app.metrology.adjustment.pose_advice import held, next_poses
 from app.metrology.adjustment.touch_advice import next_touches, place_um
-from app.metrology.findings import Limits
 from app.metrology.frames import apply, rigid_fit
+from app.metrology.limits import Limits
 from app.metrology.reconstruct import sensor_points
 from app.metrology.refusal import Refusal
 

@@ -1,0 +1,99 @@
+import { useEffect, useState } from "react";
+
+import type { Readiness } from "../api/accessTypes";
+import { get } from "../api/http";
+import layout from "../frame/Layout.module.css";
+import bar from "../frame/TopBar.module.css";
+import { Illustration } from "../object/Illustration";
+import { CardHead } from "../parts/CardHead";
+import { CheckIcon, Mark } from "../parts/icons";
+import { Busy } from "../parts/Progress";
+import { QualityMark } from "../parts/QualityMark";
+import { said, t, words } from "../state/language";
+import styles from "./StartingPage.module.css";
+
+const AGAIN_MS = 250;
+/** So many questions without an answer, and the station is taken for ended. */
+const UNANSWERED = 8;
+const WORDS = { done: words("done"), current: words("now"), todo: words("to do") };
+
+/** What the station shows until it is ready: what is being prepared, and how far it is. */
+export function StartingPage() {
+  const { readiness, ended } = useReadiness();
+  const steps = readiness?.steps ?? [];
+  const done = readiness?.done ?? 0;
+  const title = ended ? t("The station did not start") : t("Starting the station");
+  const text = ended
+    ? t("The console that runs Crenel says why, and what to do. This page goes on once it is started again.")
+    : t("This page goes on by itself once everything is ready.");
+  useEffect(() => {
+    document.title = `${title} · Crenel`;
+  }, [title]);
+  return (
+    <div className={styles.frame}>
+      <header className={bar.bar}>
+        <div className={styles.brand}>
+          <Mark />
+          <div className={styles.names}>
+            <span className={bar.name}>Crenel</span>
+            <span className={bar.station}>{readiness?.station}</span>
+          </div>
+        </div>
+      </header>
+      <main className={layout.main}>
+        <section className={layout.card} aria-label={t("What is being prepared")}>
+          {ended ? (
+            <div className={styles.ended} role="alert">
+              <QualityMark quality="attention" />
+              <CardHead title={title} text={text} />
+            </div>
+          ) : (
+            <CardHead title={title} text={text} />
+          )}
+          {!ended && readiness && <Busy text={said(steps[done] ?? "")} fraction={readiness.share} />}
+          <ol className={styles.steps} aria-label={t("Steps")} data-ended={ended || undefined}>
+            {steps.map((step, i) => (
+              <Step key={step} title={said(step)} state={i < done ? "done" : i === done ? "current" : "todo"} />
+            ))}
+          </ol>
+        </section>
+        <section className={layout.picture} aria-label={t("Picture")}>
+          <Illustration />
+        </section>
+      </main>
+    </div>
+  );
+}
+
+function Step({ title, state }: { title: string; state: keyof typeof WORDS }) {
+  return (
+    <li className={styles.step} data-state={state} aria-current={state === "current" ? "step" : undefined}>
+      <span className={styles.mark}>{state === "done" && <CheckIcon size="1rem" />}</span>
+      <span>{title}</span>
+      <span className="visually-hidden">{t(WORDS[state])}</span>
+    </li>
+  );
+}
+
+/** Asks until the station is ready, and then opens its client at the same address. */
+function useReadiness(): { readiness: Readiness | null; ended: boolean } {
+  const [readiness, setReadiness] = useState<Readiness | null>(null);
+  const [unanswered, setUnanswered] = useState(0);
+  useEffect(() => {
+    let timer = 0;
+    const ask = async () => {
+      try {
+        const answer = await get<Readiness>("/api/starting");
+        if (answer.ready) return window.location.reload();
+        setReadiness(answer);
+        setUnanswered(0);
+      } catch {
+        setUnanswered((times) => times + 1);
+      }
+      timer = window.setTimeout(ask, AGAIN_MS);
+    };
+    void ask();
+    return () => window.clearTimeout(timer);
+  }, []);
+  return { readiness, ended: unanswered >= UNANSWERED };
+}

@@ -1,0 +1,175 @@
+"""The page that is there before the station: it says how far it is, and gives way."""
+
+import socket
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import asynccontextmanager, contextmanager, suppress
+from pathlib import Path
+
+import httpx
+import pytest
+from starlette.applications import Starlette
+from starlette.responses import PlainTextResponse
+from starlette.routing import Route
+from websockets.exceptions import InvalidStatus
+from websockets.sync.client import connect
+
+from app.api import static_files
+from app.api.starting import Starting, Step
+from app.metrology.refusal import Refusal
+from app.serving import make_server
+
+PATIENCE_S = 20.0
+
+
+class Station:
+    """An application that notes when it is opened and closed."""
+
+    def __init__(self) -> None:
+        self.noted: list[str] = []
+
+    def build(self) -> Starlette:
+        @asynccontextmanager
+        async def lifespan(app: Starlette) -> object:  # type: ignore[misc]
+            self.noted.append("opened")
+            yield
+            self.noted.append("closed")
+
+        def answer(request: object) -> PlainTextResponse:
+            return PlainTextResponse("the station")
+
+        return Starlette(routes=[Route("/{path:path}", answer)], lifespan=lifespan)
+
+
+@contextmanager
+def served(starting: Starting) -> Iterator[tuple[httpx.Client, Callable[[], None]]]:
+    """A client of it, and what ends its server and waits for that."""
+    with socket.socket() as listening:
+        listening.bind(("127.0.0.1", 0))
+        listening.listen()
+        server = make_server(starting)
+
+        def end() -> None:
+            server.should_exit = True
+            thread.join(PATIENCE_S)
+            assert not thread.is_alive()
+
+        starting.on_failed = lambda: setattr(server, "should_exit", True)
+        thread = threading.Thread(target=server.run, kwargs={"sockets": [listening]})
+        thread.start()
+        address = f"http://127.0.0.1:{listening.getsockname()[1]}"
+        try:
+            with httpx.Client(base_url=address, timeout=PATIENCE_S) as http:
+                yield http, end
+        finally:
+            end()
+
+
+def wait_until(true: Callable[[], bool]) -> None:
+    deadline = time.monotonic() + PATIENCE_S
+    while not true():
+        assert time.monotonic() < deadline
+        time.sleep(0.01)
+
+
+def test_until_it_is_ready_it_says_how_far_it_is_and_nothing_else(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    (tmp_path / "starting.html").write_text("<title>Starting</title>")
+    (tmp_path / "assets").mkdir()
+    (tmp_path / "assets" / "starting.js").write_text("export {}")
+    (tmp_path.parent / "outside.txt").write_text("secret")
+    monkeypatch.setattr(static_files, "STATIC", tmp_path)
+    gate, station = threading.Event(), Station()
+    steps = [Step("Numerics", 1.0, lambda: None), Step("Devices", 2.0, gate.wait)]
+    starting = Starting("Room 2", steps, Step("Data folder", 1.0, station.build))
+    with served(starting) as (http, _):
+        wait_until(lambda: http.get("/api/starting").json()["done"] == 1)
+        assert http.get("/api/starting").json() == {
+            "ready": False,
+            "station": "Room 2",
+            "steps": ["Numerics", "Devices", "Data folder"],
+            "done": 1,
+            "share": 0.25,
+        }
+        for path in ("/", "/calibrate"):
+            page = http.get(path)
+            assert (page.status_code, page.text) == (200, "<title>Starting</title>")
+            assert page.headers["cache-control"] == "no-store"
+            assert "frame-ancestors 'self'" in page.headers["content-security-policy"]
+        assert http.get("/assets/starting.js").status_code == 200
+        for path in ("/assets/gone.js", "/..%2foutside.txt"):
+            assert http.get(path).status_code == 404
+        for method, path in (
+            ("GET", "/api/session"),
+            ("POST", "/api/session/code"),
+            ("GET", "/viewer"),
+            ("GET", "/metrics"),
+            ("POST", "/"),
+        ):
+            answer = http.request(method, path)
+            assert (answer.status_code, answer.json()["code"]) == (503, "starting")
+            assert answer.headers["retry-after"] == "1"
+        assert http.get("/", headers={"host": "evil.example"}).status_code == 403
+        live = str(http.base_url).replace("http", "ws") + "/api/live"
+        with pytest.raises(InvalidStatus), connect(live):
+            pass
+        assert station.noted == []
+        gate.set()
+        wait_until(lambda: http.get("/").text == "the station")
+        assert station.noted == ["opened"]
+    assert station.noted == ["opened", "closed"]
+
+
+def test_nobody_is_turned_away_while_it_gives_way() -> None:
+    """New connections and kept ones, asking all the time: each question has its answer."""
+    gate, station = threading.Event(), Station()
+    starting = Starting("", [Step("Devices", 1.0, gate.wait)], Step("Data", 1.0, station.build))
+    answers: list[int] = []
+    stop = threading.Event()
+
+    def ask(address: httpx.URL, kept: bool) -> None:
+        with httpx.Client(base_url=address, timeout=PATIENCE_S) as own:
+            while not stop.is_set():
+                closing = {} if kept else {"connection": "close"}
+                answers.append(own.get("/api/session", headers=closing).status_code)
+
+    with served(starting) as (http, _):
+        askers = [
+            threading.Thread(target=ask, args=(http.base_url, kept)) for kept in (True, False) * 2
+        ]
+        for asker in askers:
+            asker.start()
+        wait_until(lambda: answers.count(503) > 50)
+        gate.set()
+        wait_until(lambda: answers.count(200) > 50)
+        stop.set()
+        for asker in askers:
+            asker.join(PATIENCE_S)
+    assert set(answers) == {503, 200}
+
+
+def test_a_step_that_is_refused_ends_the_server() -> None:
+    def refuse() -> None:
+        raise Refusal("driver", "There is no driver")
+
+    station = Station()
+    starting = Starting("", [Step("Devices", 1.0, refuse)], Step("Data", 1.0, station.build))
+    with served(starting) as (_, _):
+        wait_until(lambda: starting.failure is not None)
+    assert isinstance(starting.failure, Refusal)
+    assert station.noted == []
+
+
+def test_a_start_can_be_ended_while_a_step_hangs() -> None:
+    gate, station = threading.Event(), Station()
+    starting = Starting("", [Step("Devices", 1.0, gate.wait)], Step("Data", 1.0, station.build))
+    with served(starting) as (http, end):
+        wait_until(lambda: http.get("/api/starting").status_code == 200)
+        end()
+        with suppress(httpx.TransportError):
+            assert http.get("/api/starting").status_code == 503
+    gate.set()
+    assert starting.failure is None
+    assert station.noted == []
