@@ -87,23 +87,23 @@ def sensor() -> tuple[Camera, LaserPlane]:
 def to_points(image: Grey, camera: Camera, plane: LaserPlane) -> object:
     """The points of a frame in the arm frame, at one pose."""
     stripe = extract_stripe(image)
-    first = np.array([0, len(stripe.u)])
-    return frame_points(camera, plane, stripe.u, stripe.v, first, np.eye(4)[None])
+    count = np.array([len(stripe.u)])
+    return frame_points(camera, plane, stripe.u, stripe.v, count, np.eye(4)[None])
 
 
 def rebuilt() -> float:
-    """Points a second from recorded profiles, of single precision, to the arm frame."""
+    """Points a second from recorded profiles to the arm frame."""
     camera, plane = sensor()
     rng = np.random.default_rng(0)
     total = REBUILT_FRAMES * WIDTH
-    u = np.tile(np.arange(WIDTH, dtype=np.float32), REBUILT_FRAMES)
-    v = rng.uniform(400, 600, total).astype(np.float32)
-    first = np.arange(REBUILT_FRAMES + 1) * WIDTH
+    u = np.tile(np.arange(WIDTH, dtype=np.float64), REBUILT_FRAMES)
+    v = rng.uniform(400, 600, total)
+    count = np.full(REBUILT_FRAMES, WIDTH)
     T_arm_sensor = np.tile(np.eye(4), (REBUILT_FRAMES, 1, 1))
     points = np.empty((total, 3))
     spent = []
     for _ in range(REBUILT_TIMES):
         begin = time.perf_counter()
-        frame_points(camera, plane, u, v, first, T_arm_sensor, points)
+        frame_points(camera, plane, u, v, count, T_arm_sensor, points)
         spent.append(time.perf_counter() - begin)
     return total / float(np.median(spent))

@@ -47,7 +47,7 @@ class CloudWriter:
 
         Args:
             intensity: (N,) as of the stripe.
-            uncertainty_um: (N,) k = 1, see ``metrology.point_spread``.
+            uncertainty_um: (N,) k = 1, see ``metrology.reconstruct``.
             frame: which frame they came from, one for all or (N,).
         """
         self.append(packed(points_mm, intensity, uncertainty_um, frame))

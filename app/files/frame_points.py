@@ -14,7 +14,7 @@ from app.files.recording_blocks import Profiles, profiles
 from app.files.recording_stream import Block, Frame
 from app.files.recording_wire import AXIS, HEIGHT, WIDTH
 from app.metrology.frames import Floats
-from app.metrology.point_spread import scan_points
+from app.metrology.reconstruct import scan_points
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import extract_stripe
 
@@ -96,9 +96,15 @@ def _single(placing: Placing, block: Block, frame: Frame, number: int) -> Profil
 
 def _points(placing: Placing, stripes: Profiles, poses: Floats, first_number: int) -> Points:
     use = placing.calibration
-    uv = np.column_stack([stripes.u, stripes.v])
-    frame = np.repeat(np.arange(len(poses)), stripes.count)
     points_mm, spread = scan_points(
-        use.camera, use.plane, uv, stripes.sigma_px, stripes.axis, frame, poses
+        use.camera,
+        use.plane,
+        stripes.u,
+        stripes.v,
+        stripes.sigma_px,
+        stripes.axis,
+        stripes.count,
+        poses,
     )
-    return packed(points_mm, stripes.intensity, spread, first_number + frame)
+    numbers = first_number + np.arange(len(poses))
+    return packed(points_mm, stripes.intensity, spread, np.repeat(numbers, stripes.count))

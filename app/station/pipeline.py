@@ -25,7 +25,7 @@ from app.metrology.arm import Arm, flange_poses
 from app.metrology.camera import Camera
 from app.metrology.frames import Floats, apply
 from app.metrology.laser_plane import LaserPlane
-from app.metrology.point_spread import scan_points
+from app.metrology.reconstruct import scan_points
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import Stripe
 from app.station.arm_side import LATE_S, ArmSide
@@ -291,22 +291,21 @@ class ScanPipeline:
     ) -> None:
         """Points of some frames, to the cloud and to the display (Eq. 9)."""
         use = self._calibration
-        frame = np.repeat(np.arange(len(stripes)), [len(stripe.u) for stripe in stripes])
+        count = np.array([len(stripe.u) for stripe in stripes])
         columns = [
             np.concatenate([getattr(stripe, name) for stripe in stripes])
             for name in ("u", "v", "intensity", "sigma_px")
         ]
         u, v, intensity, sigma_px = columns
-        uv = np.column_stack([u, v])
         T_arm_sensor = flange_poses(use.arm, q_rad) @ use.T_flange_sensor
         points, spread = scan_points(
-            use.camera, use.plane, uv, sigma_px, use.stripe_axis, frame, T_arm_sensor
+            use.camera, use.plane, u, v, sigma_px, use.stripe_axis, count, T_arm_sensor
         )
-        records = packed(points, intensity, spread, numbers[frame])
+        records = packed(points, intensity, spread, np.repeat(numbers, count))
         cloud.append(records)
         self.counts.points = cloud.points
         self._note(len(points))
-        self._note_distance(points[frame == frame[-1:]], T_arm_sensor[-1])
+        self._note_distance(points[len(points) - count[-1] :], T_arm_sensor[-1])
         self._show(records)
 
     def _judge(self, frame: StripeFrame, q_rad: Floats, frames: int) -> None:
@@ -316,13 +315,15 @@ class ScanPipeline:
         if before_rad is None or not len(frame.stripe.u):
             return
         before, at = flange_poses(use.arm, np.stack([before_rad, q_rad])) @ use.T_flange_sensor
+        stripe = frame.stripe
         stripe_mm, spread = scan_points(
             use.camera,
             use.plane,
-            frame.stripe.uv_px,
-            frame.stripe.sigma_px,
+            stripe.u,
+            stripe.v,
+            stripe.sigma_px,
             use.stripe_axis,
-            np.zeros(len(frame.stripe.u), dtype=np.int64),
+            np.array([len(stripe.u)]),
             np.eye(4)[None],
         )
         self.pace.judge(stripe_mm, spread, (before, at), stamp_ns, frame.exposure_us, frames)

@@ -14,8 +14,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from app.files import cloud_points
 from app.files.cloud_points import packed
-from app.metrology import reconstruct_kernels as kernels
 from app.metrology.adjustment.weighing import judged
 from app.metrology.camera import Camera, project
 from app.metrology.compiled import compiled_here
@@ -23,8 +23,6 @@ from app.metrology.crenellated import Crenellated, corners
 from app.metrology.detection.corners import detect_object
 from app.metrology.laser_plane import LaserPlane
 from app.metrology.line_scatter import neighbours_alike
-from app.metrology.point_spread import scan_points
-from app.metrology.reconstruct import frame_points
 from app.metrology.refusal import Refusal
 from app.metrology.scene import Scene, edge_rows
 from app.metrology.stripe import extract_stripe
@@ -70,7 +68,7 @@ def warm_up() -> None:
     """
     warm_up_points()
     # a process that ends with its parent may have no children itself
-    if compiled_here(kernels.frame_points) and not multiprocessing.current_process().daemon:
+    if compiled_here(cloud_points._fill) and not multiprocessing.current_process().daemon:
         _share_out()
     for part in PARTS:
         part()
@@ -135,13 +133,8 @@ PARTS = (warm_up_stripes, warm_up_block)
 
 
 def warm_up_points() -> None:
-    """Runs the loops that bring pixels to points, for pixels of either precision."""
-    camera, at, one = _camera(), np.eye(4)[None], np.ones(1)
-    uv, frame = np.array([[10.0, 20.0]]), np.zeros(1, dtype=np.int64)
-    points_mm, spread = scan_points(camera, LEVEL, uv, one, "u", frame, at)
-    packed(points_mm, one, spread, 0)
-    u, v = uv.astype(np.float32).T.copy()
-    frame_points(camera, LEVEL, u, v, np.array([0, 1]), at)
+    """Runs the loop that packs points."""
+    packed(np.zeros((1, 3)), np.ones(1), np.ones(1), 0)
 
 
 def drawn_block() -> NDArray[np.uint8]:

@@ -12,8 +12,7 @@ import pytest
 from app.files.cloud_xyz import XyzSink
 from app.files.clouds import AT_ONCE, POINT, SUFFIXES, cloud_writer, read_cloud
 from app.metrology.camera import project
-from app.metrology.point_spread import spread_um
-from app.metrology.reconstruct import sensor_points
+from app.metrology.reconstruct import scan_points, sensor_points
 from app.metrology.refusal import Refusal
 from tests.files.builders import little_calibration, stripe_pixels
 
@@ -225,6 +224,7 @@ def test_a_points_uncertainty_is_the_stripes_seen_from_there(axis: str) -> None:
     points = sensor_points(use.camera, use.plane, uv)
     np.testing.assert_allclose(project(use.camera, points), uv, atol=1e-9)
     expected = 1e3 * np.linalg.norm(moved[0] - moved[1], axis=1)
-    np.testing.assert_allclose(
-        spread_um(use.camera, use.plane, points, sigma, axis), expected, rtol=1e-5
-    )
+    in_frame = (sigma, axis, np.array([len(uv)]), np.eye(4)[None])
+    same, spread_um = scan_points(use.camera, use.plane, *uv.T, *in_frame)
+    np.testing.assert_allclose(same, points, atol=1e-12)
+    np.testing.assert_allclose(spread_um, expected, rtol=1e-5)

@@ -2,12 +2,13 @@
 
 import cv2
 import numpy as np
+import pytest
 
 from app.metrology.arm import flange_poses
 from app.metrology.camera import Camera, project
 from app.metrology.frames import apply, inverse, rotation_from_vector
 from app.metrology.laser_plane import LaserPlane
-from app.metrology.reconstruct import arm_points, placed_points, sensor_points
+from app.metrology.reconstruct import arm_points, frame_points, sensor_points
 from tests.metrology.builders import random_arm, random_pose
 
 CAMERA = Camera(
@@ -51,14 +52,21 @@ def test_a_scan_is_every_frame_in_its_own_pose() -> None:
     T_flange_sensor = random_pose(rng)
     in_sensor = points_on_the_laser_plane(rng, 90)
     uv = project(CAMERA, in_sensor)
-    frame = rng.integers(0, 4, 90)
-    seen = sensor_points(CAMERA, PLANE, uv)
-    found = placed_points(seen, frame, T_arm_flange @ T_flange_sensor)
+    count = np.array([40, 0, 1, 49])
+    frame = np.repeat(np.arange(4), count)
+    found = frame_points(CAMERA, PLANE, *uv.T, count, T_arm_flange @ T_flange_sensor)
     back = apply(inverse(T_arm_flange[frame] @ T_flange_sensor), found)
     np.testing.assert_allclose(back, in_sensor, atol=1e-6)
     for k in range(4):
         one = arm_points(CAMERA, PLANE, T_flange_sensor, uv[frame == k], T_arm_flange[k])
         np.testing.assert_allclose(one, found[frame == k], atol=1e-9)
+
+
+@pytest.mark.parametrize("count", [[40, 49], [40, 51], [91, -1]])
+def test_the_frames_have_as_many_pixels_as_there_are(count: list[int]) -> None:
+    u, v = np.zeros((2, 90))
+    with pytest.raises(ValueError, match="not 90 pixels"):
+        frame_points(CAMERA, PLANE, u, v, np.array(count), np.tile(np.eye(4), (2, 1, 1)))
 
 
 def test_rays_that_miss_the_plane_give_no_point() -> None:

@@ -1,7 +1,7 @@
 /* All of the library's code, in one text so that the compiler sees the whole of it. */
 #include "export.h"
 
-#include "points/spread.c"
+#include "points/frame_points.c"
 
 #include "stripe/runs.c"
 #include "stripe/speckle.c"
