@@ -6,8 +6,9 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.compiled import kernel
 from app.metrology.frames import Floats
+from app.native.arguments import F64, I64, U8, Array, Function
+from app.native.product import CRENEL
 
 POINT = np.dtype(
     [
@@ -24,6 +25,17 @@ POINT = np.dtype(
 
 Points = NDArray[np.void]
 """(N,) of ``POINT``."""
+
+_pack_points = Function(
+    CRENEL,
+    "pack_points",
+    Array(F64, "n", 3),
+    Array(F64, "n"),
+    Array(F64, "n"),
+    Array(I64, "n"),
+    Array(U8, "n", POINT.itemsize, written=True),
+    returns=int,
+)
 
 
 @dataclass(frozen=True)
@@ -64,39 +76,14 @@ def packed(
     """
     records = np.empty(len(points_mm), POINT)
     numbers = np.full(len(points_mm), frame, dtype=np.int64)
-    kept = _fill(
+    kept = _pack_points(
         np.ascontiguousarray(points_mm, dtype=np.float64),
         np.ascontiguousarray(intensity, dtype=np.float64),
         np.ascontiguousarray(uncertainty_um, dtype=np.float64),
         numbers,
-        records,
+        records.view(np.uint8).reshape(-1, POINT.itemsize),
     )
     return records[:kept]
-
-
-@kernel
-def _fill(
-    points_mm: Floats,
-    intensity: Floats,
-    uncertainty_um: Floats,
-    frame: NDArray[np.int64],
-    records: Points,
-) -> int:
-    """Writes whole points behind one another; how many there are."""
-    kept = 0
-    for i, point in enumerate(points_mm):
-        x, y, z = point[0], point[1], point[2]
-        if not (np.isfinite(x) and np.isfinite(y) and np.isfinite(z)):
-            continue
-        record = records[kept]
-        record["x"] = x
-        record["y"] = y
-        record["z"] = z
-        record["intensity"] = intensity[i]
-        record["uncertainty_um"] = uncertainty_um[i]
-        record["frame"] = frame[i]
-        kept += 1
-    return kept
 
 
 def cloud_of(columns: dict[str, Floats]) -> Cloud:

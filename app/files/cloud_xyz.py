@@ -5,18 +5,28 @@ from pathlib import Path
 from typing import BinaryIO
 
 import numpy as np
-from numpy.typing import NDArray
 
 from app.files.cloud_points import Cloud, Points, cloud_of
-from app.metrology.compiled import kernel
 from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
+from app.native.arguments import I64, U8, Array, Function
+from app.native.product import CRENEL
 
 COLUMNS = {"x": 4, "y": 4, "z": 4, "intensity": 1, "uncertainty_um": 2, "frame": 0}
 """In their order, with their decimals: coordinates to 0.1 µm."""
 HEAD = f"# {' '.join(COLUMNS)}\n"
-LONGEST_LINE = 21 * len(COLUMNS)
+LONGEST_NUMBER = 22
+"""With what follows it, of up to 63 bits."""
 FARTHEST_MM = 1e9
+
+_write_decimals = Function(
+    CRENEL,
+    "write_decimals",
+    Array(I64, "n", "columns"),
+    Array(I64, "columns"),
+    Array(U8, "n", "columns", LONGEST_NUMBER, written=True),
+    returns=int,
+)
 
 
 class XyzSink:
@@ -39,42 +49,12 @@ class XyzSink:
             )
         decimals = np.array(list(COLUMNS.values()))
         scaled = np.rint(np.nan_to_num(table) * 10.0**decimals).clip(-(2.0**62), 2.0**62)
-        text = np.empty(len(points) * LONGEST_LINE, dtype=np.uint8)
-        length = _format(scaled.astype(np.int64), decimals, text)
-        self._file.write(text[:length].data)
+        text = np.empty((*table.shape, LONGEST_NUMBER), dtype=np.uint8)
+        length = _write_decimals(scaled.astype(np.int64), decimals, text)
+        self._file.write(text.reshape(-1)[:length].data)
 
     def finish(self) -> None:
         """Nothing is held back."""
-
-
-@kernel
-def _format(scaled: NDArray[np.int64], decimals: NDArray[np.int64], text: NDArray[np.uint8]) -> int:
-    """Writes numbers (N, C) as decimals into ``text``; how many bytes they take."""
-    at = 0
-    digits = np.empty(24, dtype=np.uint8)
-    for row in scaled:
-        for column in range(len(row)):
-            value, places = row[column], decimals[column]
-            if value < 0:
-                text[at] = 45
-                at += 1
-                value = -value
-            count = 0
-            while value > 0 or count <= places:
-                if count == places and places > 0:
-                    digits[count] = 46
-                    count += 1
-                    places = -1
-                digits[count] = 48 + value % 10
-                value //= 10
-                count += 1
-            for i in range(count - 1, -1, -1):
-                text[at] = digits[i]
-                at += 1
-            text[at] = 32
-            at += 1
-        text[at - 1] = 10
-    return at
 
 
 def read_xyz(path: Path) -> Cloud:

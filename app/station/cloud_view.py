@@ -13,7 +13,6 @@ import viser
 from numpy.typing import NDArray
 
 from app.files.cloud_points import Points
-from app.metrology.compiled import kernel
 from app.metrology.frames import Floats
 from app.station.colours import Bytes
 from app.station.painter import Painter, Points32, Traits, traits_of
@@ -184,7 +183,7 @@ class CloudView:
         self.newest_s = 0.0
 
     def _in_arm(self, points: Points32) -> Floats:
-        return moved(np.ascontiguousarray(points), self._origin_mm)
+        return np.asarray(points + self._origin_mm)
 
     def _place_origin(self, points_mm: Floats) -> None:
         """Float32 is exact to a tenth of a micrometre this near to the points."""
@@ -248,16 +247,6 @@ class CloudView:
             self._show(nodes[-1], tier)
         if last is not None:
             _remove(last)
-
-
-@kernel
-def moved(points: NDArray[np.float32], by: Floats) -> Floats:
-    """Points (N, 3) of less precision, and a vector (3,) added to each."""
-    found = np.empty(points.shape)
-    for i in range(len(points)):
-        for axis in range(3):
-            found[i, axis] = points[i, axis] + by[axis]
-    return found
 
 
 def _joined(nodes: list[_Node]) -> _Node:

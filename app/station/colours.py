@@ -7,7 +7,6 @@ along, the other runs from blue over a light grey to orange.
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.compiled import kernel
 from app.metrology.frames import Floats
 
 Bytes = NDArray[np.uint8]
@@ -77,26 +76,12 @@ BALANCE = np.concatenate(
 
 def painted(values: NDArray[np.floating], low: float, high: float, scale: Bytes) -> Bytes:
     """Colours (N, 3) of values (N,) between two limits; beyond them the outermost."""
-    colours = np.empty((len(values), 3), dtype=np.uint8)
     known = np.append(scale, [NO_VALUE], axis=0).astype(np.uint8)
-    _paint(np.ascontiguousarray(values, dtype=np.float64), low, high, known, colours)
-    return colours
-
-
-@kernel
-def _paint(
-    values: Floats, low: float, high: float, scale: Bytes, colours: Bytes
-) -> None:  # pragma: no cover - compiled
-    """The last of the scale is the colour of what has no value."""
-    steps = len(scale) - 1
-    by = (steps - 1) / max(high - low, 1e-9)
-    for i in range(len(values)):
-        at = steps
-        if np.isfinite(values[i]):
-            at = int(min(max((values[i] - low) * by, 0.0), steps - 1.0))
-        colour = scale[at]
-        for channel in range(3):
-            colours[i, channel] = colour[channel]
+    by = (len(scale) - 1) / max(high - low, 1e-9)
+    at = (values.astype(np.float64) - low) * by
+    np.clip(at, 0, len(scale) - 1, out=at)
+    at[~np.isfinite(values)] = len(scale)
+    return known.take(at.astype(np.intp), axis=0)
 
 
 def stops_of(scale: Bytes, count: int = 17) -> tuple[str, ...]:

@@ -14,8 +14,6 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from app.files import cloud_points
-from app.files.cloud_points import packed
 from app.metrology.adjustment.weighing import judged
 from app.metrology.camera import Camera, project
 from app.metrology.compiled import compiled_here
@@ -27,9 +25,7 @@ from app.metrology.refusal import Refusal
 from app.metrology.scene import Scene, edge_rows
 from app.metrology.stripe import extract_stripe
 from app.metrology.stripe_band import StripeBand
-from app.station.cloud_view import moved
-from app.station.colours import SCALE, painted
-from app.station.voxels import Voxels
+from app.metrology.stripe_noise import rows_about
 
 WIDTH_PX, HEIGHT_PX, FOCAL_PX = 320, 256, 625.0
 FINER = 4
@@ -41,8 +37,6 @@ TABLE, FLOOR, WALL, CREST, FRONT = 30, 80, 55, 150, 110
 LINES = ((90.0, 2.5), (2000.0, 6.0))
 """Height and standard deviation (px) of the laser's line: within the grey levels, and clipped."""
 LINE_ROW = 125.0
-MANY_POINTS = 1 << 16
-"""So many that the filter of the display must grow."""
 
 BLOCK = Crenellated(
     name="Drawn",
@@ -66,9 +60,9 @@ def warm_up() -> None:
     The first time on a machine they are compiled, each part in a process of its own; later
     they are read from disk in about a second.
     """
-    warm_up_points()
+    rows_about(1, 1)
     # a process that ends with its parent may have no children itself
-    if compiled_here(cloud_points._fill) and not multiprocessing.current_process().daemon:
+    if compiled_here(rows_about) and not multiprocessing.current_process().daemon:
         _share_out()
     for part in PARTS:
         part()
@@ -117,24 +111,10 @@ def warm_up_block() -> None:
     rows = edge_rows(Scene(found.camera, LEVEL, BLOCK), found.edges)
     judged(rows)
     neighbours_alike(rows.places, rows.residuals)
-    warm_up_display()
-
-
-def warm_up_display() -> None:
-    """Runs the loops that thin and colour what is shown."""
-    points = np.linspace(0.0, 1e5, 3 * MANY_POINTS).reshape(-1, 3)
-    Voxels(1.0).take(points)
-    placed = moved(points.astype(np.float32), points[0])
-    painted(placed[:, 2], 0.0, 1.0, SCALE)
 
 
 PARTS = (warm_up_stripes, warm_up_block)
 """No loop is used by both: two processes that keep one loop at a time would lose one's."""
-
-
-def warm_up_points() -> None:
-    """Runs the loop that packs points."""
-    packed(np.zeros((1, 3)), np.ones(1), np.ones(1), 0)
 
 
 def drawn_block() -> NDArray[np.uint8]:

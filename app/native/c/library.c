@@ -2,9 +2,12 @@
 #include "export.h"
 
 #include "points/frame_points.c"
+#include "points/pack_points.c"
+#include "points/write_decimals.c"
 
 #include "stripe/runs.c"
 #include "stripe/speckle.c"
 #include "recording/records.c"
 #include "recording/joints.c"
 #include "recording/stripes.c"
+#include "view/voxels.c"
