@@ -16,8 +16,7 @@ from app.files.progress import Progress
 from app.metrology.camera import Camera
 from app.metrology.laser_plane import LaserPlane
 from app.metrology.reconstruct import frame_points
-from app.metrology.stripe import extract_stripe
-from app.metrology.stripe_band import StripeBand
+from app.metrology.stripe import StripeTracker, extract_stripe
 
 POOL, ROUNDS, BURST = 64, 15, 16
 REBUILT_FRAMES, REBUILT_TIMES = 100, 60
@@ -32,7 +31,7 @@ def speeds(frames: int, progress: Progress) -> list[Measured]:
     moved = [
         np.roll(base[1], round(60 * np.sin(2 * np.pi * i / POOL)), axis=0) for i in range(POOL)
     ]
-    band = StripeBand()
+    band = StripeTracker()
     camera, plane = sensor()
     progress(0.2, "timing")
     once, crenel, opencv, gravity, tracked, placed = timed(

@@ -25,10 +25,10 @@ from app.metrology.adjustment.joint import JointInputs, calibrate_joint, see_pos
 from app.metrology.adjustment.not_seen import NotSeen
 from app.metrology.chessboard.board import Chessboard
 from app.metrology.crenellated import Crenellated
+from app.metrology.image import Image
 from app.metrology.limits import LIMITS, Limits
 from app.metrology.one_pose import OnePoseInputs, calibrate_one_pose
 from app.metrology.refusal import Refusal
-from app.metrology.stripe_flanks import Image
 
 Method = Literal["one-pose", "joint"]
 AnySeen = SeenPose | SeenBoard

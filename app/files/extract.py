@@ -11,14 +11,9 @@ from app.files.images import GreyImage, read_grey
 from app.files.mask import Mask
 from app.files.progress import Progress, no_progress
 from app.files.tables import table_text
+from app.metrology.image import saturation_level
 from app.metrology.refusal import Refusal
-from app.metrology.stripe import (
-    AUTOMATIC,
-    Stripe,
-    StripeSettings,
-    extract_stripe,
-    saturation_level,
-)
+from app.metrology.stripe import AUTOMATIC, Stripe, StripeSettings, extract_stripe
 
 MANY_CLIPPED, DARK = 0.3, 0.1
 """Shares of the pixels, and of full scale, from which on a picture is told to be so."""

@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 from app.metrology.camera import Camera, rays
 from app.metrology.crenellated import Crenellated
 from app.metrology.frames import Floats
+from app.metrology.image import Image
 from app.metrology.line_scatter import neighbours_alike
 from app.metrology.refusal import Refusal
-from app.metrology.stripe import Stripe, extract_stripe, together
-from app.metrology.stripe_flanks import Image
+from app.metrology.stripe import Stripe, extract_stripe, joined_stripes
 
 # Stripe points nearer than this to an edge of their face may mix light of both sides.
 EDGE_MARGIN_PX = 6.0
@@ -151,7 +151,9 @@ def stripe_on_levels(camera: Camera, block: Crenellated, image: Image, axis: str
     coarse = np.column_stack([columns.ravel(), rows.ravel()]) + (LEVEL_STEP_PX - 1) / 2
     level = levels_of(camera, block, coarse)[0].reshape(rows.shape)
     level = level.repeat(LEVEL_STEP_PX, axis=0).repeat(LEVEL_STEP_PX, axis=1)[:height, :width]
-    return together([extract_stripe(image, axis, level == name) for name in ("crest", "floor")])
+    return joined_stripes(
+        [extract_stripe(image, axis, level == name) for name in ("crest", "floor")]
+    )
 
 
 def _entry_x(block: Crenellated, origin: Floats, along: Floats) -> Floats:

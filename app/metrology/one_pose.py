@@ -19,6 +19,7 @@ from app.metrology.detection.corners import ObjectDetection, detect_object, pict
 from app.metrology.faugeras import FaugerasSolution, solve_faugeras
 from app.metrology.findings import Finding, WorstPoint
 from app.metrology.frames import Floats, inverse
+from app.metrology.image import Image
 from app.metrology.laser_plane import (
     LaserPlane,
     LaserPlaneFit,
@@ -29,7 +30,6 @@ from app.metrology.one_pose_findings import Evidence, findings_of, worst_points
 from app.metrology.reconstruct import sensor_points
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import Stripe, extract_stripe
-from app.metrology.stripe_flanks import Image
 
 Progress = Callable[[str, float], None]
 

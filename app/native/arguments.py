@@ -40,6 +40,7 @@ class Array:
     sizes: tuple[int | str, ...]
     written: bool
     optional: bool
+    symbols: tuple[str, ...]
 
     def __init__(
         self,
@@ -52,6 +53,8 @@ class Array:
         object.__setattr__(self, "sizes", sizes)
         object.__setattr__(self, "written", written)
         object.__setattr__(self, "optional", optional)
+        symbols = dict.fromkeys(size for size in sizes if isinstance(size, str))
+        object.__setattr__(self, "symbols", tuple(symbols))
 
 
 @dataclass(frozen=True)
@@ -148,7 +151,7 @@ def pointer(array: NDArray[Any], parameter: Array) -> int:
     Raises:
         ArgumentError: it is not as declared; symbolic sizes may be any.
     """
-    trouble = _trouble(parameter, array, dict.fromkeys(_symbols((parameter,)), -1))
+    trouble = _trouble(parameter, array, dict.fromkeys(parameter.symbols, -1))
     if trouble:
         raise ArgumentError(trouble)
     return _address(array)
@@ -164,7 +167,7 @@ def _address(array: NDArray[Any]) -> int:
 def _symbols(parameters: tuple[Parameter, ...]) -> tuple[str, ...]:
     """The symbolic sizes, in the order in which they first appear."""
     arrays = [one for one in parameters if isinstance(one, Array)]
-    return tuple(dict.fromkeys(s for one in arrays for s in one.sizes if isinstance(s, str)))
+    return tuple(dict.fromkeys(symbol for one in arrays for symbol in one.symbols))
 
 
 def _trouble(parameter: Array, value: object, sizes: dict[str, int]) -> str:

@@ -12,9 +12,9 @@ from app.files.session import Pose
 from app.metrology.camera import Camera
 from app.metrology.crenellated import Crenellated, probing_face
 from app.metrology.frames import Floats
+from app.metrology.image import saturation_level
 from app.metrology.laser_plane import LaserPlane
 from app.metrology.reconstruct import sensor_points
-from app.metrology.stripe import saturation_level
 from app.report.figure import (
     BLUE,
     FAINT,

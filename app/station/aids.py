@@ -10,7 +10,8 @@ from typing import Literal
 import numpy as np
 
 from app.metrology.detection.picture import CLIPPED, DIM, EDGE_WIDTH, Image, PictureMeasures
-from app.metrology.stripe import Stripe, saturation_level
+from app.metrology.image import saturation_level
+from app.metrology.stripe import Stripe
 from app.station.distance import Distance
 from app.station.findings import Quality
 

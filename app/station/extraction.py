@@ -7,9 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.files.scan_settings import ScanSettings
-from app.metrology.stripe import AUTOMATIC, Stripe, StripeSettings, extract_stripe
-from app.metrology.stripe_band import StripeBand
-from app.metrology.stripe_flanks import Image
+from app.metrology.image import Image
+from app.metrology.stripe import AUTOMATIC, Stripe, StripeSettings, StripeTracker, extract_stripe
 
 
 @dataclass(frozen=True)
@@ -26,9 +25,9 @@ class Extraction:
         """The stripe of one frame; raises as ``extract_stripe``."""
         return extract_stripe(image, self.axis, self._where(image), self.settings)
 
-    def band(self, image: Image) -> StripeBand:
+    def band(self, image: Image) -> StripeTracker:
         """For frames of this size that follow one another."""
-        return StripeBand(self.axis, self._where(image), self.settings)
+        return StripeTracker(self.axis, self._where(image), self.settings)
 
     def _where(self, image: Image) -> NDArray[np.bool_] | None:
         return self.where if self.where is not None and self.where.shape == image.shape else None

@@ -3,7 +3,7 @@
 import numpy as np
 
 from app.metrology.detection.picture import Image
-from app.metrology.stripe import saturation_level
+from app.metrology.image import saturation_level
 
 CELL_PX = 16
 # So many clipped pixels make a cell: a hot pixel or two do not.

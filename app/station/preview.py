@@ -15,9 +15,10 @@ import numpy as np
 
 from app.files.scan_settings import AUTOMATIC, ScanSettings
 from app.metrology.detection.picture import Image, PictureMeasures
+from app.metrology.image import saturation_level
 from app.metrology.objects import CalibrationObject
 from app.metrology.refusal import Refusal
-from app.metrology.stripe import Stripe, saturation_level
+from app.metrology.stripe import Stripe
 from app.station.aids import Aid, distance_aid, exposure_aid, focus_aid, framing_aid, line_aid
 from app.station.arm_side import ArmSide
 from app.station.bus import Bus

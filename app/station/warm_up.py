@@ -23,8 +23,7 @@ from app.metrology.laser_plane import LaserPlane
 from app.metrology.line_scatter import neighbours_alike
 from app.metrology.refusal import Refusal
 from app.metrology.scene import Scene, edge_rows
-from app.metrology.stripe import extract_stripe
-from app.metrology.stripe_band import StripeBand
+from app.metrology.stripe import StripeTracker, extract_stripe
 from app.metrology.stripe_noise import rows_about
 
 WIDTH_PX, HEIGHT_PX, FOCAL_PX = 320, 256, 625.0
@@ -95,7 +94,7 @@ def warm_up_stripes() -> None:
             extract_stripe(picture, "u")
             extract_stripe(picture.T, "v")
             for axis, seen in (("u", picture), ("v", picture.T)):
-                band = StripeBand(axis)
+                band = StripeTracker(axis)
                 for _ in range(2):
                     band.extract(seen)
 

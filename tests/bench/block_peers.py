@@ -24,9 +24,9 @@ from app.metrology.arm import flange_poses, tip_centres
 from app.metrology.camera import Camera
 from app.metrology.crenellated import corners
 from app.metrology.frames import Floats, apply, inverse, rigid, rigid_fit
+from app.metrology.image import Image
 from app.metrology.laser_plane import levels_of
 from app.metrology.reconstruct import sensor_points
-from app.metrology.stripe_flanks import Image
 from tests.bench.board_measures import Solved, moved, placed, plane_through
 from tests.bench.hand_eye import K1_ONLY, hand_eyes
 

@@ -37,8 +37,8 @@ from app.metrology.frames import (
     rotation_from_vector,
     vector_from_rotation,
 )
+from app.metrology.image import Image
 from app.metrology.laser_plane import LaserPlane
-from app.metrology.stripe_flanks import Image
 from tests.bench.block_peers import print_samples
 from tests.bench.board_measures import (
     Frame,

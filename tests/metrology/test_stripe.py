@@ -10,8 +10,9 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from app.metrology.frames import Floats
+from app.metrology.image import saturation_level
 from app.metrology.refusal import Refusal
-from app.metrology.stripe import Stripe, extract_stripe, saturation_level
+from app.metrology.stripe import Stripe, extract_stripe
 
 WIDTH, HEIGHT = 640, 256
 

@@ -11,10 +11,11 @@ from app.bench.stripe_frames import spoiled, taken
 from app.bench.stripe_methods import crenel_line
 from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
-from app.metrology.stripe import Choice, Stripe, StripeSettings, extract_stripe
-from app.metrology.stripe_band import SLICES, StripeBand
+from app.metrology.stripe import Choice, Stripe, StripeSettings, StripeTracker, extract_stripe
 
 WIDTH, HEIGHT = 512, 400
+SLICES = 6
+"""After so many frames the tracker has looked everywhere, as in ``tracking.c``."""
 U = np.arange(WIDTH)
 MAIN = 200 + 10 * np.sin(U / 60)
 
@@ -121,38 +122,38 @@ def test_stripes_of_all_widths_are_placed_at_the_bound_and_say_so(
 
 @pytest.mark.parametrize("axis", ["u", "v"])
 def test_a_followed_stripe_is_that_of_the_whole_frame(axis: str) -> None:
-    band = StripeBand(axis)
+    tracker = StripeTracker(axis)
     for n in range(12):
         row = MAIN + 40 * np.sin(n / 4)
         image = picture((row, steady(100)))
         image = image if axis == "u" else np.ascontiguousarray(image.T)
-        followed, whole = band.extract(image), extract_stripe(image, axis)
+        followed, whole = tracker.extract(image), extract_stripe(image, axis)
         np.testing.assert_array_equal(followed.along_across[0], whole.along_across[0])
         np.testing.assert_allclose(followed.along_across[1], whole.along_across[1], atol=0.02)
 
 
 def test_a_stripe_that_jumps_is_found_in_the_same_frame() -> None:
-    band = StripeBand()
+    tracker = StripeTracker()
     for row in (MAIN, MAIN, MAIN + 150, MAIN - 150):
-        assert share_on(band.extract(picture((row, steady(100)))), row) > 0.98
+        assert share_on(tracker.extract(picture((row, steady(100)))), row) > 0.98
     dark = np.full((HEIGHT, WIDTH), 8, np.uint8)
-    assert len(band.extract(dark).u) == 0
-    assert share_on(band.extract(picture((MAIN, steady(100)))), MAIN) > 0.98
+    assert len(tracker.extract(dark).u) == 0
+    assert share_on(tracker.extract(picture((MAIN, steady(100)))), MAIN) > 0.98
 
 
 def test_a_second_piece_that_comes_into_view_is_found_within_a_round() -> None:
-    band = StripeBand()
+    tracker = StripeTracker()
     half = np.where(U < 256, 100.0, 0.0)
-    band.extract(picture((MAIN, half)))
+    tracker.extract(picture((MAIN, half)))
     image = picture((MAIN, half), (MAIN + 100, steady(100) - half))
     for _ in range(SLICES):
-        stripe = band.extract(image)
+        stripe = tracker.extract(image)
     assert share_on(stripe, MAIN + 100) > 0.45
 
 
 def test_the_edge_of_a_lit_face_hides_the_stripe_in_no_slice() -> None:
     """Each of its edges lies once where a slice ends."""
-    band = StripeBand()
+    tracker = StripeTracker()
     image = picture((MAIN, steady(60)))
     for n in range(3 * SLICES):
         edge = 20 + n * 8
@@ -160,4 +161,4 @@ def test_the_edge_of_a_lit_face_hides_the_stripe_in_no_slice() -> None:
         lit[edge : edge + 60] = np.maximum(lit[edge : edge + 60], 150)
         if abs(edge + 30 - 200) < 90:
             continue
-        assert share_on(band.extract(lit), MAIN) > 0.98
+        assert share_on(tracker.extract(lit), MAIN) > 0.98

@@ -25,7 +25,7 @@ from app.metrology.scene import (
     stripe_rows,
     with_coordinates,
 )
-from app.metrology.stripe import Stripe, no_stripe
+from app.metrology.stripe import Stripe, empty_stripe
 
 LEAST_CERTIFICATE_MM = 1e-6
 
@@ -87,7 +87,7 @@ class BlockView:
         return np.asarray(self.stripe.uv_px[self.level != ""])
 
     def without_line(self) -> "BlockView":
-        return replace(self, stripe=no_stripe(self.stripe.axis), level=np.zeros(0, "<U5"))
+        return replace(self, stripe=empty_stripe(self.stripe.axis), level=np.zeros(0, "<U5"))
 
 
 def block_papers(block: Crenellated) -> Papers:

@@ -34,9 +34,9 @@ from app.metrology.chessboard.corners import detect_board, outshining
 from app.metrology.detection.picture import picture_findings
 from app.metrology.findings import Finding, WorstPoint
 from app.metrology.frames import Floats, inverse
+from app.metrology.image import Image
 from app.metrology.laser_plane import LaserPlane, refuse_edge_on
 from app.metrology.stripe import extract_stripe
-from app.metrology.stripe_flanks import Image
 
 Progress = Callable[[str, float], None]
 

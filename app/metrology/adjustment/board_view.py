@@ -20,7 +20,7 @@ from app.metrology.frames import Floats
 from app.metrology.laser_plane import LaserPlane, tangents
 from app.metrology.projection import COUNT, project_with_jacobian
 from app.metrology.scene import BLOCK, PLANE, Rows
-from app.metrology.stripe import Stripe, no_stripe
+from app.metrology.stripe import Stripe, empty_stripe
 
 # Points of a line are used where they lie no further off it, across the laser's plane, than
 # this, and than so many times the usual.
@@ -80,7 +80,9 @@ class BoardView:
         return np.asarray(self.stripe.uv_px[self.used])
 
     def without_line(self) -> "BoardView":
-        return replace(self, stripe=no_stripe(self.stripe.axis), used=np.zeros(0, dtype=np.bool_))
+        return replace(
+            self, stripe=empty_stripe(self.stripe.axis), used=np.zeros(0, dtype=np.bool_)
+        )
 
     def _bends(self) -> slice:
         own = bend_of(self.board)

@@ -45,11 +45,11 @@ from app.metrology.detection.corners import detect_object
 from app.metrology.detection.picture import picture_findings
 from app.metrology.findings import Finding, WorstPoint
 from app.metrology.frames import Floats, inverse
+from app.metrology.image import Image
 from app.metrology.laser_plane import LaserPlane, in_frame, stripe_on_levels
 from app.metrology.limits import LIMITS, Limits
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import extract_stripe
-from app.metrology.stripe_flanks import Image
 
 Progress = Callable[[str, float], None]
 # What is not known to a metre is not known.

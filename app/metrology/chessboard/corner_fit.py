@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 from scipy.special import erf
 
 from app.metrology.frames import Floats
-from app.metrology.stripe_flanks import Image
+from app.metrology.image import Image
 
 # Of the distance to the next corner, how much is looked at; in px, at least and at most.
 WINDOW_SHARE, LEAST_WINDOW_PX, MOST_WINDOW_PX = 0.35, 4.0, 20.0

@@ -12,9 +12,9 @@ from app.metrology.chessboard.evidence import with_board_evidence
 from app.metrology.chessboard.lattice import Lattice, largest_lattice, mapped, perspective
 from app.metrology.chessboard.saddles import Saddles, find_saddles
 from app.metrology.frames import Floats
+from app.metrology.image import Image, saturation_level
 from app.metrology.refusal import Refusal
-from app.metrology.stripe import Stripe, no_stripe, saturation_level
-from app.metrology.stripe_flanks import Image
+from app.metrology.stripe import Stripe, empty_stripe
 
 # Pixels this near to clipped ones or to the stripe's middle show laser light.
 BESIDE_CLIPPED_PX, BESIDE_STRIPE_PX = 8, 12
@@ -102,7 +102,7 @@ def outshining(image: Image, stripe: Stripe) -> Stripe:
     white = float(np.quantile(image, DARKER_SHARE))
     if np.median(at) >= min(OUTSHINES * white, saturation_level(image)):
         return stripe
-    return no_stripe(stripe.axis)
+    return empty_stripe(stripe.axis)
 
 
 def _blocked(image: Image, stripe: Stripe | None) -> NDArray[np.bool_]:

@@ -10,9 +10,8 @@ from app.metrology.detection.evidence import (
     clipped_regions,
 )
 from app.metrology.detection.picture import picture_findings
+from app.metrology.image import Image, saturation_level
 from app.metrology.refusal import Refusal
-from app.metrology.stripe import saturation_level
-from app.metrology.stripe_flanks import Image
 
 _FAULTS: dict[str, Fault] = {
     "board-not-found": "framing",

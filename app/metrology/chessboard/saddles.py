@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.frames import Floats
-from app.metrology.stripe_flanks import Image
+from app.metrology.image import Image
 
 # Blur at which saddles are sought, and the radii of the two rings on which each is tested.
 BLURS_PX = (1.5, 3.0)

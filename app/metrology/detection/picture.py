@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.frames import Floats
+from app.metrology.image import saturation_level
 from app.metrology.refusal import Refusal
-from app.metrology.stripe import saturation_level
 
 Image = NDArray[np.uint8] | NDArray[np.uint16]
 

@@ -5,8 +5,8 @@
 #include "points/pack_points.c"
 #include "points/write_decimals.c"
 
-#include "stripe/runs.c"
-#include "stripe/speckle.c"
+#include "stripe/stripe.c"
+
 #include "recording/records.c"
 #include "recording/joints.c"
 #include "recording/stripes.c"

@@ -12,7 +12,7 @@ enum { LANES = 16 };
 
 typedef float lanes __attribute__((vector_size(64)));
 typedef int32_t lane_mask __attribute__((vector_size(64))); /* -1 where it holds, else 0 */
-typedef lanes unaligned_lanes __attribute__((aligned(4)));
+typedef lanes unaligned_lanes __attribute__((aligned(4), may_alias));
 
 static inline lanes load(const float *from) { return *(const unaligned_lanes *)from; }
 static inline void store(float *to, lanes value) { *(unaligned_lanes *)to = value; }

@@ -1,0 +1,141 @@
+"""Finding the stripe in an image: checks, the call into C, and its result."""
+
+from typing import cast
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.frames import Floats
+from app.metrology.image import Image
+from app.metrology.refusal import Refusal
+from app.metrology.stripe.points import Stripe, empty_stripe, stripe_of
+from app.metrology.stripe.settings import AUTOMATIC, StripeSettings, check_settings
+from app.metrology.stripe.workspace import (
+    LEAST_ROWS,
+    Fields,
+    Workspace,
+    give_back,
+    take_workspace,
+)
+from app.metrology.stripe_clipped_fallback import clipped_points
+from app.metrology.stripe_room import Room
+from app.native.arguments import U8, U16, Function, Record
+from app.native.product import CRENEL
+
+EXTRACT = {
+    U8: Function(CRENEL, "extract_8", Record(Fields), returns=int),
+    U16: Function(CRENEL, "extract_16", Record(Fields), returns=int),
+}
+
+
+def extract_stripe(
+    image: Image,
+    axis: str = "u",
+    where: NDArray[np.bool_] | None = None,
+    settings: StripeSettings = AUTOMATIC,
+) -> Stripe:
+    """One point per column (axis ``u``) or row (axis ``v``) where the stripe crosses it.
+
+    A Gaussian on a constant background is fitted to each peak, weighted by the
+    pixels' noise, which is estimated from the image itself; clipped pixels are left
+    out. Where a broad core is clipped, the line is placed by its two flanks and smoothed
+    along itself over the core's width.
+
+    Args:
+        image: (H, W) of uint8 or uint16 (9 to 16 significant bits).
+        axis: the image axis along which points are counted.
+        where: (H, W) pixels in which the stripe may lie; None: anywhere.
+
+    Returns:
+        The points in ascending order; none where the image holds no stripe.
+
+    Raises:
+        Refusal: not a grey image of whole numbers, a mask of another size, an unknown
+            axis, or settings that contradict themselves.
+    """
+    grey = turned_image(image, axis)
+    whole = np.array([[0, grey.shape[0], 0, grey.shape[1]]])
+    return extract_parts(grey, axis, whole, turned_mask(where, grey, axis), settings)
+
+
+def extract_parts(
+    grey: Image,
+    axis: str,
+    parts: NDArray[np.int64],
+    where: NDArray[np.bool_] | None,
+    settings: StripeSettings,
+    known: NDArray[np.float32] | None = None,
+) -> Stripe:
+    """The stripe in parts of an image that is turned already; see ``extract_stripe``.
+
+    Args:
+        grey: (H, W) with the stripe across its columns, as ``turned_image`` makes it.
+        parts: (n, 4) first row and the one behind the last, first column and the one
+            behind the last, of what is looked at.
+        where: (H, W) pixels in which the stripe may lie; None for all.
+        known: (4,) the noise's three terms and the usual width (a standard deviation, px)
+            by earlier frames; zeros are filled.
+    """
+    check_settings(settings)
+    if grey.shape[0] <= LEAST_ROWS or grey.shape[1] < settings.min_run:
+        return empty_stripe(axis)
+    known = np.zeros(4, dtype=np.float32) if known is None else known
+    workspace = take_workspace(grey)
+    try:
+        workspace.set_frame(grey, parts, where, known)
+        workspace.set_settings(settings)
+        points = _points(workspace, grey)
+        if points is None:
+            everywhere = np.zeros((0, 0), np.bool_) if where is None else where
+            room = Room(workspace.key)
+            points = clipped_points(grey, room, parts, everywhere, settings, known)
+        return stripe_of(points, axis)
+    finally:
+        give_back(workspace)
+
+
+def _points(workspace: Workspace, grey: Image) -> Floats | None:
+    """The points (4, N): along, across, height, standard deviation."""
+    count = EXTRACT[grey.dtype](workspace.fields)
+    return None if count < 0 else workspace.points[:, :count].copy()
+
+
+def turned_image(image: Image, axis: str) -> Image:
+    """The image with the stripe across its columns, rows contiguous in memory.
+
+    Raises:
+        Refusal: not a grey image of whole numbers, or an unknown axis.
+    """
+    array = np.asarray(image)
+    if array.ndim != 2 or array.dtype not in EXTRACT:
+        raise Refusal(
+            "image-not-grey",
+            f"an image of shape {array.shape} and type {array.dtype}",
+            "a stripe is extracted from grey images of 8 to 16 bits, height by width",
+        )
+    if axis not in ("u", "v"):
+        raise Refusal("axis-unknown", f'stripe axis "{axis}"', 'it is "u" or "v"')
+    if axis == "u":
+        return np.ascontiguousarray(array)
+    return cast(Image, cv2.transpose(cast(Image, array)))
+
+
+def turned_mask(
+    where: NDArray[np.bool_] | None, grey: Image, axis: str
+) -> NDArray[np.bool_] | None:
+    """The mask turned as the image was.
+
+    Raises:
+        Refusal: it is of another size than the image.
+    """
+    if where is None:
+        return None
+    turned = np.ascontiguousarray(where if axis == "u" else where.T, dtype=np.bool_)
+    if turned.shape != grey.shape:
+        raise Refusal(
+            "mask-size",
+            f"a mask of {where.shape} pixels for an image of another size",
+            "a mask says of every pixel whether the stripe may lie there",
+        )
+    return turned

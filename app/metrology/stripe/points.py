@@ -1,0 +1,61 @@
+"""The points of a laser stripe."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.metrology.frames import Floats
+
+
+@dataclass(frozen=True)
+class Stripe:
+    """Points of the laser stripe, at most one a column (axis u) or a row (axis v).
+
+    ``intensity`` is the height of the stripe over its background in grey levels,
+    ``sigma_px`` the standard deviation of the point across the stripe's direction
+    of counting: of v for axis u, of u for axis v.
+    """
+
+    u: Floats  # (N,)
+    v: Floats  # (N,)
+    intensity: Floats  # (N,)
+    sigma_px: Floats  # (N,)
+    axis: str = "u"
+
+    @property
+    def uv_px(self) -> Floats:
+        """(N, 2)"""
+        return np.column_stack([self.u, self.v])
+
+    @property
+    def along_across(self) -> tuple[Floats, Floats]:
+        """(N,) each: the coordinate that is counted, and the measured one."""
+        return (self.u, self.v) if self.axis == "u" else (self.v, self.u)
+
+    @property
+    def across(self) -> Floats:
+        """(2,) the unit pixel direction in which ``sigma_px`` counts."""
+        return np.array([0.0, 1.0]) if self.axis == "u" else np.array([1.0, 0.0])
+
+
+def stripe_of(points: Floats, axis: str) -> Stripe:
+    """The stripe of points (4, N): along, across, height, standard deviation."""
+    along, across, height, sigma = points
+    return Stripe(*((along, across) if axis == "u" else (across, along)), height, sigma, axis)
+
+
+def empty_stripe(axis: str) -> Stripe:
+    """A stripe of no points, counted along an axis."""
+    return stripe_of(np.zeros((4, 0)), axis)
+
+
+def joined_stripes(parts: Sequence[Stripe]) -> Stripe:
+    """The points of stripes that were counted along the same axis, one after the other."""
+    return Stripe(
+        np.concatenate([part.u for part in parts]),
+        np.concatenate([part.v for part in parts]),
+        np.concatenate([part.intensity for part in parts]),
+        np.concatenate([part.sigma_px for part in parts]),
+        parts[0].axis,
+    )

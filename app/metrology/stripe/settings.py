@@ -1,0 +1,61 @@
+"""What an operator may set of stripe extraction."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+from app.metrology.refusal import Refusal
+
+Choice = Literal["continuity", "strength", "first", "last"]
+CHOICES: tuple[Choice, ...] = ("continuity", "strength", "first", "last")
+SHORTEST_RUN = 6
+"""A point belongs to a run of at least this many neighbouring points."""
+
+
+@dataclass(frozen=True)
+class StripeSettings:
+    """What an operator may set; None leaves it to the image.
+
+    ``threshold``: grey levels by which the stripe stands out of its surroundings (else four
+    standard deviations of the noise). ``min_width_px``, ``max_width_px``: its width at half
+    height (else 0.45 and 2.2 times the usual one). ``min_run``: points of a piece, which is
+    always more than a round spot of its width would show.
+    ``choice``: which of several peaks of a column is the stripe. ``continuity``: the one
+    whose piece of line is the brightest on average, where pieces of less than 40 points
+    count by the square of their length; ``strength``: the brightest; ``first`` and ``last``: the
+    uppermost and the lowest (axis v: leftmost and rightmost) that belongs to a piece.
+    """
+
+    threshold: float | None = None
+    min_width_px: float | None = None
+    max_width_px: float | None = None
+    min_run: int = SHORTEST_RUN
+    choice: Choice = "continuity"
+
+
+AUTOMATIC = StripeSettings()
+
+
+def check_settings(settings: StripeSettings) -> None:
+    """Accepts settings that can be meant.
+
+    Raises:
+        Refusal: a value is negative, widths do not ascend, or the choice is unknown.
+    """
+    least, most = settings.min_width_px, settings.max_width_px
+    wrong = ""
+    if settings.threshold is not None and not settings.threshold >= 0:
+        wrong = f"a threshold of {settings.threshold}"
+    elif least is not None and not least >= 0:
+        wrong = f"a minimum width of {least} px"
+    elif most is not None and not most > (least or 0):
+        wrong = f"a maximum width of {most} px"
+    elif settings.min_run < 1:
+        wrong = f"pieces of {settings.min_run} points"
+    elif settings.choice not in CHOICES:
+        wrong = f'the choice "{settings.choice}"'
+    if wrong:
+        raise Refusal(
+            "stripe-settings",
+            f"{wrong} of the stripe",
+            f"widths are positive and ascend; the choice is one of {', '.join(CHOICES)}",
+        )

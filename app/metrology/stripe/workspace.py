@@ -1,0 +1,161 @@
+"""The memory in which stripes are extracted: kept, since fetching it anew costs time."""
+
+import ctypes
+import math
+from collections import deque
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.image import Image
+from app.metrology.stripe.settings import CHOICES, StripeSettings
+from app.native.arguments import BOOL, F32, I64, Array, pointer
+
+ALIGNED_BYTES = 64
+SIZES_KEPT, WORKSPACES_KEPT = 4, 16
+PER_FULL_WIDTH = 1 / 2.3548
+"""Standard deviation of a Gaussian whose width at half height is one."""
+# As in workspace.h, search.c and read_noise.c.
+STRIP_ROWS, RING_ROWS, GREYS, BLOCK = 16, 16, 64, 64
+BLOCK_ROWS, PROFILE_ROWS, FIT_ROWS, PEAK_ROWS = 26, 112, 8, 5
+NOISE_BLOCKS, COUNT_LISTS, COUNT_LEVELS = 2, 4, 4096
+LEAST_ROWS = 20
+"""Fewer rows hold no core with its surroundings."""
+PARTS = Array(I64, "parts", 4)
+ALLOWED = Array(BOOL, "height", "width")
+KNOWN = Array(F32, 4, written=True)
+
+Key = tuple[tuple[int, int], "np.dtype[np.uint8] | np.dtype[np.uint16]"]
+
+
+class Fields(ctypes.Structure):
+    """``Workspace`` of ``app/native/c/stripe/workspace.h``."""
+
+    _fields_ = (
+        *((name, ctypes.c_void_p) for name in ("pixels",)),
+        *((name, ctypes.c_int64) for name in ("height", "width")),
+        *((name, ctypes.c_void_p) for name in ("allowed", "parts")),
+        *((name, ctypes.c_int64) for name in ("part_count", "rule", "shortest_run")),
+        *((name, ctypes.c_double) for name in ("threshold", "narrowest_px", "widest_px")),
+        ("known", ctypes.c_void_p),
+        *((name, ctypes.c_int64) for name in ("padded", "strips", "most_peaks")),
+        *((name, ctypes.c_void_p) for name in ("ring", "score", "place")),
+        *((name, ctypes.c_void_p) for name in ("peak_columns", "peak_rows", "peak_heights")),
+        *((name, ctypes.c_void_p) for name in ("track", "track_order", "reached", "track_count")),
+        *((name, ctypes.c_void_p) for name in ("track_total", "worth")),
+        *((name, ctypes.c_void_p) for name in ("best", "second", "begin", "columns", "rows")),
+        ("counts", ctypes.c_void_p),
+        ("count_levels", ctypes.c_int64),
+        *((name, ctypes.c_void_p) for name in ("blocks", "profiles", "fits", "peaks")),
+        *((name, ctypes.c_void_p) for name in ("points", "scratch")),
+    )
+
+
+class Workspace:
+    """What a frame of one size and type is extracted in; one thread at a time."""
+
+    def __init__(self, key: Key) -> None:
+        (height, width), kind = key
+        self.key = key
+        padded = -(-width // GREYS) * GREYS
+        strips = -(-height // STRIP_ROWS) + 2
+        most_peaks = strips * width // 2
+        levels = min(COUNT_LEVELS, int(np.iinfo(kind).max) + 1)
+        self.points = np.zeros((4, width))
+        self.fields = Fields(
+            height=height,
+            width=width,
+            padded=padded,
+            strips=strips,
+            most_peaks=most_peaks,
+            count_levels=levels,
+        )
+        self._memory: dict[str, NDArray[np.uint8]] = {}
+        self._image = Array(kind, height, width)
+        self._give("ring", (RING_ROWS, padded), kind)
+        self._give("score", (strips, padded), kind)
+        self._give("place", (strips, padded), np.uint8)
+        for name in ("peak_columns", "peak_rows", "peak_heights"):
+            self._give(name, (most_peaks,), np.int32)
+        for name in ("track", "track_order", "reached", "track_count"):
+            self._give(name, (most_peaks,), np.int32)
+        for name in ("track_total", "worth"):
+            self._give(name, (most_peaks,), np.float64)
+        for name in ("best", "second", "columns", "rows"):
+            self._give(name, (width,), np.int32)
+        self._give("begin", (width + 1,), np.int32)
+        self._give("counts", (COUNT_LISTS, levels), np.int32)
+        self._give("blocks", (NOISE_BLOCKS, BLOCK_ROWS, BLOCK), np.float32)
+        self._give("profiles", (NOISE_BLOCKS, PROFILE_ROWS, BLOCK), np.float32)
+        self._give("fits", (FIT_ROWS, padded), np.float32)
+        self._give("peaks", (PEAK_ROWS, width), np.float64)
+        self._give("scratch", (2, width), np.float64)
+        self.fields.points = self.points.ctypes.data
+
+    def set_frame(
+        self,
+        grey: Image,
+        parts: NDArray[np.int64],
+        where: NDArray[np.bool_] | None,
+        known: NDArray[np.float32],
+    ) -> None:
+        """Points to a frame: what is read of it, where a peak may lie, what is known of it.
+
+        The arrays must be kept as long as the frame is worked on.
+        """
+        fields = self.fields
+        fields.pixels = pointer(grey, self._image)
+        fields.parts, fields.part_count = pointer(parts, PARTS), len(parts)
+        fields.allowed = None if where is None else pointer(where, ALLOWED)
+        fields.known = pointer(known, KNOWN)
+
+    def set_settings(self, settings: StripeSettings) -> None:
+        """Takes over the operator's settings; they are checked already."""
+        fields = self.fields
+        fields.rule, fields.shortest_run = CHOICES.index(settings.choice), settings.min_run
+        fields.threshold = math.nan if settings.threshold is None else settings.threshold
+        fields.narrowest_px = _sigma(settings.min_width_px)
+        fields.widest_px = _sigma(settings.max_width_px)
+
+    def _give(self, name: str, shape: tuple[int, ...], kind: Any) -> None:
+        """Gives a field zeros that begin on a line of the caches: no vector lies across two."""
+        size = math.prod(shape) * np.dtype(kind).itemsize
+        raw = np.zeros(size + ALIGNED_BYTES, np.uint8)
+        begin = -raw.ctypes.data % ALIGNED_BYTES
+        self._memory[name] = raw[begin : begin + size].reshape(*shape[:-1], -1)
+        setattr(self.fields, name, raw.ctypes.data + begin)
+
+    def view(self, name: str, kind: type[np.generic]) -> NDArray[Any]:
+        """What a field's memory holds, as numbers of its own kind."""
+        return self._memory[name].view(kind)
+
+
+def _sigma(width_px: float | None) -> float:
+    """The standard deviation of a width at half height, NaN for None."""
+    return math.nan if width_px is None else width_px * PER_FULL_WIDTH
+
+
+# Workspaces that nobody works in, by images' size and type: taking one from a deque and putting
+# it back are each one step for every thread.
+_free: dict[Key, deque[Workspace]] = {}
+
+
+def take_workspace(image: Image) -> Workspace:
+    """A workspace for images like this one, the caller's alone until it is given back."""
+    key: Key = ((image.shape[0], image.shape[1]), image.dtype)
+    try:
+        return _free[key].pop()
+    except (KeyError, IndexError):
+        return Workspace(key)
+
+
+def give_back(workspace: Workspace) -> None:
+    """Keeps a workspace for the next caller; those of other sizes go when they are many."""
+    if workspace.key not in _free:
+        if len(_free) >= SIZES_KEPT:
+            _free.clear()
+        _free[workspace.key] = deque(maxlen=WORKSPACES_KEPT)
+    kept = _free.get(workspace.key)
+    if kept is not None:
+        kept.append(workspace)

@@ -1,0 +1,189 @@
+/* A frame's way from pixels to points. Included with BITS defined. */
+#include "pixel.h"
+
+#ifndef CRENEL_STRIPE_PIPELINE
+#define CRENEL_STRIPE_PIPELINE
+/* A peak stands out of the noise by this many standard deviations of its score; what noise passes
+ * makes no run. The variance of a score, in those of a pixel. */
+static const double STANDS_OUT = 4, SCORE_VARIANCE = 7.0 / 12;
+/* Rows about some peaks that show the usual width; rows about a peak, by that width. */
+enum { USUAL_REACH = 20 };
+static const float REACH_SIGMAS = 3.6f, REACH_MORE = 4;
+/* Steps of a fit, and of one that needs more of everything. */
+enum { STEPS = 3, MORE_STEPS = 30 };
+/* The gain before it is known: grey levels squared per level, of a full scale of 255. */
+static const double FIRST_GAIN = 0.01 / 255;
+/* Clipped pixels in a column from which on its flanks may say more than its core. */
+enum { CLIPPED_CORE = 4 };
+/* Columns between which laser speckle has become independent. */
+enum { SPECKLE_LAG = 6 };
+/* What `extract` returns for a frame whose line is clipped. */
+enum { OVEREXPOSED = -1 };
+
+/* The median width of a block's started fits, as a standard deviation. */
+static float usual_start(const Block *block)
+{
+    float some[BLOCK];
+    int found = 0;
+    for (int i = 0; i < BLOCK; i++)
+        if (block->state[i] == PEAK)
+            some[found++] = block->sigma[i];
+    return found ? median_of(some, found) : 1;
+}
+
+/* The grey level at which pixels of 16 bits are clipped, by the brightest: the sensor's own depth
+ * where that shows it (1023, 4095, ..., also shifted to the upper bits), else 65535. */
+static float saturation_level(uint32_t brightest)
+{
+    if (brightest) {
+        const uint32_t significant = brightest >> __builtin_ctz(brightest);
+        if ((significant & (significant + 1)) == 0 && significant >= 0x100)
+            return (float)brightest;
+    }
+    return 65535;
+}
+
+/* The most pixels that are clipped in one of n fitted peaks. */
+static float most_clipped(const Workspace *work, int64_t n)
+{
+    const float *clipped = work->fits + CLIPPED * work->padded;
+    float most = 0;
+    for (int64_t i = 0; i < n; i++)
+        most = max_f32(most, clipped[i]);
+    return most;
+}
+
+/* What its mirror in Python must be as long as. */
+EXPORT(int64_t, workspace_bytes)(void) { return (int64_t)sizeof(Workspace); }
+
+/* The points (4, N) of n peaks that lie in runs, with their standard deviations; how many. */
+static int64_t finish(Workspace *work, int64_t n, double saturated)
+{
+    const int64_t width = work->width;
+    const double *peaks = work->peaks;
+    double *points = work->points;
+    const int64_t found = keep_long_runs(peaks + ALONG * width, peaks + ACROSS * width,
+                                         peaks + BROAD * width, n, work->shortest_run, work->rows);
+    for (int row = ALONG; row <= UNSURE; row++)
+        for (int64_t i = 0; i < found; i++)
+            points[row * width + i] = peaks[row * width + work->rows[i]];
+    for (int64_t i = 0; i < found; i++)
+        points[HEIGHT * width + i] = min_f64(points[HEIGHT * width + i], saturated);
+    double *unsure = points + UNSURE * width;
+    const double scatter = speckle_variance(points + ALONG * width, points + ACROSS * width, unsure,
+                                            found, SPECKLE_LAG, 0, work->scratch);
+    for (int64_t i = 0; i < found; i++)
+        unsure[i] = sqrt(unsure[i] + scatter);
+    return found;
+}
+#endif
+
+/* Starts a block of peaks evenly taken of n: the `number`-th of `count` such blocks. */
+static void OF(sample)(Workspace *work, int64_t n, int number, int count, int reach,
+                       float saturated)
+{
+    int32_t columns[BLOCK], rows[BLOCK];
+    for (int64_t i = 0; i < BLOCK; i++) {
+        const int64_t one = (i * count + number) * n / ((int64_t)count * BLOCK);
+        columns[i] = work->columns[one];
+        rows[i] = work->rows[one];
+    }
+    OF(gather)(work, columns, rows, BLOCK, reach, work->profiles[number]);
+    start_fits(&work->blocks[number], work->profiles[number], reach, saturated);
+}
+
+/* Step 6: fills known[0..2] with the noise's terms and known[3] with the usual width. */
+static void OF(estimate_noise)(Workspace *work, int64_t n, double read, float saturated,
+                               float *known)
+{
+    const int count = n <= BLOCK ? 1 : NOISE_BLOCKS;
+    int rows[NOISE_BLOCKS];
+    OF(sample)(work, n, 0, count, USUAL_REACH, saturated);
+    known[0] = (float)read;
+    known[1] = (float)(FIRST_GAIN * saturated);
+    known[2] = 0;
+    known[3] = usual_start(work->blocks);
+    const int reach = (int)min_f32(ceilf(REACH_SIGMAS * known[3] + REACH_MORE), WIDEST_REACH);
+    for (int b = 0; b < count; b++) {
+        /* the first was begun with enough rows for most widths */
+        const int far = b == 0 && reach < USUAL_REACH ? USUAL_REACH : reach;
+        if (b > 0 || far > USUAL_REACH)
+            OF(sample)(work, n, b, count, far, saturated);
+        set_windows(&work->blocks[b], work->profiles[b], far, saturated);
+        rows[b] = 2 * far + 1;
+    }
+    learn_noise(work->blocks, (const Profile *)work->profiles, rows, count, saturated, known);
+}
+
+/* Steps 7 and 8 for up to BLOCK peaks; fills a table of fits. */
+static void OF(fit_some)(Workspace *work, const int32_t *columns, const int32_t *rows, int64_t n,
+                         int reach, float saturated, const float *noise, int steps, float *table,
+                         int64_t row_length)
+{
+    OF(gather)(work, columns, rows, n, reach, work->profiles[0]);
+    fit_block(work->blocks, work->profiles[0], reach, noise, saturated, steps);
+    keep_fits(work->blocks, reach, table, row_length);
+}
+
+/* Fits those of n peaks again that needed more rows or more steps. */
+static void OF(fit_wider)(Workspace *work, int64_t n, float saturated, const float *noise)
+{
+    const float *became = work->fits + BECAME * work->padded;
+    float again[FIT_ROWS * BLOCK];
+    int32_t which[BLOCK], columns[BLOCK], rows[BLOCK];
+    for (int64_t i = 0; i < n;) {
+        int found = 0;
+        for (; i < n && found < BLOCK; i++) {
+            if (became[i] == WIDER) {
+                which[found] = (int32_t)i;
+                columns[found] = work->columns[i];
+                rows[found++] = work->rows[i];
+            }
+        }
+        if (!found)
+            return;
+        OF(fit_some)(work, columns, rows, found, WIDEST_REACH, saturated, noise, MORE_STEPS, again,
+                     BLOCK);
+        for (int row = 0; row < FIT_ROWS; row++)
+            for (int k = 0; k < found; k++)
+                work->fits[row * work->padded + which[k]] = again[row * BLOCK + k];
+    }
+}
+
+/* Steps 5 to 9 for the n columns chosen: fills the table of peaks; returns how many there are. */
+static int64_t OF(fit_peaks)(Workspace *work, int64_t n, double read, double threshold,
+                             float saturated, float *known)
+{
+    if (n == 0)
+        return 0;
+    OF(move_to_brightest)(work, n);
+    if (!(known[0] > 0))
+        OF(estimate_noise)(work, n, read, saturated, known);
+    const int reach = (int)min_f32(ceilf(REACH_SIGMAS * known[3] + REACH_MORE), WIDEST_REACH);
+    for (int64_t b = 0; b < n; b += BLOCK)
+        OF(fit_some)(work, work->columns + b, work->rows + b, min_i64(BLOCK, n - b), reach,
+                     saturated, known, STEPS, work->fits + b, work->padded);
+    OF(fit_wider)(work, n, saturated, known);
+    return sift(work, n, threshold);
+}
+
+/* Fills the points (4, N) of the stripe in a frame: along, across, height, standard deviation.
+ *
+ * Returns how many; OVEREXPOSED where the line's core is clipped. */
+EXPORT(int64_t, OF(extract))(Workspace *work)
+{
+    PIXEL brightest;
+    const PIXEL highest_core = OF(search)(work, &brightest);
+    const float saturated = BITS == 8 ? 255 : saturation_level(brightest);
+    /* after the search, which has fetched the pixels */
+    const double read = work->known[0] > 0 ? work->known[0] : OF(read_noise)(work);
+    if (highest_core >= saturated)
+        return OVEREXPOSED;
+    const double threshold =
+        isnan(work->threshold) ? STANDS_OUT * sqrt(SCORE_VARIANCE * read) : work->threshold;
+    const int64_t chosen = choose_peaks(work, OF(list_peaks)(work, threshold));
+    const int64_t found = OF(fit_peaks)(work, chosen, read, threshold, saturated, work->known);
+    if (most_clipped(work, chosen) >= CLIPPED_CORE)
+        return OVEREXPOSED;
+    return finish(work, found, saturated);
+}
