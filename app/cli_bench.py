@@ -69,9 +69,19 @@ def extraction(
         list[Path] | None,
         typer.Option(help="Folder of real pictures, too: the line's local noise. May be repeated."),
     ] = None,
+    variants: Annotated[
+        bool, typer.Option(help="Plain frames by every processor variant, instead.")
+    ] = False,
+    against: Annotated[
+        Path | None,
+        typer.Option(exists=True, help="Python of another checkout: its rates beside these."),
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Stripe extraction: speed and error over the Cramér-Rao bound, beside OpenCV and numpy."""
+    if variants or against is not None:
+        _extraction_paired(against, as_json)
+        return
     from app.bench import real_lines
     from app.bench.extraction import run
     from app.bench.extraction_table import COLUMNS, table
@@ -83,6 +93,19 @@ def extraction(
         print_json({"measures": [asdict(row) for row in rows]})
         return
     print_table("Stripe extraction, 1280 × 1024, one thread", COLUMNS, table(rows))
+
+
+def _extraction_paired(against: Path | None, as_json: bool) -> None:
+    """Prints the rates of every variant, and of another checkout, by turns in one run."""
+    from app.bench.extraction_paired import COLUMNS, run, table
+
+    with progress_bar("Measuring", not as_json) as tell:
+        rates = run(against, tell)
+    if as_json:
+        print_json({"rates": [asdict(one) for one in rates]})
+        return
+    beside = "" if against is None else " (in brackets: over the other's rate)"
+    print_table(f"Plain frames, 1280 × 1024, one thread{beside}", COLUMNS, table(rates))
 
 
 @bench.command()
