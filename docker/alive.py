@@ -12,12 +12,14 @@ WAYS = (
 )
 
 
-def answers(connection: HTTPConnection) -> bool:
+def status(connection: HTTPConnection) -> int | None:
+    """Of the answer; none where this way of asking is not understood."""
     try:
         connection.request("GET", "/api/session")
-        return connection.getresponse().status == 200
+        return connection.getresponse().status
     except (OSError, HTTPException):
-        return False
+        return None
 
 
-sys.exit(0 if any(map(answers, WAYS)) else 1)
+answers = (answer for way in WAYS if (answer := status(way)) is not None)
+sys.exit(0 if next(answers, None) == 200 else 1)
