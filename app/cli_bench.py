@@ -176,3 +176,34 @@ def faults(as_json: AsJson = False) -> None:
         print_json({"failures": [asdict(row) for row in found]})
         return
     print_table("Devices that fail on the way", COLUMNS, table(found))
+
+
+@bench.command()
+@refusing
+def start(
+    against: Annotated[
+        Path | None,
+        typer.Option(help="Another copy, beside this: its crenel, or a checkout with a .venv."),
+    ] = None,
+    session: Annotated[
+        Path | None,
+        typer.Option(help="Folder of a calibration session, with a recording to rebuild."),
+    ] = None,
+    cold: Annotated[int, typer.Option(min=0, help="Rounds with empty caches.")] = 1,
+    warm: Annotated[int, typer.Option(min=0, help="Rounds with filled caches.")] = 3,
+    busy: Annotated[
+        int, typer.Option(min=0, help="The same with a restless process on every core.")
+    ] = 3,
+    as_json: AsJson = False,
+) -> None:
+    """How soon the program is there: first page, calibration, commands; memory and size."""
+    from app.bench.start import Rounds, columns, run, table
+    from app.bench.started import copy_at, own_copy
+
+    copies = [own_copy(), *([copy_at("against", against)] if against else [])]
+    with progress_bar("Starting", not as_json) as tell:
+        rows = run(copies, Rounds(cold, warm, busy), session, tell)
+    if as_json:
+        print_json({"measures": [asdict(row) for row in rows]})
+        return
+    print_table("From the start on: median (least–most)", columns(copies), table(rows))

@@ -13,7 +13,6 @@ from app.report.content import Report
 from app.report.identification import identification_report
 from app.report.language import in_language
 from app.report.page import page
-from app.report.paper import paper
 from app.report.tip_check import tip_check_report
 from app.report.verification import verification_report
 
@@ -24,7 +23,15 @@ KINDS = (
     (IDENTIFIED, identification_report),
     (CALIBRATION, calibration_report),
 )
-FORMS = {".html": page, ".pdf": paper}
+
+
+def _paper(report: Report) -> bytes:
+    from app.report.paper import paper  # the PDF library is loaded by who prints
+
+    return paper(report)
+
+
+FORMS = {".html": page, ".pdf": _paper}
 
 
 def report_of(folder: Path) -> Report:

@@ -1,0 +1,93 @@
+"""What the bench of the start makes of its figures, on copies of the program that are scripts."""
+
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from app.bench import start
+from app.bench.start import Rounds, StartRow, columns, run, table
+from app.bench.started import Copy, busy_machine, copy_at
+from app.metrology.refusal import Refusal
+
+COMPILES = """#!/bin/sh
+if [ ! -e "$PYTHONPYCACHEPREFIX" ]; then sleep 0.3; mkdir "$PYTHONPYCACHEPREFIX"; fi
+"""
+"""As a program that is slow only while its caches are empty."""
+
+
+def script(folder: Path, text: str) -> Path:
+    place = folder / ".venv" / "bin" / "crenel"
+    place.parent.mkdir(parents=True)
+    place.write_text(text)
+    place.chmod(0o755)
+    return place
+
+
+def test_cold_rounds_find_nothing_that_another_left_and_warm_ones_do(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def no_demo(*_: object, **__: object) -> Iterator[start.Sample]:
+        return iter(())
+
+    class Rested:
+        def __init__(self, *_: object) -> None: ...
+        def __enter__(self) -> "Rested":
+            return self
+
+        def __exit__(self, *_: object) -> None: ...
+        def ready_s(self) -> float:
+            return 0.0
+
+        def idle_mb(self) -> float:
+            return 200.0
+
+    monkeypatch.setattr(start, "_demo", no_demo)
+    monkeypatch.setattr(start, "Station", Rested)
+    monkeypatch.setattr(Copy, "installed_mb", lambda self: 500.0)
+    (tmp_path / "session" / "images").mkdir(parents=True)
+    script(tmp_path / "one", COMPILES)
+    copies = [copy_at("this", tmp_path / "one"), copy_at("against", tmp_path / "one")]
+    rows = {row.measure: row for row in run(copies, Rounds(2, 2, 0), tmp_path / "session")}
+    for copy in copies:
+        for command in ("crenel --help", "crenel calibrate --method one-pose"):
+            assert rows[f"cold: {command}"].figures[copy.name][1] > 0.3
+            assert rows[f"warm: {command}"].figures[copy.name][1] < 0.3
+    assert rows["idle station: RSS"].unit == rows["installed size"].unit == "MB"
+
+
+def test_a_table_has_each_copy_beside_the_others() -> None:
+    rows = [
+        StartRow("cold: ready", "s", {"this": (2.0, 1.5, 3.0), "against": (90.0, 90.0, 90.0)}),
+        StartRow("cold: devices lost", "", {"this": (0.0, 0.0, 0.0), "against": (3.0, 3.0, 3.0)}),
+    ]
+    assert table(rows) == [
+        ("cold: ready", "2.00 s (1.50–3.00)", "90.00 s"),
+        ("cold: devices lost", "0", "3"),
+    ]
+    copies = [Copy("this", Path("crenel")), Copy("against", Path("crenel"))]
+    assert columns(copies) == ("measure", "this", "against")
+
+
+def test_a_command_that_fails_is_told_with_its_last_line(tmp_path: Path) -> None:
+    executable = script(tmp_path, "#!/bin/sh\necho no such session >&2\nexit 1\n")
+    with pytest.raises(Refusal, match="crenel calibrate failed: no such session"):
+        copy_at("this", executable).seconds(tmp_path, "calibrate")
+
+
+def test_a_copy_that_is_not_there_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(Refusal, match="no such program"):
+        copy_at("against", tmp_path)
+
+
+def test_a_busy_machine_is_busy_no_longer_than_asked() -> None:
+    def own_share() -> float:
+        wall_s, cpu_s = time.monotonic(), time.thread_time()
+        while time.monotonic() - wall_s < 0.3:
+            pass
+        return (time.thread_time() - cpu_s) / (time.monotonic() - wall_s)
+
+    with busy_machine():
+        shared = own_share()
+    assert 0.0 < shared <= 1.0
