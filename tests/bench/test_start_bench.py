@@ -1,6 +1,5 @@
 """What the bench of the start makes of its figures, on copies of the program that are scripts."""
 
-import time
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -8,7 +7,7 @@ import pytest
 
 from app.bench import start
 from app.bench.start import Rounds, StartRow, columns, run, table
-from app.bench.started import Copy, busy_machine, copy_at
+from app.bench.started import Copy, copy_at
 from app.metrology.refusal import Refusal
 
 COMPILES = """#!/bin/sh
@@ -79,15 +78,3 @@ def test_a_command_that_fails_is_told_with_its_last_line(tmp_path: Path) -> None
 def test_a_copy_that_is_not_there_is_refused(tmp_path: Path) -> None:
     with pytest.raises(Refusal, match="no such program"):
         copy_at("against", tmp_path)
-
-
-def test_a_busy_machine_is_busy_no_longer_than_asked() -> None:
-    def own_share() -> float:
-        wall_s, cpu_s = time.monotonic(), time.thread_time()
-        while time.monotonic() - wall_s < 0.3:
-            pass
-        return (time.thread_time() - cpu_s) / (time.monotonic() - wall_s)
-
-    with busy_machine():
-        shared = own_share()
-    assert 0.0 < shared <= 1.0
