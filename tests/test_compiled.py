@@ -9,7 +9,6 @@ from types import ModuleType
 import pytest
 
 import app.metrology.compiled
-import hardware.compiled
 
 OUTER = """
 from {room}.inner import SHARE, inner
@@ -62,7 +61,7 @@ class House:
         return float(value), int(hits)
 
 
-@pytest.mark.parametrize("compiled", [hardware.compiled, app.metrology.compiled])
+@pytest.mark.parametrize("compiled", [app.metrology.compiled])
 def test_a_kernel_is_compiled_anew_when_another_file_changes(
     tmp_path: Path, compiled: ModuleType
 ) -> None:
@@ -77,7 +76,7 @@ def test_a_kernel_is_compiled_anew_when_another_file_changes(
     assert house.run() == (18.0, 1)
 
 
-@pytest.mark.parametrize("compiled", [hardware.compiled, app.metrology.compiled])
+@pytest.mark.parametrize("compiled", [app.metrology.compiled])
 def test_processes_keep_their_code_in_files_of_their_own(
     tmp_path: Path, compiled: ModuleType
 ) -> None:

@@ -1,6 +1,6 @@
 """The simulated sensor's optics: a lens with distortion, and a sheet of laser light."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -97,19 +97,6 @@ def to_pixels(optics: Optics, points_mm: Floats) -> Floats:
     p = np.asarray(points_mm) @ optics.T_cam_sensor[:3, :3].T + optics.T_cam_sensor[:3, 3]
     x, y = distorted(optics, p[:, 0] / p[:, 2], p[:, 1] / p[:, 2])
     return np.column_stack([optics.fx_px * x + optics.cx_px, optics.fy_px * y + optics.cy_px])
-
-
-def reduced(optics: Optics, times: int) -> Optics:
-    """The same view in a picture so many times smaller."""
-    return replace(
-        optics,
-        width_px=optics.width_px // times,
-        height_px=optics.height_px // times,
-        fx_px=optics.fx_px / times,
-        fy_px=optics.fy_px / times,
-        cx_px=optics.cx_px / times,
-        cy_px=optics.cy_px / times,
-    )
 
 
 def sight_lines(optics: Optics) -> NDArray[np.float32]:

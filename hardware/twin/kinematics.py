@@ -10,16 +10,37 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from hardware.compiled import kernel
+from app.native.arguments import F64, Array, Function, Real, Whole
+from hardware.twin.native import SIMULATOR
 
 Floats = NDArray[np.float64]
 WrongIn = Literal["links", "parameters"]
 
-ROTATION_LEVER_MM = 200.0
-"""One radian of orientation weighs as much as this length when poses are compared."""
 REACHED_MM = 1e-7
+"""Norm of what a pose misses, a radian of orientation weighing as much as 200 mm."""
+MOST_JOINTS = 16
 JUMP_RAD = 0.6
 """No joint turns so far between neighbours of a path; it would be another posture."""
+
+
+ARM = (Array(F64, "n", 5), Array(F64, "n", 4, 4))
+_flange_poses = Function(
+    SIMULATOR, "flange_poses", *ARM, Array(F64, "N", "n"), Array(F64, "N", 4, 4, written=True)
+)
+_follow = Function(
+    SIMULATOR,
+    "follow",
+    *ARM,
+    Array(F64, "n", 2),
+    Array(F64, "n"),
+    Array(F64, "N", 4, 4),
+    Array(F64, "N", "n", written=True),
+    Array(F64, "N", written=True),
+    Real(),
+    Real(),
+    Whole(),
+    returns=int,
+)
 
 
 class UnreachableError(ValueError):
@@ -50,6 +71,10 @@ class ArmModel:
     encoder_sd_rad: float = 1e-5
     name: str = "simulated arm"
     serial_number: str = "TWIN-A1"
+
+    def __post_init__(self) -> None:
+        if len(self.links) > MOST_JOINTS:
+            raise ValueError(f"an arm may have {MOST_JOINTS} joints, not {len(self.links)}")
 
     @property
     def joint_count(self) -> int:
@@ -95,104 +120,16 @@ def translation(x: float, y: float, z: float) -> Floats:
     return T
 
 
-@kernel
-def _chain(dh: Floats, errors: Floats, q: Floats) -> tuple[Floats, Floats]:
-    """Pose (4, 4) of the flange, and (n, 6) axis and origin of every joint in the arm frame."""
-    n = dh.shape[0]
-    T = np.eye(4)
-    axes = np.empty((n, 6))
-    A = np.zeros((4, 4))
-    A[3, 3] = 1.0
-    for i in range(n):
-        a, alpha, d, theta, sign = dh[i, 0], dh[i, 1], dh[i, 2], dh[i, 3], dh[i, 4]
-        for k in range(3):
-            axes[i, k] = sign * T[k, 2]
-            axes[i, 3 + k] = T[k, 3]
-        angle = sign * q[i] + theta
-        c, s = np.cos(angle), np.sin(angle)
-        ca, sa = np.cos(alpha), np.sin(alpha)
-        A[0, 0], A[0, 1], A[0, 2], A[0, 3] = c, -s * ca, s * sa, a * c
-        A[1, 0], A[1, 1], A[1, 2], A[1, 3] = s, c * ca, -c * sa, a * s
-        A[2, 1], A[2, 2], A[2, 3] = sa, ca, d
-        T = np.dot(np.dot(T, A), errors[i])
-    return T, axes
-
-
-@kernel
-def _chains(dh: Floats, errors: Floats, q: Floats) -> Floats:
-    """Flange poses (N, 4, 4) for angles (N, n)."""
-    poses = np.empty((q.shape[0], 4, 4))
-    for i in range(q.shape[0]):
-        T, _ = _chain(dh, errors, q[i])
-        poses[i] = T
-    return poses
-
-
-@kernel
-def _misfit(T: Floats, target: Floats) -> Floats:
-    """(6,): how far the target is from T, in mm, turns weighed by the lever."""
-    e = np.empty(6)
-    R = np.dot(target[:3, :3].copy(), T[:3, :3].copy().T)
-    for k in range(3):
-        e[k] = target[k, 3] - T[k, 3]
-    wx, wy, wz = R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]
-    sine = 0.5 * np.sqrt(wx * wx + wy * wy + wz * wz)
-    cosine = 0.5 * (R[0, 0] + R[1, 1] + R[2, 2] - 1.0)
-    angle = np.arctan2(sine, cosine)
-    scale = 0.5 * angle / sine if sine > 1e-12 else 0.5
-    e[3], e[4], e[5] = wx * scale * 200.0, wy * scale * 200.0, wz * scale * 200.0
-    return e
-
-
-@kernel
-def _descend(
-    dh: Floats, errors: Floats, limits: Floats, start: Floats, target: Floats, steps: int
-) -> tuple[Floats, float]:
-    """Damped least squares from ``start``; the angles and the norm of what misfits, in mm."""
-    n = dh.shape[0]
-    q = start.copy()
-    T, axes = _chain(dh, errors, q)
-    e = _misfit(T, target)
-    norm = np.sqrt(np.sum(e * e))
-    damping = 1e-2
-    J = np.empty((6, n))
-    for _ in range(steps):
-        if norm < 1e-9 or damping > 1e8:
-            break
-        for i in range(n):
-            ax, ay, az = axes[i, 0], axes[i, 1], axes[i, 2]
-            rx, ry, rz = T[0, 3] - axes[i, 3], T[1, 3] - axes[i, 4], T[2, 3] - axes[i, 5]
-            J[0, i], J[1, i], J[2, i] = ay * rz - az * ry, az * rx - ax * rz, ax * ry - ay * rx
-            J[3, i], J[4, i], J[5, i] = ax * 200.0, ay * 200.0, az * 200.0
-        H = np.dot(J.T.copy(), J)
-        for i in range(n):
-            H[i, i] += damping * 1e2
-        dq = np.linalg.solve(H, np.dot(J.T.copy(), e))
-        largest = np.max(np.abs(dq))
-        if largest > 0.4:
-            dq *= 0.4 / largest
-        trial = q + dq
-        for i in range(n):
-            trial[i] = min(max(trial[i], limits[i, 0]), limits[i, 1])
-        T2, axes2 = _chain(dh, errors, trial)
-        e2 = _misfit(T2, target)
-        norm2 = np.sqrt(np.sum(e2 * e2))
-        if norm2 < norm:
-            q, T, axes, e, norm = trial, T2, axes2, e2, norm2
-            damping = max(damping * 0.2, 1e-9)  # solvable in a singular posture, too
-        else:
-            damping *= 6.0
-    return q, norm
-
-
 def flange_pose(arm: ArmModel, q_rad: Floats) -> Floats:
     """Where the flange truly is, (4, 4), for encoder angles (n,)."""
-    return np.asarray(_chain(arm.dh, arm.errors, np.asarray(q_rad, dtype=np.float64))[0])
+    return np.asarray(flange_poses(arm, np.asarray(q_rad)[None])[0])
 
 
 def flange_poses(arm: ArmModel, q_rad: Floats) -> Floats:
     """Where the flange truly is, (N, 4, 4), for encoder angles (N, n)."""
-    return np.asarray(_chains(arm.dh, arm.errors, np.ascontiguousarray(q_rad, dtype=np.float64)))
+    poses = np.empty((len(q_rad), 4, 4))
+    _flange_poses(arm.dh, arm.errors, np.ascontiguousarray(q_rad, dtype=np.float64), poses)
+    return poses
 
 
 def tip_centre(arm: ArmModel, q_rad: Floats) -> Floats:
@@ -207,18 +144,13 @@ def follow(arm: ArmModel, targets: Floats, start_rad: Floats) -> Floats:
     Raises:
         UnreachableError: the path leaves the arm's reach or its joints' limits.
     """
-    dh, errors, limits = arm.dh, arm.errors, arm.limits_rad
-    q = np.asarray(start_rad, dtype=np.float64)
-    path = np.empty((len(targets), arm.joint_count))
-    for i, target in enumerate(targets):
-        before = q
-        q, misfit = _descend(dh, errors, limits, q, np.ascontiguousarray(target), 60)
-        if misfit > REACHED_MM:
-            raise UnreachableError(f"point {i} of the path misses by {misfit:.3g} mm")
-        if np.max(np.abs(q - before)) > JUMP_RAD:
-            raise UnreachableError(f"the arm would have to flip over at point {i} of the path")
-        path[i] = q
-    return path
+    path, misfits_mm = _descend(arm, targets, start_rad, JUMP_RAD, 60)
+    i = len(path)
+    if i == len(targets):
+        return path
+    if misfits_mm[i] <= REACHED_MM:
+        raise UnreachableError(f"the arm would have to flip over at point {i} of the path")
+    raise UnreachableError(f"point {i} of the path misses by {misfits_mm[i]:.3g} mm")
 
 
 def reach(
@@ -233,15 +165,35 @@ def reach(
     Raises:
         UnreachableError: none was found within the joints' limits.
     """
-    dh, errors, limits = arm.dh, arm.errors, arm.limits_rad
-    target = np.ascontiguousarray(target, dtype=np.float64)
-    seed = np.asarray(start_rad, dtype=np.float64)
+    limits = arm.limits_rad
+    start = start_rad
     for _ in range(attempts):
-        q, misfit = _descend(dh, errors, limits, seed, target, 150)
-        if misfit < REACHED_MM:
-            return np.asarray(q)
-        seed = rng.uniform(limits[:, 0], limits[:, 1])
+        path, _ = _descend(arm, target[None], start, np.inf, 150)
+        if len(path):
+            return np.asarray(path[0])
+        start = rng.uniform(limits[:, 0], limits[:, 1])
     raise UnreachableError(f"no joint angles reach {np.round(target[:3, 3], 1).tolist()} mm")
+
+
+def _descend(
+    arm: ArmModel, targets: Floats, start_rad: Floats, jump_rad: float, steps: int
+) -> tuple[Floats, Floats]:
+    """Joint angles (M, n) for flange poses (N, 4, 4), up to the first that is not reached from the
+    one before, and what of each is missed (N,) mm; further ones are not filled."""
+    path, misfits_mm = np.empty((len(targets), arm.joint_count)), np.empty(len(targets))
+    reached = _follow(
+        arm.dh,
+        arm.errors,
+        arm.limits_rad,
+        np.ascontiguousarray(start_rad, dtype=np.float64),
+        np.ascontiguousarray(targets, dtype=np.float64),
+        path,
+        misfits_mm,
+        REACHED_MM,
+        jump_rad,
+        steps,
+    )
+    return path[:reached], misfits_mm
 
 
 def _with_parameters_off(link: Link, by: Floats) -> Link:

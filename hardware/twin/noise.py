@@ -1,13 +1,14 @@
 """What the detector adds: shot and read noise, speckle, and the limits of its numbers."""
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from hardware.compiled import kernel
+from app.native.arguments import F32, I64, U8, U16, Array, Function, Real, Whole
 from hardware.twin.casting import Image
-from hardware.twin.kinematics import Floats
+from hardware.twin.native import SIMULATOR
 
 Digits = NDArray[np.uint8] | NDArray[np.uint16]
 
@@ -74,37 +75,47 @@ def grain_tile(rng: np.random.Generator) -> Image:
     return np.asarray((tile - tile.mean()) / tile.std(), dtype=np.float32)
 
 
-@kernel
-def speckled(out: Image, tile: Image, shift_r: int, shift_c: int) -> None:
-    """Multiplies the laser's light by the speckle, in place."""
-    for r in range(out.shape[0]):
-        row, grains = out[r], tile[(r + shift_r) & 511]
-        for c in range(out.shape[1]):
-            if row[c] > 0.0:
-                row[c] *= grains[(c + shift_c) & 511]
+LIGHT = Array(F32, "height", "width")
+speckle = Function(
+    SIMULATOR,
+    "speckle",
+    Array(F32, "height", "width", written=True),
+    Array(F32, TILE, TILE),
+    Whole(),
+    Whole(),
+)
+"""Multiplies the laser's light by the speckle, shifted by rows and columns, in place."""
 
 
-@kernel
+def _digitise(name: str, digits: np.dtype[Any]) -> Function:
+    """Of the light, the pool, where each row begins in it, ``Detector`` numbers, and digits."""
+    pool, offsets, numbers = Array(F32, "pool"), Array(I64, "height"), [Real()] * 7
+    out = Array(digits, "height", "width", written=True)
+    return Function(SIMULATOR, name, LIGHT, pool, offsets, *numbers, out)
+
+
+_DIGITISE = {digits: _digitise(f"digitise_{8 * digits.itemsize}", digits) for digits in (U8, U16)}
+
+
 def digitise(
-    signal: Image, pool: Image, offsets: NDArray[np.int64], numbers: Floats, out: Digits
+    light: Image,
+    gain: float,
+    haze: float,
+    detector: Detector,
+    pool: Image,
+    offsets: NDArray[np.int64],
+    out: Digits,
 ) -> None:
     """Digits of a frame from its light, with noise; saturates.
 
-    ``numbers``: dark level, haze, read noise, shot variance per digit, the largest
-    8-bit-scaled value, and the factor from 8-bit digits to the detector's own.
+    Args:
+        light: (H, W).
+        gain: 8-bit digits per unit of light.
+        haze: even light that is added, in 8-bit digits.
+        pool: of normal deviates.
+        offsets: (H,) where each row's begin in the pool.
+        out: (H, W) filled.
     """
-    dark, haze, read2, shot = numbers[0], numbers[1], numbers[2] ** 2, numbers[3]
-    top, scale = numbers[4], numbers[5]
-    for r in range(signal.shape[0]):
-        row, normal, digits = signal[r], pool[offsets[r] : offsets[r] + signal.shape[1]], out[r]
-        for c in range(signal.shape[1]):
-            light = row[c] + haze
-            value = dark + light + np.sqrt(read2 + shot * light) * normal[c]
-            digits[c] = int(min(max(value, 0.0), top) * scale + 0.5)
-
-
-@kernel
-def digitise_dark(pool: Digits, offsets: NDArray[np.int64], out: Digits) -> None:
-    """Rows that no light falls on, from a pool of ready-made digits."""
-    for r in range(out.shape[0]):
-        out[r] = pool[offsets[r] : offsets[r] + out.shape[1]]
+    d, scale = detector, 2.0 ** (detector.bits - 8)
+    numbers = (gain, d.dark_dn, haze, d.read_dn, d.shot_dn, 256.0 - 1.0 / scale, scale)
+    _DIGITISE[out.dtype](light, pool, offsets, *numbers, out)

@@ -15,7 +15,7 @@ from hardware.twin.camera import LaserSheet, Optics, looking_at, sheet_through, 
 from hardware.twin.kinematics import Floats, rotation_about, translation
 from hardware.twin.noise import Detector, Digits
 from hardware.twin.render import Renderer
-from hardware.twin.tracing import bundle, trace
+from hardware.twin.tracing import bundle, first_hits
 from hardware.twin.variety import made_from
 from hardware.twin.world import Ball, Box, Comb, Finish, Light, Scene, Shape, Thing, shape_rows
 
@@ -291,14 +291,10 @@ def in_sight(scene: Scene, optics: Optics) -> float:
     eyes = bundle(into, rows, np.zeros(3))
     in_cam = points @ optics.T_cam_sensor[:3, :3].T + optics.T_cam_sensor[:3, 3]
     pixels = to_pixels(optics, points)
-    shown, own = 0, 0
-    for p, uv in zip(in_cam, pixels, strict=True):
-        if trace(kinds[:1], rows[:1], eyes[:1], *p)[0] < 1 - 1e-6:
-            continue
-        own += 1
-        within = bool(np.all((uv > 0) & (uv < [optics.width_px, optics.height_px])))
-        shown += within and trace(kinds, rows, eyes, *p)[0] > 1 - 1e-6
-    return shown / max(own, 1)
+    own = first_hits(kinds[:1], rows[:1], eyes[:1], in_cam) >= 1 - 1e-6
+    uncovered = first_hits(kinds, rows, eyes, in_cam) > 1 - 1e-6
+    within = np.all((pixels > 0) & (pixels < [optics.width_px, optics.height_px]), axis=1)
+    return float(np.sum(own & uncovered & within)) / max(float(np.sum(own)), 1.0)
 
 
 def _edge_points(comb: Comb) -> Floats:

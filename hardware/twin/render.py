@@ -9,6 +9,7 @@ from typing import cast
 
 import cv2
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 
 from hardware.twin.camera import LaserSheet, Optics, sight_lines
 from hardware.twin.casting import Codes, Image, cast_room, lattice, refine_room
@@ -19,10 +20,9 @@ from hardware.twin.noise import (
     Digits,
     blank,
     digitise,
-    digitise_dark,
     grain_tile,
+    speckle,
     speckle_tile,
-    speckled,
 )
 from hardware.twin.striping import band_around, cast_laser, trace_fan
 from hardware.twin.tracing import Ints, bundle
@@ -71,23 +71,15 @@ class Renderer:
     def _allocate(self, height: int, width: int) -> None:
         normal = self._rng.standard_normal(POOL, dtype=np.float32)
         self._pool = np.concatenate([normal, normal[:width]])
-        self._dark_pool = blank(1, POOL + width, self.detector)
-        digitise(
-            np.zeros_like(self._pool)[None],
-            self._pool,
-            np.zeros(1, dtype=np.int64),
-            self._numbers(0.0),
-            self._dark_pool,
-        )
+        dark = blank(1, POOL + width, self.detector)
+        start = np.zeros(1, dtype=np.int64)
+        unlit = np.zeros_like(self._pool)[None]
+        digitise(unlit, 0.0, 0.0, self.detector, self._pool, start, dark)
+        self._dark_rows = sliding_window_view(dark[0], width)
         self._laser_codes = np.full((height, width), -2, dtype=np.int32)
         self._laser_offs = np.zeros((height, width), dtype=np.float32)
         self._laser_light = np.zeros((height, width), dtype=np.float32)
-        self._band = np.zeros(height * width, dtype=np.int64)
-
-    def _numbers(self, haze: float) -> Floats:
-        d = self.detector
-        scale = 2.0 ** (d.bits - 8)
-        return np.array([d.dark_dn, haze, d.read_dn, d.shot_dn, 256.0 - 1.0 / scale, scale])
+        self._band = np.zeros((height, width), dtype=np.int32)
 
     def _things_in_view(self, T_arm_sensor: Floats) -> tuple[Ints, Floats, Floats]:
         """Kinds, rows, and (K, 4, 4) the camera's frame into each thing's.
@@ -182,14 +174,15 @@ class Renderer:
         eyes, lamps = bundle(into, rows, np.zeros(3)), bundle(into, rows, emitter)
         shapes = (kinds, rows)
         angles = np.linspace(-self.sheet.half_angle_rad, self.sheet.half_angle_rad, FAN_RAYS)
-        landed = trace_fan(angles, fan, emitter, sheet, lens, *shapes, lamps)
-        count = band_around(landed, self._laser_codes, self._band)
+        landed = np.empty((8 * FAN_RAYS, 5))
+        ray_count = trace_fan(angles, fan, emitter, sheet, lens, *shapes, lamps, landed)
+        count = band_around(landed[:ray_count], self._laser_codes, self._band)
+        marked = self._band.reshape(-1)[:count]
         light = self._laser_light
         light[:] = 0.0
         cast_laser(
             self._lines,
-            self._band,
-            count,
+            marked,
             lattice(55),
             lattice(5),
             emitter,
@@ -201,7 +194,6 @@ class Renderer:
             self._laser_offs,
             light,
         )
-        marked = self._band[:count]
         self._laser_codes.reshape(-1)[marked] = -2
         height, width = light.shape
         first, last = 0, 0
@@ -210,7 +202,7 @@ class Renderer:
             last = min(int(marked.max()) // width + 5, height)
             light[first:last] = self._blurred(light[first:last])
             shift = SPECKLE_PER_MM @ T_arm_sensor[:3, 3]
-            speckled(light[first:last], self._speckle, int(shift[0]) + first, int(shift[1]))
+            speckle(light[first:last], self._speckle, int(shift[0]) + first, int(shift[1]))
         self._stripe = (T_arm_sensor.copy(), light, first, last)
         return light, first, last
 
@@ -257,22 +249,23 @@ class Renderer:
         """
         detector = self.detector
         height, width = self.optics.height_px, self.optics.width_px
-        out = blank(height, width, self.detector)
+        out = blank(height, width, detector)
         offsets = self._rng.integers(0, POOL, height)
         first, last, light = 0, 0, self._laser_light
         if laser > 0:
             light, first, last = self.laser_light(T_arm_sensor)
+        stripe_dn = laser * detector.stripe_dn
         if room > 0:
-            total = self.room_light(T_arm_sensor, rays) * np.float32(room * detector.crest_dn)
+            total, gain = self.room_light(T_arm_sensor, rays), room * detector.crest_dn
             if last > first:
-                total[first:last] += light[first:last] * np.float32(laser * detector.stripe_dn)
-            digitise(total, self._pool, offsets, self._numbers(room * detector.haze_dn), out)
+                total = total.copy()
+                total[first:last] += light[first:last] * np.float32(stripe_dn / gain)
+            digitise(total, gain, room * detector.haze_dn, detector, self._pool, offsets, out)
             return out
-        digitise_dark(self._dark_pool[0], offsets[:first], out[:first])
-        digitise_dark(self._dark_pool[0], offsets[last:], out[last:])
-        if last > first:
-            lit = light[first:last] * np.float32(laser * detector.stripe_dn)
-            digitise(lit, self._pool, offsets[first:last], self._numbers(0.0), out[first:last])
+        out[:first] = self._dark_rows[offsets[:first]]
+        out[last:] = self._dark_rows[offsets[last:]]
+        lit, starts = slice(first, last), offsets[first:last]
+        digitise(light[lit], stripe_dn, 0.0, detector, self._pool, starts, out[lit])
         return out
 
 

@@ -4,13 +4,12 @@ Its arm speaks real bytes at ``arm_url``, its sensor is a driver like any other,
 ``papers`` is what an operator would be given with the devices.
 """
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from hardware.interfaces import Button, SensorInfo
 from hardware.twin.arm_device import ArmDevice, Encoders
-from hardware.twin.camera import reduced
 from hardware.twin.faults import Faults
 from hardware.twin.hand import Hand
 from hardware.twin.holding import Sight
@@ -37,7 +36,7 @@ from hardware.twin.papers import (
     sensor_paper,
     sphere_paper,
 )
-from hardware.twin.render import QUICK, SMEARED, Renderer
+from hardware.twin.render import Renderer
 from hardware.twin.sensor import EXPOSURE_RANGE_US, Lamps, Studio, TwinSensor
 from hardware.twin.session import Rig, truth_of
 from hardware.twin.tabletop import standing, table_top
@@ -91,10 +90,6 @@ class TwinConfig:
     """Whether the station can switch the laser, or only whoever stands at the sensor."""
 
 
-KINDS = ((1.0, 0.0, QUICK), (0.0, 1.0, QUICK), (1.0, 1.0, SMEARED))
-"""The room's light, the laser's, and the rays of pictures that together need every loop."""
-
-
 class Twin:
     """A simulated station. Nothing runs before ``start``; ``stop`` may be called twice."""
 
@@ -143,15 +138,13 @@ class Twin:
         return self._device
 
     def start(self) -> "Twin":
-        """Makes ready for pictures of every kind, and serves the arm's bytes.
+        """Makes ready for pictures, and serves the arm's bytes.
 
-        Slow the first time on a machine, on which the rendering is compiled. Raises
-        ``OSError`` when the port is taken.
+        Raises ``OSError`` when the port is taken.
         """
         if self._device is None:
             config = self.config
             self._line = PtyLine() if config.line == "pty" else TcpLine(config.host, config.port)
-            self._compile()
             self.studio.prepare()
             encoders = Encoders(
                 config.rate_hz, config.counts_per_revolution, self._rig.arm.encoder_sd_rad
@@ -161,13 +154,6 @@ class Twin:
             )
             self._device.start()
         return self
-
-    def _compile(self) -> None:
-        """Takes small pictures of the block of every kind, so that none is held up later."""
-        rig, detector = self._rig, replace(self.config.detector, speckle_contrast=0.0)
-        renderer = Renderer(self._scene, reduced(rig.optics, 16), rig.sheet, detector)
-        for room, laser, rays in KINDS:
-            renderer.picture(rig.T_arm_obj, room, laser, rays)
 
     def stop(self) -> None:
         """Ends the arm and whatever the hand does."""

@@ -91,3 +91,8 @@ def test_the_tip_sits_on_the_flange() -> None:
     q = np.array([0.1, 0.2, 0.3, 0.4, 0.5, 0.6])
     T = flange_pose(arm, q)
     assert np.allclose((np.linalg.inv(T) @ [*tip_centre(arm, q), 1.0])[:3], arm.tip_mm)
+
+
+def test_an_arm_of_too_many_joints_is_refused() -> None:
+    with pytest.raises(ValueError, match="an arm may have 16 joints, not 17"):
+        ArmModel((Link(1.0, 0.0, 0.0),) * 17, (0.0, 0.0, 0.0), 1.0)

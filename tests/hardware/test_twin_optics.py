@@ -247,3 +247,12 @@ def test_stripes_on_other_shapes_lie_on_shape_and_sheet(shape: Ball | Shell | Bo
         off = at[:, 2]
     assert np.abs(off).max() < 0.003
     assert abs(off.mean()) < 0.001
+
+
+def test_a_ray_that_grazes_a_steep_relief_comes_to_an_end() -> None:
+    """Seen from low beside it, steps by secants lead back and forth."""
+    steep = Shell(8.0, 8.0, 6.0)
+    light = Light(texture=0.0, lamp_mm=(80.0, 20.0, 30.0), lamp_radius_mm=15.0)
+    optics, sheet = sensor_for(BLOCK, width_px=160, height_px=128)
+    image = Renderer(Scene((Thing("part", steep, np.eye(4)),), light), optics, sheet, QUIET)
+    assert image.room_light(translation(0.0, 0.0, 3.0)).max() > 0.2

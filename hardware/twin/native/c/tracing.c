@@ -1,0 +1,94 @@
+/* Where a ray first meets a thing. Called for millions of rays.
+ *
+ * Rays of one bundle share an origin (the camera's centre, the laser's emitter, a place on a
+ * lamp), so origin and turn into every thing's own frame are worked out once (tracing.py). */
+
+/* What there is in view. */
+typedef struct {
+    int64_t count;
+    const int64_t *kinds;
+    const Thing *things;
+} Things;
+
+/* What a thing needs to know of the rays of a bundle, as tracing.py fills it. */
+typedef struct {
+    double turn[9]; /* into the thing's frame */
+    Vector origin;  /* in the thing's frame */
+    Vector centre;  /* of the thing's bounding sphere, from the origin, in the rays' frame */
+    double clear;   /* that centre's distance squared less the radius squared */
+} Bundle;
+
+_Static_assert(sizeof(Bundle) == 16 * sizeof(double), "a bundle is a row of 16 numbers");
+
+/* Where a ray meets a thing; the normal and the place are in the thing's frame. */
+typedef struct {
+    double t;
+    int64_t thing; /* -1 where it meets nothing */
+    int face;
+    Vector normal, at;
+} Hit;
+
+static inline Vector into_thing(const double *turn, Vector d)
+{
+    return (Vector){turn[0] * d.x + turn[1] * d.y + turn[2] * d.z,
+                    turn[3] * d.x + turn[4] * d.y + turn[5] * d.z,
+                    turn[6] * d.x + turn[7] * d.y + turn[8] * d.z};
+}
+
+static inline Vector out_of_thing(const double *turn, Vector d)
+{
+    return (Vector){turn[0] * d.x + turn[3] * d.y + turn[6] * d.z,
+                    turn[1] * d.x + turn[4] * d.y + turn[7] * d.z,
+                    turn[2] * d.x + turn[5] * d.y + turn[8] * d.z};
+}
+
+/* Where a ray of a bundle meets the k-th thing; `length2` is that of `d`, squared. */
+static inline Crossing meet(const Things *all, const Bundle *bundle, int64_t k, Vector d,
+                            double length2)
+{
+    const Bundle *rays = bundle + k;
+    double near = dot(rays->centre, d);
+    if (rays->clear * length2 > near * near)
+        return (Crossing){MISSED, TOP};
+    return cross(all->kinds[k], all->things + k, rays->origin, into_thing(rays->turn, d));
+}
+
+/* The first hit of a ray of a bundle along `d`. */
+static inline Hit trace(const Things *all, const Bundle *bundle, Vector d)
+{
+    Hit hit = {.t = MISSED, .thing = -1, .face = -1};
+    double length2 = dot(d, d);
+    for (int64_t k = 0; k < all->count; k++) {
+        Crossing found = meet(all, bundle, k, d, length2);
+        if (found.t < hit.t) {
+            hit.t = found.t;
+            hit.thing = k;
+            hit.face = found.face;
+        }
+    }
+    if (hit.thing >= 0) {
+        const Bundle *rays = bundle + hit.thing;
+        hit.at = along(rays->origin, hit.t, into_thing(rays->turn, d));
+        hit.normal = normal_of(all->kinds[hit.thing], all->things + hit.thing, hit.face, hit.at);
+    }
+    return hit;
+}
+
+/* Whether a ray of a bundle meets anything before a share of `d`. */
+static inline bool blocked(const Things *all, const Bundle *bundle, Vector d, double share)
+{
+    double length2 = dot(d, d);
+    for (int64_t k = 0; k < all->count; k++)
+        if (meet(all, bundle, k, d, length2).t < share)
+            return true;
+    return false;
+}
+
+/* How far along each of n directions (n, 3) the first thing is; 1e30 where there is none. */
+EXPORT(void, first_hits)(int64_t count, int64_t n, const int64_t *kinds, const double *rows,
+                         const double *bundle, const double *directions, double *found)
+{
+    Things all = {count, kinds, (const Thing *)rows};
+    for (int64_t i = 0; i < n; i++)
+        found[i] = trace(&all, (const Bundle *)bundle, ((const Vector *)directions)[i]).t;
+}
