@@ -6,7 +6,6 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.frames import Floats
 from app.metrology.image import Image
 from app.metrology.refusal import Refusal
 from app.metrology.stripe.points import Stripe, empty_stripe, stripe_of
@@ -14,12 +13,9 @@ from app.metrology.stripe.settings import AUTOMATIC, StripeSettings, check_setti
 from app.metrology.stripe.workspace import (
     LEAST_ROWS,
     Fields,
-    Workspace,
     give_back,
     take_workspace,
 )
-from app.metrology.stripe_clipped_fallback import clipped_points
-from app.metrology.stripe_room import Room
 from app.native.arguments import U8, U16, Function, Record
 from app.native.product import CRENEL
 
@@ -85,20 +81,10 @@ def extract_parts(
     try:
         workspace.set_frame(grey, parts, where, known)
         workspace.set_settings(settings)
-        points = _points(workspace, grey)
-        if points is None:
-            everywhere = np.zeros((0, 0), np.bool_) if where is None else where
-            room = Room(workspace.key)
-            points = clipped_points(grey, room, parts, everywhere, settings, known)
-        return stripe_of(points, axis)
+        count = EXTRACT[grey.dtype](workspace.fields)
+        return stripe_of(workspace.points[:, :count].copy(), axis)
     finally:
         give_back(workspace)
-
-
-def _points(workspace: Workspace, grey: Image) -> Floats | None:
-    """The points (4, N): along, across, height, standard deviation."""
-    count = EXTRACT[grey.dtype](workspace.fields)
-    return None if count < 0 else workspace.points[:, :count].copy()
 
 
 def turned_image(image: Image, axis: str) -> Image:

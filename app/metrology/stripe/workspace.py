@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 
 from app.metrology.image import Image
 from app.metrology.stripe.settings import CHOICES, StripeSettings
-from app.native.arguments import BOOL, F32, I64, Array, pointer
+from app.native.arguments import BOOL, F32, I64, Array, Function, Whole, pointer
+from app.native.product import CRENEL
 
 ALIGNED_BYTES = 64
 SIZES_KEPT, WORKSPACES_KEPT = 4, 16
@@ -25,6 +26,8 @@ LEAST_ROWS = 20
 PARTS = Array(I64, "parts", 4)
 ALLOWED = Array(BOOL, "height", "width")
 KNOWN = Array(F32, 4, written=True)
+
+_clipped_bytes = Function(CRENEL, "clipped_bytes", Whole(), returns=int)
 
 Key = tuple[tuple[int, int], "np.dtype[np.uint8] | np.dtype[np.uint16]"]
 
@@ -48,7 +51,7 @@ class Fields(ctypes.Structure):
         ("counts", ctypes.c_void_p),
         ("count_levels", ctypes.c_int64),
         *((name, ctypes.c_void_p) for name in ("blocks", "profiles", "fits", "peaks")),
-        *((name, ctypes.c_void_p) for name in ("points", "scratch")),
+        *((name, ctypes.c_void_p) for name in ("points", "scratch", "clipped")),
     )
 
 
@@ -91,6 +94,7 @@ class Workspace:
         self._give("fits", (FIT_ROWS, padded), np.float32)
         self._give("peaks", (PEAK_ROWS, width), np.float64)
         self._give("scratch", (2, width), np.float64)
+        self._give("clipped", (_clipped_bytes(width),), np.uint8)
         self.fields.points = self.points.ctypes.data
 
     def set_frame(

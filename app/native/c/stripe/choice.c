@@ -112,24 +112,33 @@ static void weigh_tracks(Workspace *work, int64_t n, int64_t tracks)
     }
 }
 
-/* Fills columns and rows of the chosen of n peaks, in ascending order of columns; how many. */
-static int64_t choose_peaks(Workspace *work, int64_t n)
+/* Chooses the best of n peaks for every column. */
+static void choose_peaks(Workspace *work, int64_t n)
 {
     const double share = work->rule == CONTINUITY ? RIVAL : 0;
-    if (find_highest(work, n, share) && work->rule != STRENGTH) {
-        sort_by_columns(work, n);
-        weigh_tracks(work, n, link_tracks(work, n));
-        for (int64_t i = 0; i < work->width; i++) {
-            for (int32_t at = work->begin[i]; at < work->begin[i + 1]; at++) {
-                const int32_t p = work->track_order[at];
-                if (at == work->begin[i] || work->worth[p] > work->worth[work->best[i]])
-                    work->best[i] = p;
-            }
+    if (!find_highest(work, n, share) || work->rule == STRENGTH)
+        return;
+    sort_by_columns(work, n);
+    weigh_tracks(work, n, link_tracks(work, n));
+    for (int64_t i = 0; i < work->width; i++) {
+        for (int32_t at = work->begin[i]; at < work->begin[i + 1]; at++) {
+            const int32_t p = work->track_order[at];
+            if (at == work->begin[i] || work->worth[p] > work->worth[work->best[i]])
+                work->best[i] = p;
         }
     }
-    int64_t found = 0;
+}
+
+/* Fills columns and rows of the chosen peaks, in ascending order of columns; returns how many.
+ *
+ * without (n): columns to leave out, in ascending order. */
+static int64_t list_chosen(Workspace *work, const int32_t *without, int64_t n)
+{
+    int64_t found = 0, left_out = 0;
     for (int64_t i = 0; i < work->width; i++) {
-        if (work->best[i] >= 0) {
+        if (left_out < n && without[left_out] == i) {
+            left_out++;
+        } else if (work->best[i] >= 0) {
             work->columns[found] = (int32_t)i;
             work->rows[found++] = work->peak_rows[work->best[i]];
         }

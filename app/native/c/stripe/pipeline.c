@@ -15,10 +15,6 @@ enum { STEPS = 3, MORE_STEPS = 30 };
 static const double FIRST_GAIN = 0.01 / 255;
 /* Clipped pixels in a column from which on its flanks may say more than its core. */
 enum { CLIPPED_CORE = 4 };
-/* Columns between which laser speckle has become independent. */
-enum { SPECKLE_LAG = 6 };
-/* What `extract` returns for a frame whose line is clipped. */
-enum { OVEREXPOSED = -1 };
 
 /* The median width of a block's started fits, as a standard deviation. */
 static float usual_start(const Block *block)
@@ -55,6 +51,13 @@ static float most_clipped(const Workspace *work, int64_t n)
 
 /* What its mirror in Python must be as long as. */
 EXPORT(int64_t, workspace_bytes)(void) { return (int64_t)sizeof(Workspace); }
+
+/* What its field `clipped` must be as long as. */
+EXPORT(int64_t, clipped_bytes)(int64_t width)
+{
+    Clipped clipped;
+    return cut_clipped(&clipped, width, NULL);
+}
 
 /* The points (4, N) of n peaks that lie in runs, with their standard deviations; how many. */
 static int64_t finish(Workspace *work, int64_t n, double saturated)
@@ -167,9 +170,56 @@ static int64_t OF(fit_peaks)(Workspace *work, int64_t n, double read, double thr
     return sift(work, n, threshold);
 }
 
+/* Finds the clipped cores that may be the line's, in all parts; returns how many. */
+static int64_t OF(find_cores)(Workspace *work, Clipped *clipped, float saturated)
+{
+    cut_clipped(clipped, work->width, work->clipped);
+    OF(find_runs)(work, clipped, (PIXEL)saturated);
+    take_cores(clipped);
+    return drop_short_tracks(clipped);
+}
+
+/* The same for one picture; fills the cores' columns, first and last rows (3, width). */
+EXPORT(int64_t, OF(find_cores))(Workspace *work, double saturated, int32_t *cores)
+{
+    Clipped clipped;
+    const int64_t n = OF(find_cores)(work, &clipped, (float)saturated);
+    memcpy(cores, clipped.column, (size_t)n * sizeof *cores);
+    memcpy(cores + work->width, clipped.first, (size_t)n * sizeof *cores);
+    memcpy(cores + 2 * work->width, clipped.last, (size_t)n * sizeof *cores);
+    return n;
+}
+
+/* Steps 5 to 9 for the columns that hold no core; returns how many peaks there are. */
+static int64_t OF(fit_beside)(Workspace *work, const Clipped *clipped, double read,
+                              double threshold, float saturated)
+{
+    float known[4] = {0}; /* of these peaks alone: the next frame may have others */
+    const int64_t chosen = list_chosen(work, clipped->column, clipped->cores);
+    return OF(fit_peaks)(work, chosen, read, threshold, saturated, known);
+}
+
+/* The points of a line that is clipped in some columns, and placed by its flanks there. */
+static int64_t OF(place_by_flanks)(Workspace *work, Clipped *clipped, double read,
+                                   double threshold, float saturated)
+{
+    const double *along = work->peaks + ALONG * work->width;
+    const double *across = work->peaks + ACROSS * work->width;
+    const int64_t cores = clipped->cores;
+    int64_t found = OF(fit_beside)(work, clipped, read, threshold, saturated);
+    if (select_cores(clipped, along, across, found, work->shortest_run) < cores)
+        found = OF(fit_beside)(work, clipped, read, threshold, saturated);
+    if (clipped->cores == 0)
+        return finish(work, found, saturated);
+    clipped->flanks = 0;
+    if (OF(read_flanks)(clipped, work->pixels, work->height, saturated))
+        fit_flanks(clipped, saturated, read);
+    return join_flanks(clipped, work->peaks, found, saturated, work->shortest_run, work->points,
+                       work->width);
+}
+
 /* Fills the points (4, N) of the stripe in a frame: along, across, height, standard deviation.
- *
- * Returns how many; OVEREXPOSED where the line's core is clipped. */
+ * Returns how many. */
 EXPORT(int64_t, OF(extract))(Workspace *work)
 {
     PIXEL brightest;
@@ -177,13 +227,23 @@ EXPORT(int64_t, OF(extract))(Workspace *work)
     const float saturated = BITS == 8 ? 255 : saturation_level(brightest);
     /* after the search, which has fetched the pixels */
     const double read = work->known[0] > 0 ? work->known[0] : OF(read_noise)(work);
-    if (highest_core >= saturated)
-        return OVEREXPOSED;
     const double threshold =
         isnan(work->threshold) ? STANDS_OUT * sqrt(SCORE_VARIANCE * read) : work->threshold;
-    const int64_t chosen = choose_peaks(work, OF(list_peaks)(work, threshold));
-    const int64_t found = OF(fit_peaks)(work, chosen, read, threshold, saturated, work->known);
-    if (most_clipped(work, chosen) >= CLIPPED_CORE)
-        return OVEREXPOSED;
+    choose_peaks(work, OF(list_peaks)(work, threshold));
+    const bool overexposed = highest_core >= saturated;
+    int64_t chosen, found = 0;
+    if (!overexposed) {
+        chosen = list_chosen(work, NULL, 0);
+        found = OF(fit_peaks)(work, chosen, read, threshold, saturated, work->known);
+    }
+    if (overexposed || most_clipped(work, chosen) >= CLIPPED_CORE) {
+        Clipped clipped;
+        if (OF(find_cores)(work, &clipped, saturated))
+            return OF(place_by_flanks)(work, &clipped, read, threshold, saturated);
+    }
+    if (overexposed) {
+        chosen = list_chosen(work, NULL, 0);
+        found = OF(fit_peaks)(work, chosen, read, threshold, saturated, work->known);
+    }
     return finish(work, found, saturated);
 }

@@ -8,19 +8,6 @@ static const float MISFIT = 3;
 /* Widths that the usual one is the median of. */
 enum { WIDTHS = 63 };
 
-/* The upper of the middle values; sorts them. */
-static float median_of(float *values, int count)
-{
-    for (int i = 1; i < count; i++) {
-        const float value = values[i];
-        int at = i;
-        for (; at > 0 && values[at - 1] > value; at--)
-            values[at] = values[at - 1];
-        values[at] = value;
-    }
-    return values[count / 2];
-}
-
 /* The usual width of n fitted peaks; 0 where there is none. */
 static float usual_sigma(const Workspace *work, int64_t n)
 {

@@ -4,6 +4,7 @@
  * points some columns apart: the fourth difference over such lags of a smooth surface is noise
  * alone. Its median is robust to steps and texture. */
 
+enum { SPECKLE_LAG = 6 }; /* columns between which laser speckle has become independent */
 static const double FOURTH = 70.0;             /* the sum of a fourth difference's squared factors */
 static const double MEDIAN_OF_SQUARE = 0.4549; /* of a standard normal deviate */
 /* The standard deviation of such a median of n, times the root of n, in shares of itself. */

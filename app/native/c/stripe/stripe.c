@@ -1,6 +1,7 @@
 /* The stripe's extraction, in the order in which a frame is worked on. */
 #include "lanes.h"
 #include "workspace.h"
+#include "median.c"
 
 #define BITS 8
 #include "greys.h"
@@ -31,6 +32,27 @@
 #include "sift.c"
 #include "runs.c"
 #include "speckle.c"
+
+/* a line whose core is clipped */
+#include "clipped.h"
+#define BITS 8
+#include "clipped_runs.c"
+#undef BITS
+#define BITS 16
+#include "clipped_runs.c"
+#undef BITS
+#include "cores.c"
+#define BITS 8
+#include "flanks.c"
+#undef BITS
+#define BITS 16
+#include "flanks.c"
+#undef BITS
+#include "flank_step.c"
+#include "flank_noise.c"
+#include "flank_fit.c"
+#include "smooth.c"
+#include "join.c"
 
 #define BITS 8
 #include "pipeline.c"

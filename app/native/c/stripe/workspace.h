@@ -81,6 +81,7 @@ typedef struct {
     double *peaks;    /* (PEAK_ROWS, width) */
     double *points;   /* (4, width), the result */
     double *scratch;  /* (2, width) */
+    uint8_t *clipped; /* (clipped_bytes) for lines whose core is clipped */
 } Workspace;
 
 #endif

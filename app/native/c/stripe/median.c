@@ -1,0 +1,29 @@
+/* The median of a few numbers. */
+
+/* Reorders the values (n > 0); the upper one of two in the middle. */
+static float median_of(float *values, int64_t n)
+{
+    int64_t low = 0, high = n - 1, wanted = n / 2;
+    while (low < high) {
+        float pivot = values[(low + high) / 2];
+        int64_t i = low, j = high;
+        while (i <= j) {
+            while (values[i] < pivot)
+                i++;
+            while (pivot < values[j])
+                j--;
+            if (i <= j) {
+                float swapped = values[i];
+                values[i++] = values[j];
+                values[j--] = swapped;
+            }
+        }
+        if (wanted <= j)
+            high = j;
+        else if (wanted >= i)
+            low = i;
+        else
+            break;
+    }
+    return values[wanted];
+}
