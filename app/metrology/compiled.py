@@ -30,16 +30,6 @@ def kernel(function: F) -> F:
     return cast(F, renewed(njit(nogil=True, cache=True)(function), function))
 
 
-def vector_kernel(function: F) -> F:
-    """As ``kernel``, for loops that a processor takes many elements at a time of.
-
-    A division by zero gives inf or NaN, as in numpy, since a branch would keep the loop
-    from being vectorised; a product and a sum may be rounded once together. NaN stays NaN.
-    """
-    compiled = njit(nogil=True, cache=True, error_model="numpy", fastmath={"contract"})
-    return cast(F, renewed(compiled(function), function))
-
-
 def compiled_here(function: Callable[..., object]) -> bool:
     """Whether a kernel had to be compiled in this process, since none was kept on disk."""
     return isinstance(function, Dispatcher) and bool(function.stats.cache_misses)

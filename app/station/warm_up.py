@@ -7,7 +7,6 @@ pictures up for longer than a device may be silent.
 
 import multiprocessing
 import signal
-from collections.abc import Callable
 from contextlib import suppress
 
 import cv2
@@ -23,8 +22,6 @@ from app.metrology.laser_plane import LaserPlane
 from app.metrology.line_scatter import neighbours_alike
 from app.metrology.refusal import Refusal
 from app.metrology.scene import Scene, edge_rows
-from app.metrology.stripe import StripeTracker, extract_stripe
-from app.metrology.stripe_noise import rows_about
 
 WIDTH_PX, HEIGHT_PX, FOCAL_PX = 320, 256, 625.0
 FINER = 4
@@ -33,9 +30,6 @@ EYE_MM = np.array([1.0, -70.0, 95.0])
 """The drawing shows the block from here: from its front and above."""
 # Grey levels of what is drawn.
 TABLE, FLOOR, WALL, CREST, FRONT = 30, 80, 55, 150, 110
-LINES = ((90.0, 2.5), (2000.0, 6.0))
-"""Height and standard deviation (px) of the laser's line: within the grey levels, and clipped."""
-LINE_ROW = 125.0
 
 BLOCK = Crenellated(
     name="Drawn",
@@ -56,47 +50,22 @@ LEVEL = LaserPlane(np.array([0.0, 0.0, 1.0]), BLOCK.crest_z_mm)
 def warm_up() -> None:
     """Runs every compiled loop of the live station once.
 
-    The first time on a machine they are compiled, each part in a process of its own; later
-    they are read from disk in about a second.
+    The first time on a machine they are compiled, in a process of their own; later they are
+    read from disk in about a second.
     """
-    rows_about(1, 1)
+    neighbours_alike(np.zeros((1, 2)), np.zeros(1))
     # a process that ends with its parent may have no children itself
-    if compiled_here(rows_about) and not multiprocessing.current_process().daemon:
-        _share_out()
-    for part in PARTS:
-        part()
-
-
-def _share_out() -> None:
-    """Compiles every part in a process of its own, which leaves the loops on disk."""
-    beside = multiprocessing.get_context("spawn")
-    workers = [beside.Process(target=_deaf, args=(part,), daemon=True) for part in PARTS]
-    for worker in workers:
+    if compiled_here(neighbours_alike) and not multiprocessing.current_process().daemon:
+        worker = multiprocessing.get_context("spawn").Process(target=_deaf, daemon=True)
         worker.start()
-    for worker in workers:
         worker.join()
+    warm_up_block()
 
 
-def _deaf(part: Callable[[], None]) -> None:
+def _deaf() -> None:
     """Ctrl-C is for the station, which ends its workers itself."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    part()
-
-
-def warm_up_stripes() -> None:
-    """Runs the loops that find stripes, in pictures of 8 and 16 bits, along both axes."""
-    drawn = drawn_block()
-    off_line = np.arange(HEIGHT_PX)[:, None] - LINE_ROW
-    for height, sigma_px in LINES:
-        light = height * np.exp(-0.5 * (off_line / sigma_px) ** 2)
-        lit = np.minimum(drawn + light, 255.0)
-        for picture in (np.rint(lit).astype(np.uint8), np.rint(257.0 * lit).astype(np.uint16)):
-            extract_stripe(picture, "u")
-            extract_stripe(picture.T, "v")
-            for axis, seen in (("u", picture), ("v", picture.T)):
-                band = StripeTracker(axis)
-                for _ in range(2):
-                    band.extract(seen)
+    warm_up_block()
 
 
 def warm_up_block() -> None:
@@ -110,10 +79,6 @@ def warm_up_block() -> None:
     rows = edge_rows(Scene(found.camera, LEVEL, BLOCK), found.edges)
     judged(rows)
     neighbours_alike(rows.places, rows.residuals)
-
-
-PARTS = (warm_up_stripes, warm_up_block)
-"""No loop is used by both: two processes that keep one loop at a time would lose one's."""
 
 
 def drawn_block() -> NDArray[np.uint8]:

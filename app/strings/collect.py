@@ -27,9 +27,6 @@ SILENT = (
     *("app/files/ply.py", "app/files/identify.py", "app/files/extract.py", "app/files/verify.py"),
     *("app/files/calibration_figures.py", "app/files/flange_poses.py"),
     "app/files/arm_identification.py",
-    "app/metrology/grey_lanes.py",
-    "app/metrology/lanes.py",
-    "app/metrology/vectors.py",
 )
 """Files of these rooms whose words are for machines."""
 MOST_FORMS = 16

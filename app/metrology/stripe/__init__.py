@@ -13,7 +13,15 @@ work is done in C (``app/native/c/stripe``), one call a frame, in this order:
 8. ``sift.c``: peaks as wide and high as a stripe.
 9. ``runs.c``, ``speckle.c``: pieces that are long enough, and what they scatter by.
 
-``pipeline.c`` reads top to bottom. A line whose core is clipped is placed by its flanks.
+``pipeline.c`` reads top to bottom. Where the line's core is clipped (``clipped.h``), only its
+flanks tell where it lies:
+
+1. ``clipped_runs.c``, ``cores.c``: the clipped pixels that are the line's core.
+2. ``flanks.c``: the pixels beside the core, 16 columns side by side.
+3. ``flank_step.c``, ``flank_noise.c``, ``flank_fit.c``: the middle of both flanks of every column,
+   by a shape and a noise that all columns share.
+4. ``smooth.c``: the line smoothed along itself over its core's width.
+5. ``join.c``: its points among those of the other columns, with their deviations.
 """
 
 from app.metrology.stripe.extraction import extract_stripe
