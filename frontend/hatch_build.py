@@ -9,6 +9,7 @@ import importlib.util
 import os
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -22,8 +23,10 @@ class CompiledPartsHook(BuildHookInterface[Any]):
     PLUGIN_NAME = "custom"
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
-        self._build_libraries(build_data)
-        self._build_client(build_data)
+        with ThreadPoolExecutor() as side_by_side:  # both wait for compilers, or for the disk
+            parts = (self._build_libraries, self._build_client)
+            for built in [side_by_side.submit(part, build_data) for part in parts]:
+                built.result()
 
     def _build_libraries(self, build_data: dict[str, Any]) -> None:
         native = native_build(Path(self.root))
