@@ -164,16 +164,22 @@ def check_start(builder: Builder, container: str, run: list[str]) -> None:
         ContainerError: the station ends, or is healthy too late.
     """
     config = json.loads(builder.do("inspect", container))["Docker"]["config"]
+    log = builder.folder / "station.log"
     began = time.monotonic()
-    with subprocess.Popen([*run, *config["Entrypoint"], *config["Cmd"]]) as station:
+    with (
+        log.open("w") as said,
+        subprocess.Popen(
+            [*run, *config["Entrypoint"], *config["Cmd"]], stdout=said, stderr=said
+        ) as station,
+    ):
         try:
             kind, *health = config["Healthcheck"]["Test"]
             assert kind == "CMD"
             while subprocess.run([*run, *health], stderr=subprocess.DEVNULL).returncode:
                 if station.poll() is not None:
-                    raise ContainerError(f"the station ended with {station.returncode}")
+                    raise ContainerError(f"the station ended\n{log.read_text()}")
                 if time.monotonic() - began > PATIENCE_S:
-                    raise ContainerError(f"not healthy after {PATIENCE_S:.0f} s")
+                    raise ContainerError(f"not healthy after {PATIENCE_S:.0f} s\n{log.read_text()}")
                 time.sleep(0.2)
             seconds = time.monotonic() - began
         finally:
