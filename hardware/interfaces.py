@@ -83,6 +83,8 @@ class SensorInfo:
     exposure_range_us: tuple[float, float]
     """Shortest and longest exposure; equal where it cannot be set."""
     has_laser_switch: bool
+    longest_gap_s: float = 0.0
+    """A sensor whose pictures may come so far apart while it is there says so; else 0."""
 
 
 @dataclass(slots=True)

@@ -67,6 +67,8 @@ class DeviceReader(Generic[D, I_co]):
         connect: opens the driver, and returns what it says of itself.
         read: reads once, blocking at most ``READ_TIMEOUT_S``; returns how many records came.
         connected: called on the reader's thread after each opening, before the first read.
+        longest_gap_s: by what it says of itself, how long it may be silent while it is there;
+            nobody need say less than ``FRESH_S``.
     """
 
     def __init__(
@@ -76,12 +78,14 @@ class DeviceReader(Generic[D, I_co]):
         connect: Callable[[D], I_co],
         read: Callable[[D], int],
         connected: Callable[[D, I_co], None],
+        longest_gap_s: Callable[[I_co], float] = lambda info: 0.0,
     ) -> None:
         self._title = title
         self._make = make
         self._connect = connect
         self._read = read
         self._connected = connected
+        self._longest_gap_s = longest_gap_s
         self._lock = threading.Lock()
         self._stopping = threading.Event()
         self._thread: threading.Thread | None = None
@@ -138,13 +142,14 @@ class DeviceReader(Generic[D, I_co]):
     def _state(self, age_s: float | None, now: float) -> tuple[LinkState, str]:
         if self._thread is None:
             return LinkState.OFF, f"The {self._title} is off"
-        if self._driver is None:
+        if self._driver is None or self._info is None:
             if self._ever_connected:
                 return LinkState.LOST, self._error or f"The {self._title} was lost; reconnecting"
             return LinkState.CONNECTING, self._error or f"Connecting to the {self._title}"
-        if age_s is not None and age_s <= FRESH_S:
+        fresh_s = max(FRESH_S, self._longest_gap_s(self._info))
+        if age_s is not None and age_s <= fresh_s:
             return LinkState.CONNECTED, f"The {self._title} is connected"
-        if now - self._opened_s <= FRESH_S:
+        if now - self._opened_s <= fresh_s:
             return LinkState.CONNECTING, f"Waiting for the {self._title}'s first data"
         silent_s = age_s if age_s is not None else now - self._opened_s
         return LinkState.LOST, f"No data from the {self._title} for {silent_s:.1f} s"

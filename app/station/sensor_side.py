@@ -30,7 +30,12 @@ class SensorSide:
         self._laser_wanted = False
         self._last_frame_s = 0.0
         self.reader: DeviceReader[SensorDriver, SensorInfo] = DeviceReader(
-            "sensor", make, lambda driver: driver.open(), self._read, self._connected
+            "sensor",
+            make,
+            lambda driver: driver.open(),
+            self._read,
+            self._connected,
+            lambda info: info.longest_gap_s,
         )
 
     @property

@@ -37,7 +37,7 @@ from hardware.twin.papers import (
     sphere_paper,
 )
 from hardware.twin.render import Renderer
-from hardware.twin.sensor import EXPOSURE_RANGE_US, Lamps, Studio, TwinSensor
+from hardware.twin.sensor import EXPOSURE_RANGE_US, LONGEST_GAP_S, Lamps, Studio, TwinSensor
 from hardware.twin.session import Rig, truth_of
 from hardware.twin.tabletop import standing, table_top
 from hardware.twin.variety import (
@@ -178,6 +178,7 @@ class Twin:
             height_px=optics.height_px,
             exposure_range_us=EXPOSURE_RANGE_US,
             has_laser_switch=self.config.laser_switch,
+            longest_gap_s=LONGEST_GAP_S,
         )
         early_ns = round(1e6 * self.config.arm_delay_ms)
         return TwinSensor(self.studio, info, self.config.frames_hz, self.config.seed, early_ns)
