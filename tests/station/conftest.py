@@ -53,6 +53,7 @@ class Bench:
         self.laser_on = False
         self.laser_obeys = True
         self.has_laser_switch = True
+        self.longest_gap_s = 0.0
         self.exposure_us = 4000.0
         self.frame_period_s = 0.01
         self.scene_level = 0.02
@@ -122,7 +123,13 @@ class ScriptedSensor:
             raise DeviceError("The camera at bench:2 does not answer")
         self.bench.sensor_opened += 1
         return SensorInfo(
-            "scripted sensor", "S-1", WIDTH, HEIGHT, (100.0, 50_000.0), self.bench.has_laser_switch
+            "scripted sensor",
+            "S-1",
+            WIDTH,
+            HEIGHT,
+            (100.0, 50_000.0),
+            self.bench.has_laser_switch,
+            self.bench.longest_gap_s,
         )
 
     def read(self, timeout_s: float) -> Frame | None:

@@ -62,6 +62,25 @@ def test_an_arm_that_goes_silent_is_lost_within_a_second_and_opened_again(
     ready(rig)
 
 
+@pytest.mark.parametrize("longest_gap_s", [0.0, 3.0])
+def test_a_slow_sensor_is_lost_only_where_it_does_not_say_that_it_is_slow(
+    rig: Rig, bench: Bench, longest_gap_s: float
+) -> None:
+    bench.sensor_plugged = False
+    until(lambda: rig.sensor.link().state == "lost" or not rig.sensor.info)
+    bench.longest_gap_s, bench.frame_period_s = longest_gap_s, 1.2
+    bench.sensor_plugged = True
+    until(lambda: rig.sensor.fresh)
+    received = rig.sensor.link().received
+    states = set()
+    while rig.sensor.link().received < received + 2:
+        states.add(rig.sensor.link().state)
+        time.sleep(0.02)
+    assert ("lost" in states) == (longest_gap_s == 0.0)
+    bench.sensor_plugged = False
+    until(lambda: rig.sensor.link().state == "lost", 2.0)
+
+
 def test_losing_and_finding_a_device_is_told_as_events(rig: Rig, bench: Bench, bus: Bus) -> None:
     async def scenario() -> list[str]:
         bus.attach(asyncio.get_running_loop())
