@@ -5,7 +5,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from app.native.arguments import F32, F64, Array, Function
 from hardware.twin.kinematics import Floats
+from hardware.twin.native import SIMULATOR
+
+_sight_lines = Function(
+    SIMULATOR, "sight_lines", Array(F64, 9), Array(F32, "height", "width", 2, written=True)
+)
 
 
 @dataclass(frozen=True)
@@ -29,6 +35,11 @@ class Optics:
     def centre_mm(self) -> Floats:
         """(3,) optical centre in the sensor frame."""
         return np.asarray(np.linalg.inv(self.T_cam_sensor)[:3, 3])
+
+    @property
+    def lens(self) -> Floats:
+        """(9,) fx, fy, cx, cy and the distortion."""
+        return np.array([self.fx_px, self.fy_px, self.cx_px, self.cy_px, *self.distortion])
 
     @property
     def matrix(self) -> Floats:
@@ -104,12 +115,6 @@ def sight_lines(optics: Optics) -> NDArray[np.float32]:
 
     One pixel wider on every side than the image, so that each pixel has neighbours.
     """
-    u = (np.arange(-1, optics.width_px + 1) - optics.cx_px) / optics.fx_px
-    v = (np.arange(-1, optics.height_px + 1) - optics.cy_px) / optics.fy_px
-    target_x, target_y = np.meshgrid(u, v)
-    x, y = target_x.copy(), target_y.copy()
-    for _ in range(12):
-        dx, dy = distorted(optics, x, y)
-        x += target_x - dx
-        y += target_y - dy
-    return np.stack([x, y], axis=-1).astype(np.float32)
+    lines = np.empty((optics.height_px + 2, optics.width_px + 2, 2), dtype=np.float32)
+    _sight_lines(optics.lens, lines)
+    return lines

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from typing import Any
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -56,13 +57,15 @@ def speckle_tile(detector: Detector, rng: np.random.Generator) -> Image:
     if detector.speckle_contrast <= 0:
         return np.ones((TILE, TILE), dtype=np.float32)
     looks = max(1, round(1 / detector.speckle_contrast**2))
-    frequency = np.fft.fftfreq(TILE)
-    radius2 = frequency[:, None] ** 2 + frequency[None] ** 2
-    low_pass = np.exp(-2 * (np.pi * detector.speckle_px) ** 2 * radius2)
-    tile = np.zeros((TILE, TILE))
+    sigma = detector.speckle_px
+    reach = int(np.ceil(4 * sigma))
+    inside = slice(reach, reach + TILE)
+    tile = np.zeros((TILE, TILE), dtype=np.float32)
     for _ in range(looks):
-        field = rng.normal(size=(TILE, TILE)) + 1j * rng.normal(size=(TILE, TILE))
-        tile += np.abs(np.fft.ifft2(np.fft.fft2(field) * low_pass)) ** 2
+        field = rng.standard_normal((TILE, TILE, 2), dtype=np.float32)  # real, imaginary
+        wide = cv2.copyMakeBorder(field, reach, reach, reach, reach, cv2.BORDER_WRAP)
+        smooth = cv2.GaussianBlur(wide, (2 * reach + 1, 2 * reach + 1), sigma)[inside, inside]
+        tile += np.sum(smooth**2, axis=2)
     return np.asarray(tile / tile.mean(), dtype=np.float32)
 
 

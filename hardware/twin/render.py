@@ -69,8 +69,9 @@ class Renderer:
         self._stripe: tuple[Floats, Image, int, int] | None = None
 
     def _allocate(self, height: int, width: int) -> None:
-        normal = self._rng.standard_normal(POOL, dtype=np.float32)
-        self._pool = np.concatenate([normal, normal[:width]])
+        self._pool = np.empty(POOL + width, dtype=np.float32)
+        self._rng.standard_normal(out=self._pool[:POOL], dtype=np.float32)
+        self._pool[POOL:] = self._pool[:width]
         dark = blank(1, POOL + width, self.detector)
         start = np.zeros(1, dtype=np.int64)
         unlit = np.zeros_like(self._pool)[None]
@@ -216,7 +217,7 @@ class Renderer:
     @cached_property
     def _sheet_in_camera(self) -> tuple[Floats, Floats, Floats, Floats]:
         """In the camera's frame: fan's middle and side (2, 3), emitter, sheet (5,), lens (9,)."""
-        T, sheet, o = self.optics.T_cam_sensor, self.sheet, self.optics
+        T, sheet = self.optics.T_cam_sensor, self.sheet
         normal = T[:3, :3] @ np.array(sheet.normal)
         offset = sheet.offset_mm + float(normal @ T[:3, 3])
         emitter = T[:3, :3] @ np.array(sheet.emitter_mm) + T[:3, 3]
@@ -224,12 +225,11 @@ class Renderer:
         down /= np.linalg.norm(down)
         side = np.cross(sheet.normal, down)
         fan = np.stack([down, side]) @ T[:3, :3].T
-        lens = np.array([o.fx_px, o.fy_px, o.cx_px, o.cy_px, *o.distortion])
         return (
             np.ascontiguousarray(fan),
             emitter,
             np.array([*normal, offset, sheet.sigma_mm]),
-            lens,
+            self.optics.lens,
         )
 
     def picture(

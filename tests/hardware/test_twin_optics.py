@@ -6,7 +6,7 @@ import pytest
 
 from hardware.twin.camera import sight_lines, to_pixels
 from hardware.twin.kinematics import Floats, rotation_about, translation
-from hardware.twin.noise import QUIET, Detector
+from hardware.twin.noise import QUIET, Detector, speckle_tile
 from hardware.twin.render import SMEARED, Renderer
 from hardware.twin.variety import sensor_for
 from hardware.twin.world import Ball, Box, Comb, Light, Scene, Shell, Thing, shell_height, table
@@ -193,6 +193,18 @@ def test_noise_is_as_the_detector_says() -> None:
     assert flat.std(axis=0).mean() == pytest.approx(expected, rel=0.05)
     dark = np.stack([renderer.picture(T, room=0.0).astype(np.float64) for _ in range(8)])
     assert dark.mean() == pytest.approx(detector.dark_dn, abs=0.05)
+
+
+@pytest.mark.parametrize("contrast", [0.1, 0.17, 0.5])
+def test_speckle_has_its_contrast_and_no_seam(contrast: float) -> None:
+    detector = Detector(speckle_contrast=contrast)
+    tile = speckle_tile(detector, np.random.default_rng(0)).astype(np.float64)
+    assert tile.mean() == pytest.approx(1.0, abs=1e-5)
+    assert tile.std() == pytest.approx(contrast, rel=0.04)
+    steps = np.diff(tile, axis=0, append=tile[:1])
+    assert np.std(steps[-1]) == pytest.approx(np.std(steps[:-1]), rel=0.2)
+    correlation = np.mean((tile - 1) * (np.roll(tile, 1, axis=1) - 1)) / tile.var()
+    assert correlation == pytest.approx(np.exp(-0.5 / detector.speckle_px**2), abs=0.03)
 
 
 def test_speckle_stays_while_the_sensor_stays_and_changes_as_it_moves() -> None:

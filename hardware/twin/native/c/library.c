@@ -2,6 +2,7 @@
 #include "../../../../app/native/c/export.h"
 
 /* How a picture is made, step by step. */
+#include "lens.c"
 #include "shapes.c"
 #include "tracing.c"
 #include "shading.c"

@@ -14,10 +14,6 @@ typedef struct {
     double offset_mm, sigma_mm; /* half thickness */
 } Plane;
 
-typedef struct {
-    double fx, fy, cx, cy, k1, k2, p1, p2, k3;
-} Lens;
-
 /* Where a ray of the laser lands in the picture. */
 typedef struct {
     double angle, u, v;
@@ -60,10 +56,8 @@ static Landing land(const Laser *laser, const Fan *fan, const Lens *lens, double
     Vector normal = out_of_thing(laser->lamps[hit.thing].turn, hit.normal);
     double across = dot(laser->plane->normal, normal);
     double spread = 1.0 / sqrt(max_f64(1.0 - across * across, 0.01));
-    double a = at.x / at.z, b = at.y / at.z, r2 = a * a + b * b;
-    double radial = 1.0 + r2 * (lens->k1 + r2 * (lens->k2 + r2 * lens->k3));
-    double x = a * radial + 2.0 * lens->p1 * a * b + lens->p2 * (r2 + 2.0 * a * a);
-    double y = b * radial + lens->p1 * (r2 + 2.0 * b * b) + 2.0 * lens->p2 * a * b;
+    double x, y;
+    distort(lens, at.x / at.z, at.y / at.z, &x, &y);
     double u = lens->fx * x + lens->cx, v = lens->fy * y + lens->cy;
     if (fabs(u) < 1e5 && fabs(v) < 1e5) {
         found.u = u;
