@@ -3,40 +3,35 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.compiled import kernel
 from app.metrology.frames import Floats
+from app.native.arguments import BOOL, F64, I64, Array, Function, Whole
+from app.native.product import CRENEL
 
-# Likeness of neighbours is looked for in no fewer points, up to so far along the line, in no
-# fewer pairs, until so little of it is left.
-_FEWEST, _FURTHEST, _PAIRS, _LEFT = 50, 20, 30, 0.05
+_alike = Function(CRENEL, "neighbours_alike", Array(F64, "n", 2), Array(F64, "n"), returns=float)
+_variances = Function(
+    CRENEL,
+    "variances_of_lines",
+    Array(I64, "n"),
+    Array(I64, "n"),
+    Array(BOOL, "n"),
+    Array(F64, "n"),
+    Array(F64, "n", 2),
+    Whole(),
+    Whole(),
+    Array(F64, "n", written=True),
+    Array(F64, 3, "n", written=True),
+)
 
 
-@kernel
 def neighbours_alike(uv_px: Floats, normalised_residuals: Floats) -> float:
     """How many neighbouring points (N,) carry the information of one: 1 for white noise.
 
     The sum of the residuals' autocorrelation up to where it has died away. ``uv_px`` (N, 2).
     """
-    count = len(normalised_residuals)
-    if count < _FEWEST:
-        return 1.0
-    residuals = normalised_residuals - normalised_residuals.mean()
-    power = (residuals**2).mean()
-    lag_sum = 1.0
-    for lag in range(1, _FURTHEST):
-        pairs, products = 0, 0.0
-        for i in range(lag, count):
-            du, dv = uv_px[i, 0] - uv_px[i - lag, 0], uv_px[i, 1] - uv_px[i - lag, 1]
-            if du * du + dv * dv < (2.0 * lag + 1.0) ** 2:
-                pairs += 1
-                products += residuals[i] * residuals[i - lag]
-        if pairs < _PAIRS or products < _LEFT * power * pairs or power == 0.0:
-            break
-        lag_sum += 2 * products / (pairs * power)
-    return lag_sum
+    uv = np.ascontiguousarray(uv_px, dtype=np.float64)
+    return float(_alike(uv, np.ascontiguousarray(normalised_residuals, dtype=np.float64)))
 
 
-@kernel
 def variances_of_lines(
     off: Floats,
     line: NDArray[np.int64],
@@ -53,18 +48,9 @@ def variances_of_lines(
         about_mean: whether what all points of a line share is no scatter.
         fewest: points that tell a line's scatter.
     """
-    variances = np.ones(len(off))
-    own, at = np.empty(len(off)), np.empty((len(off), 2))
-    for number in np.unique(line):
-        count = 0
-        for i in range(len(off)):
-            if kept[i] and line[i] == number:
-                own[count], at[count] = off[i], places[i]
-                count += 1
-        if count < fewest:
-            continue
-        values = own[:count]
-        mean = values.mean() if about_mean else 0.0
-        variance = max(((values - mean) ** 2).mean(), 1.0)
-        variances[line == number] = variance * neighbours_alike(at[:count], values)
+    count = len(off)
+    variances, workspace = np.empty(count), np.empty((3, count))
+    order = np.argsort(line, kind="stable")
+    pixels = np.ascontiguousarray(places, dtype=np.float64)
+    _variances(order, line, kept, off, pixels, about_mean, fewest, variances, workspace)
     return variances

@@ -6,8 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.camera import Camera, project
-from app.metrology.compiled import kernel
 from app.metrology.frames import Floats, nearest_rotation, rotation_from_vector
+from app.native.arguments import F64, Array, Function, Real
+from app.native.product import CRENEL
 
 # fx, fy, cx, cy, three turns, three shifts, k1, k2
 _COUNT = 12
@@ -15,6 +16,19 @@ FOCAL_AND_POSE = (0, 4, 5, 6, 7, 8, 9)
 NO_DISTORTION = (0, 1, 2, 3, 4, 5, 6, 7, 8, 9)
 WITH_K1 = (*NO_DISTORTION, 10)
 WITH_K2 = (*WITH_K1, 11)
+
+_rows = Function(
+    CRENEL,
+    "edge_rows",
+    Array(F64, "n", 3),
+    Array(F64, "n", 2),
+    Array(F64, "n", 2),
+    Array(F64, 3, 4),
+    Array(F64, 10),
+    Real(),
+    Array(F64, "n", written=True),
+    Array(F64, "n", _COUNT, written=True),
+)
 
 
 def moved(camera: Camera, step: Floats) -> Camera:
@@ -75,46 +89,6 @@ def residuals(camera: Camera, points_mm: Floats, uv_px: Floats, normal: Floats) 
     return np.asarray(((uv_px - project(camera, points_mm)) * normal).sum(axis=1))
 
 
-@kernel
-def _rows(
-    points: Floats, uv: Floats, normal: Floats, pose: Floats, lens: Floats, width: float
-) -> tuple[Floats, Floats]:
-    """Residuals (N,) in px and their derivatives (N, 12) by a step of ``moved``.
-
-    ``pose``: (3, 4) rotation and translation; ``lens``: fx, fy, skew, cx, cy, k1, k2, p1, p2, k3.
-    """
-    fx, fy, skew, cx, cy, k1, k2, p1, p2, k3 = lens
-    distance = np.sqrt((pose[:, 3] ** 2).sum())
-    off, J = np.empty(len(points)), np.empty((len(points), _COUNT))
-    for i in range(len(points)):
-        point, row = points[i], J[i]
-        X = pose[0, 0] * point[0] + pose[0, 1] * point[1] + pose[0, 2] * point[2] + pose[0, 3]
-        Y = pose[1, 0] * point[0] + pose[1, 1] * point[1] + pose[1, 2] * point[2] + pose[1, 3]
-        Z = pose[2, 0] * point[0] + pose[2, 1] * point[1] + pose[2, 2] * point[2] + pose[2, 3]
-        x, y = X / Z, Y / Z
-        r2 = x * x + y * y
-        radial = 1 + r2 * (k1 + r2 * (k2 + r2 * k3))
-        xd = x * radial + 2 * p1 * x * y + p2 * (r2 + 2 * x * x)
-        yd = y * radial + p1 * (r2 + 2 * y * y) + 2 * p2 * x * y
-        # A distorted direction moves the residual by these; so do the undistorted, and the point.
-        by_xd, by_yd = -normal[i, 0] * fx, -normal[i, 0] * skew - normal[i, 1] * fy
-        off[i] = normal[i, 0] * (uv[i, 0] - fx * xd - skew * yd - cx)
-        off[i] += normal[i, 1] * (uv[i, 1] - fy * yd - cy)
-        slope = 2 * (k1 + r2 * (2 * k2 + 3 * r2 * k3))
-        cross = slope * x * y + 2 * p1 * x + 2 * p2 * y
-        by_x = by_xd * (radial + slope * x * x + 2 * p1 * y + 6 * p2 * x) + by_yd * cross
-        by_y = by_xd * cross + by_yd * (radial + slope * y * y + 6 * p1 * y + 2 * p2 * x)
-        by_X, by_Y, by_Z = by_x / Z, by_y / Z, -(by_x * x + by_y * y) / Z
-        row[1] = -normal[i, 1] * fy * yd
-        row[0] = -normal[i, 0] * fx * xd + row[1]
-        row[2], row[3] = -normal[i, 0] * width, -normal[i, 1] * width
-        row[4], row[5], row[6] = Y * by_Z - Z * by_Y, Z * by_X - X * by_Z, X * by_Y - Y * by_X
-        row[7], row[8], row[9] = distance * by_X, distance * by_Y, distance * by_Z
-        row[10] = (by_xd * x + by_yd * y) * r2
-        row[11] = row[10] * r2
-    return off, J
-
-
 def residuals_with_jacobian(
     camera: Camera, points_mm: Floats, uv_px: Floats, normal: Floats
 ) -> tuple[Floats, Floats]:
@@ -122,28 +96,21 @@ def residuals_with_jacobian(
     K = camera.matrix
     pose = np.column_stack([camera.rotation, camera.translation_mm])
     lens = np.array([K[0, 0], K[1, 1], K[0, 1], K[0, 2], K[1, 2], *camera.distortion])
-    return _rows(points_mm, uv_px, normal, pose, lens, float(camera.width_px))
+    off, J = np.empty(len(points_mm)), np.empty((len(points_mm), _COUNT))
+    _rows(points_mm, uv_px, normal, pose, lens, camera.width_px, off, J)
+    return off, J
 
 
-@kernel
 def _equations(
     off: Floats, J: Floats, sigma: Floats, chosen: NDArray[np.int64]
 ) -> tuple[Floats, Floats, float]:
     """``J' W J`` and ``J' W off`` of the chosen columns by Huber's weights, and the scatter."""
-    spread = max(1.0, np.median(np.abs(off / sigma)) / 0.6745)
-    count = len(chosen)
-    N, g = np.zeros((count, count)), np.zeros(count)
-    for i in range(len(off)):
-        z = abs(off[i]) / sigma[i]
-        weight = min(1.0, 2.0 * spread / max(z, 1e-12)) / sigma[i] ** 2
-        for p in range(count):
-            weighed = weight * J[i, chosen[p]]
-            g[p] += weighed * off[i]
-            for q in range(p + 1):
-                N[p, q] += weighed * J[i, chosen[q]]
-    for p in range(count):
-        N[:p, p] = N[p, :p]
-    return N, g, spread
+    z = np.abs(off) / sigma
+    spread = max(1.0, float(np.median(z)) / 0.6745)
+    weight = np.minimum(1.0, 2.0 * spread / np.maximum(z, 1e-12)) / sigma**2
+    A = J[:, chosen]
+    weighed = A.T * weight
+    return weighed @ A, weighed @ off, spread
 
 
 def fit_edges(

@@ -6,12 +6,45 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.camera import Camera, project
-from app.metrology.compiled import kernel
 from app.metrology.detection.visibility import Wireframe, seen
 from app.metrology.frames import Floats
+from app.native.arguments import F64, I64, Array, Function, Real, Whole
+from app.native.product import CRENEL
 
 # Faces that are seen at less than this, as sines, may as well be hidden, or seen.
 _EDGE_ON = 0.004
+
+_room = Function(
+    CRENEL,
+    "room_beside_edges",
+    Array(F64, "n", 2),
+    Array(F64, "n", 2),
+    Array(I64, "n"),
+    Array(F64, "p", 4),
+    Real(),
+    Array(F64, "n", 2, written=True),
+    Array(F64, 4, "p", written=True),
+)
+_search = Function(
+    CRENEL,
+    "steepest_places",
+    Array(F64, "height", "width"),
+    Array(F64, "n", 2),
+    Array(F64, "n", 2),
+    Array(F64, "n", 2),
+    Real(),
+    Whole(),
+    Array(F64, "n", 2, written=True),
+    Array(F64, 2, "line", written=True),
+)
+_profiles = Function(
+    CRENEL,
+    "profiles_across",
+    Array(F64, "height", "width"),
+    Array(F64, "n", 2),
+    Array(F64, "n", 2),
+    Array(F64, "n", "line", written=True),
+)
 
 
 @dataclass(frozen=True)
@@ -36,36 +69,6 @@ class Stations:
     length_px: Floats
     regions: NDArray[np.int64]
     half_length_px: float
-
-
-@kernel
-def _room(
-    uv: Floats, normal: Floats, part: NDArray[np.int64], ends: Floats, half_length: float
-) -> Floats:
-    """Distances (N, 2) along and against each normal to the nearest other part (P, 4)."""
-    room = np.full((len(uv), 2), np.inf)
-    du, dv = ends[:, 2] - ends[:, 0], ends[:, 3] - ends[:, 1]
-    length = np.sqrt(du * du + dv * dv)
-    for i in range(len(uv)):
-        u, v, nu, nv, own = uv[i, 0], uv[i, 1], normal[i, 0], normal[i, 1], part[i]
-        ahead, behind = np.inf, np.inf
-        for p in range(len(ends)):
-            det = nu * dv[p] - nv * du[p]
-            if p == own or abs(det) < 1e-6 * length[p]:
-                continue
-            ru, rv = ends[p, 0] - u, ends[p, 1] - v
-            # How far along the part, times det squared.
-            along = (nv * ru - nu * rv) * det
-            beyond = half_length / length[p] * det * det
-            if along < -beyond or along > det * det + beyond:
-                continue
-            away = (ru * dv[p] - rv * du[p]) / det
-            if away >= 0:
-                ahead = min(ahead, away)
-            else:
-                behind = min(behind, -away)
-        room[i, 0], room[i, 1] = ahead, behind
-    return room
 
 
 def block_ahead(frame: Wireframe, camera: Camera) -> bool:
@@ -108,15 +111,17 @@ def stations(frame: Wireframe, camera: Camera, spacing_px: float, margin_px: flo
     edge_of_frame = half_length + 1
     limit = np.array([camera.width_px, camera.height_px]) - 1 - edge_of_frame
     inside = np.all((uv >= edge_of_frame) & (uv <= limit), axis=1)
-    room = _room(uv[inside], normal[inside], part[inside], near, half_length)
+    uv, normal, part = uv[inside], normal[inside], part[inside]
+    room = np.empty((len(uv), 2))
+    _room(uv, normal, part, near, half_length, room, np.empty((4, len(near))))
     return Stations(
-        parts.edge[part][inside],
-        part[inside],
+        parts.edge[part],
+        part,
         points[inside],
-        uv[inside],
-        normal[inside],
+        uv,
+        normal,
         room,
-        (usable / np.maximum(count, 1))[part][inside],
+        (usable / np.maximum(count, 1))[part],
         parts.regions,
         half_length,
     )
@@ -134,76 +139,17 @@ def _just_hidden(
     return np.flatnonzero(hidden)
 
 
-@kernel
-def _bilinear(image: Floats, u: float, v: float) -> float:
-    column, row = int(np.floor(u)), int(np.floor(v))
-    if column < 0 or row < 0 or column >= image.shape[1] - 1 or row >= image.shape[0] - 1:
-        return np.nan
-    a, b = u - column, v - row
-    upper, lower = image[row], image[row + 1]
-    above = (1 - a) * upper[column] + a * upper[column + 1]
-    below = (1 - a) * lower[column] + a * lower[column + 1]
-    return float((1 - b) * above + b * below)
-
-
-@kernel
-def _search(
-    image: Floats, uv: Floats, normal: Floats, room: Floats, radius: float, half: int
-) -> Floats:
-    """Per station: offset along the normal and slope (grey levels per pixel) of the steepest place.
-
-    Rows of NaN where the picture has no value. The search stops halfway to the next edge.
-    """
-    found = np.full((len(uv), 2), np.nan)
-    reach = int(np.ceil(radius)) + 2
-    profile = np.empty(2 * reach + 1)
-    slope = np.empty(2 * reach + 1)
-    for i in range(len(uv)):
-        nu, nv = normal[i, 0], normal[i, 1]
-        high = min(radius, max(0.5 * room[i, 0], 1.0))
-        low = -min(radius, max(0.5 * room[i, 1], 1.0))
-        first = max(reach + int(np.ceil(low)), 2)
-        last = min(reach + int(np.floor(high)), 2 * reach - 2)
-        for k in range(first - 2, last + 3):
-            u, v = uv[i, 0] + (k - reach) * nu, uv[i, 1] + (k - reach) * nv
-            total = 0.0
-            for j in range(-half, half + 1):
-                total += _bilinear(image, u - j * nv, v + j * nu)
-            profile[k] = total / (2 * half + 1)
-        best, at = -1.0, -1
-        for k in range(first - 1, last + 2):
-            slope[k] = 0.5 * (profile[k + 1] - profile[k - 1])
-        for k in range(first, last + 1):
-            if abs(slope[k]) > best:
-                best, at = abs(slope[k]), k
-        if at < 0:
-            continue
-        left, right = abs(slope[at - 1]), abs(slope[at + 1])
-        bend = left - 2 * best + right
-        shift = 0.5 * (left - right) / bend if bend < 0 else 0.0
-        found[i, 0] = at - reach + min(max(shift, -0.5), 0.5)
-        found[i, 1] = slope[at]
-    return found
-
-
 def search(image: Floats, at: Stations, radius_px: float) -> tuple[Floats, Floats]:
     """Offsets (N,) in px along the normals and slopes (N,), grey levels a pixel, of the edges.
 
     The steepest place of the picture within ``radius_px`` of each station; NaN where
     there is none. Good to some tenths of a pixel: ``measure`` refines.
     """
-    found = _search(image, at.uv_px, at.normal, at.room_px, radius_px, int(at.half_length_px))
+    found = np.empty((len(at.uv_px), 2))
+    workspace = np.empty((2, 2 * (int(np.ceil(radius_px)) + 2) + 1))
+    half = int(at.half_length_px)
+    _search(image, at.uv_px, at.normal, at.room_px, radius_px, half, found, workspace)
     return found[:, 0], found[:, 1]
-
-
-@kernel
-def _profiles(image: Floats, uv: Floats, normal: Floats, reach: int) -> Floats:
-    out = np.empty((len(uv), 2 * reach + 1))
-    for i in range(len(uv)):
-        for k in range(2 * reach + 1):
-            u, v = uv[i, 0] + (k - reach) * normal[i, 0], uv[i, 1] + (k - reach) * normal[i, 1]
-            out[i, k] = _bilinear(image, u, v)
-    return out
 
 
 def profiles(image: Floats, uv_px: Floats, normal: Floats, reach_px: int) -> Floats:
@@ -211,4 +157,6 @@ def profiles(image: Floats, uv_px: Floats, normal: Floats, reach_px: int) -> Flo
 
     (N, 2 reach + 1), NaN outside of the picture.
     """
-    return _profiles(image, uv_px, normal, reach_px)
+    found = np.empty((len(uv_px), 2 * reach_px + 1))
+    _profiles(image, uv_px, normal, found)
+    return found

@@ -16,11 +16,10 @@ from itertools import permutations
 
 import numpy as np
 
-from app.metrology.compiled import kernel
 from app.metrology.crenellated import Crenellated
 from app.metrology.detection.directions import Directions
 from app.metrology.detection.segments import Segments
-from app.metrology.detection.voting import WORTH, completed, crossings
+from app.metrology.detection.voting import EndOn, View, centres_voted, merged
 from app.metrology.frames import Floats
 
 # How far a segment may lie from the edge it votes for, over the picture's longer side.
@@ -32,8 +31,6 @@ _LONG = 0.15
 _ASIDE, _SMALLEST, _LARGEST, _ACROSS = 0.75, 0.15, 3.0, 0.35
 # The same of its size, while only two of the camera's three coordinates are known.
 _NEARER, _FURTHER = 0.11, 4.3
-# So many bearings of each direction vote; so many places are returned for one reading of them.
-_BEARINGS, _READINGS = 12, 12
 
 
 @dataclass(frozen=True)
@@ -72,19 +69,17 @@ def placings(
     # A long edge of a table has no more to say than one of the block's.
     weight = np.minimum(seen.weight, _LONG)
     found: list[Placing] = []
-    for rotation, order in _labellings(directions.rotation):
-        in_object = normals @ rotation
-        rows = [directions.family == axis for axis in order]
-        bearings = [
-            _merged(in_object[of][:, _across(k)], weight[of], _NEAR / focal)
-            for k, of in enumerate(rows)
-        ]
+    labellings = list(_labellings(directions.rotation))
+    read = merged(normals, weight, directions.family, labellings, _NEAR / focal)
+    for (rotation, _), bearings in zip(labellings, read, strict=True):
         for reverse in (False, True):
             form = mirrored(block) if reverse else block
-            for centre, votes in _vote(bearings, form, rotation[2], focal, best):
+            view = _view(form, rotation[2], focal)
+            centres, votes = centres_voted(bearings, _end_on(form), view, _NEAR / focal, best)
+            for centre, voted in zip(centres, votes, strict=True):
                 if _shown(centre, rotation, form, focal):
-                    found.append(Placing(rotation, centre, focal, reverse, votes))
-                    best = max(best, votes)
+                    found.append(Placing(rotation, centre, focal, reverse, float(voted)))
+                    best = max(best, float(voted))
     found.sort(key=lambda one: -one.votes)
     return found[:most]
 
@@ -101,9 +96,13 @@ def _normals(directions: Directions, seen: Segments) -> Floats:
     return np.asarray(normal / np.linalg.norm(normal, axis=1, keepdims=True))
 
 
-def _across(axis: int) -> list[int]:
-    """The two axes of the plane across one, in turn."""
-    return [(axis + 1) % 3, (axis + 2) % 3]
+def _view(block: Crenellated, axis: Floats, focal: float) -> View:
+    """What a camera has that sees the block; ``axis``: its own, in the object frame."""
+    middle, size = _extent(block)
+    low = np.array([-np.inf, -np.inf, block.crest_z_mm])
+    high = np.array([np.inf, block.front_y_mm, np.inf])
+    reach = np.array([_ASIDE / focal, size * focal / _FURTHER, size * focal / _NEARER])
+    return View(middle, axis, low, high, reach)
 
 
 def _shown(centre_mm: Floats, rotation: Floats, block: Crenellated, focal: float) -> bool:
@@ -141,8 +140,8 @@ def _labellings(axes: Floats) -> Iterator[tuple[Floats, tuple[int, int, int]]]:
 
 
 @lru_cache(maxsize=32)
-def _end_on(block: Crenellated) -> tuple[Floats, Floats, Floats]:
-    """The block's edges along X, Y and Z as points (P, 2) in the planes across (``_across``)."""
+def _end_on(block: Crenellated) -> EndOn:
+    """The block's edges."""
     depths = (block.front_y_mm, block.back_y_mm)
     levels = (block.crest_z_mm, block.floor_z_mm, block.base_z_mm)
     x = block.edges_x_mm
@@ -151,66 +150,5 @@ def _end_on(block: Crenellated) -> tuple[Floats, Floats, Floats]:
     along_y = [(levels[0], at) for at in x] + [(levels[1], at) for at in x[1:-1]]
     along_y += [(levels[2], x[0]), (levels[2], x[-1])]
     along_z = [(at, y) for at in x for y in depths]
-    return np.array(along_x), np.array(along_y), np.array(along_z)
-
-
-def _vote(
-    bearings: list[tuple[Floats, Floats]],
-    block: Crenellated,
-    axis: Floats,
-    focal: float,
-    best: float,
-) -> list[tuple[Floats, float]]:
-    """Camera centres (3,) in the object frame and the length of the segments that agree.
-
-    ``bearings``: of each direction, in the plane across it, with their weights; ``axis``:
-    the camera's, in the object frame; ``best``: as in ``placings``.
-    """
-    if sum(float(weight.sum()) for _, weight in bearings) < WORTH * best:
-        return []
-    near_rad = _NEAR / focal
-    points = _end_on(block)
-    middle, size = _extent(block)
-    low = np.array([-np.inf, -np.inf, block.crest_z_mm])
-    high = np.array([np.inf, block.front_y_mm, np.inf])
-    reach = [_ASIDE / focal, size * focal / _FURTHER, size * focal / _NEARER]
-    every, scored = [], []
-    for k in range(3):
-        plane = _across(k)
-        p, q = plane
-        view = np.array([*middle[plane], *axis[plane], *low[plane], *high[plane], *reach])
-        others = float(bearings[p][1].sum() + bearings[q][1].sum())
-        places, votes = crossings(*bearings[k], points[k], near_rad, view, WORTH * best - others)
-        # Seen along p, the plane's other axis comes before the third.
-        turned, weight = np.ascontiguousarray(bearings[p][0][:, ::-1]), bearings[p][1]
-        one = (turned, weight, np.ascontiguousarray(points[p][:, ::-1]))
-        centres, scores = completed(places, votes, *one, *bearings[q], points[q], near_rad, best)
-        order = np.argsort([k, p, q])
-        voted = np.flatnonzero(scores)
-        every.append(centres[voted][:, order])
-        scored.append(scores[voted])
-        best = max(best, float(scores.max()))
-    found, score = np.ascontiguousarray(np.concatenate(every)), np.concatenate(scored)
-    most = np.argsort(-score, kind="stable")[:_READINGS]
-    return [(found[row], float(score[row])) for row in most]
-
-
-@kernel
-def _merged(bearings: Floats, weight: Floats, near_rad: float) -> tuple[Floats, Floats]:
-    """Bearings of collinear segments merged; the weightiest."""
-    kept, total, count = np.empty(len(bearings)), np.empty(len(bearings)), 0
-    for k in np.argsort(-weight):
-        angle = np.arctan2(bearings[k, 1], bearings[k, 0]) % np.pi
-        nearest, at = near_rad, -1
-        for m in range(count):
-            gap = abs((angle - kept[m] + np.pi / 2) % np.pi - np.pi / 2)
-            if gap < nearest:
-                nearest, at = gap, m
-        if at >= 0:
-            total[at] += weight[k]
-        else:
-            kept[count], total[count] = angle, weight[k]
-            count += 1
-    best = np.argsort(-total[:count])[:_BEARINGS]
-    angles = kept[best]
-    return np.column_stack((np.cos(angles), np.sin(angles))), total[best]
+    first = np.cumsum([0, len(along_x), len(along_y), len(along_z)])
+    return EndOn(np.array([*along_x, *along_y, *along_z], dtype=np.float64), first)

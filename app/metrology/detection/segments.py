@@ -9,7 +9,6 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.compiled import kernel
 from app.metrology.frames import Floats
 
 # Shorter ones are left out, over the picture's longer side.
@@ -54,67 +53,47 @@ def segments(image: NDArray[np.uint8], ignore: NDArray[np.bool_] | None = None) 
     if len(lines) == 0:
         return Segments(lines, length)
     step = _steps(image, lines)
-    order = np.argsort(step)
+    order = np.argsort(step, kind="stable")
     share = np.cumsum(length[order]) / length.sum()
     strong = max(float(step[order][np.searchsorted(share, _STRONG)]), 1.0)
     weight = length * np.minimum(1.0, step / strong)
     weight *= _shares(lines / max(width, height), weight)
     lines = (lines - np.tile([(width - 1) / 2, (height - 1) / 2], 2)) / max(width, height)
-    best = np.argsort(-weight)[:_MOST]
+    best = np.argsort(-weight, kind="stable")[:_MOST]
     return Segments(np.asarray(lines[best]), np.asarray(weight[best]))
 
 
-@kernel
 def _shares(lines: Floats, weight: Floats) -> Floats:
     """What (S,) each segment's weight is to be multiplied by, so that no line has too much.
 
     Segments of one line count together: a ruler's edge says no more than a block's.
     """
-    share = np.ones(len(lines))
-    for s in range(len(lines)):
-        u, v = lines[s, 0], lines[s, 1]
-        du, dv = lines[s, 2] - u, lines[s, 3] - v
-        length = np.sqrt(du * du + dv * dv)
-        total = 0.0
-        for t in range(len(lines)):
-            one = (lines[t, 0] - u) * dv - (lines[t, 1] - v) * du
-            other = (lines[t, 2] - u) * dv - (lines[t, 3] - v) * du
-            if max(abs(one), abs(other)) < _SAME_LINE * length:
-                total += weight[t]
-        share[s] = min(1.0, _ONE_LINE / max(total, 1e-9))
-    return share
+    start, along = lines[:, :2], lines[:, 2:] - lines[:, :2]
+    # how far each segment's ends lie off the line of each, times its length
+    away = lines.reshape(-1, 1, 2, 2) - start[:, None]
+    off = np.abs(away[..., 0] * along[:, None, 1] - away[..., 1] * along[:, None, 0]).max(axis=2)
+    own = off < _SAME_LINE * np.hypot(*along.T)
+    return np.asarray(np.minimum(1.0, _ONE_LINE / np.maximum(weight @ own, 1e-9)))
 
 
-@kernel
 def _steps(image: NDArray[np.uint8], lines: Floats) -> Floats:
     """Heights (S,) in grey levels of the steps across segments (S, 4) in px.
 
     Between means over bands on either side, so that a thin line is no step.
     """
-    height, width = image.shape
-    found = np.zeros(len(lines))
-    for s in range(len(lines)):
-        u0, v0 = lines[s, 0], lines[s, 1]
-        du, dv = lines[s, 2] - u0, lines[s, 3] - v0
-        length = np.sqrt(du * du + dv * dv)
-        nu, nv = -dv / length, du / length
-        count = max(4, int(length / 2))
-        total, used = 0.0, 0
-        for i in range(count):
-            share = (i + 0.5) / count
-            for away in range(2, 6):
-                a, b = (
-                    int(u0 + share * du + away * nu + 0.5),
-                    int(v0 + share * dv + away * nv + 0.5),
-                )
-                c, d = (
-                    int(u0 + share * du - away * nu + 0.5),
-                    int(v0 + share * dv - away * nv + 0.5),
-                )
-                if min(a, b, c, d) < 0 or max(a, c) >= width or max(b, d) >= height:
-                    continue
-                total += float(image[b, a]) - float(image[d, c])
-                used += 1
-        if used > 0:
-            found[s] = abs(total) / used
-    return found
+    along = lines[:, 2:] - lines[:, :2]
+    length = np.hypot(*along.T)
+    normal = np.column_stack([-along[:, 1], along[:, 0]]) / length[:, None]
+    count = np.maximum(4, length / 2).astype(np.int64)
+    line = np.repeat(np.arange(len(lines)), count)
+    within = np.arange(len(line)) - np.repeat(np.cumsum(count) - count, count)
+    share = (within + 0.5) / count[line]
+    at = (lines[:, :2][line] + share[:, None] * along[line])[:, None] + 0.5
+    aside = normal[line][:, None] * np.arange(2, 6)[:, None]
+    one, other = (at + aside).astype(np.int64), (at - aside).astype(np.int64)
+    size = image.shape[::-1]
+    inside = ((np.minimum(one, other) >= 0) & (np.maximum(one, other) < size)).all(axis=2)
+    one, other, line = one[inside], other[inside], line[np.nonzero(inside)[0]]
+    step = image[one[:, 1], one[:, 0]].astype(np.float64) - image[other[:, 1], other[:, 0]]
+    total = np.abs(np.bincount(line, step, len(lines)))
+    return np.asarray(total / np.maximum(np.bincount(line, minlength=len(lines)), 1))
