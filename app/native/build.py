@@ -135,9 +135,9 @@ def build(
         code, about = str(source.folder / "c" / "library.c"), str(SHARED / "about.c")
         commands, objects = [], []
         for variant, flags in variants_of(target).items():
-            spelled = flags if zig else tuple(flag.replace("_v", "-v") for flag in flags)
+            named = flags if zig else [flag.replace("x86_64_v", "x86-64-v") for flag in flags]
             objects.append(f"{folder}/{variant}.o")
-            commands.append((*common, *spelled, f"-DVARIANT={variant}", "-c", code))
+            commands.append((*common, *named, f"-DVARIANT={variant}", "-c", code))
         objects.append(f"{folder}/about.o")
         commands.append((*common, f'-DSOURCES="{source_hash(source)}"', "-c", about))
         _run_all(
@@ -145,7 +145,8 @@ def build(
             environment,
         )
         part = output.with_name(f"{output.name}.{os.getpid()}.part")
-        _run_all([(*common, *_linking(target), *objects, "-o", str(part), "-lm")], environment)
+        linking = (*_linking(target, "-g" in extra_flags), *objects, "-o", str(part), "-lm")
+        _run_all([(*common, *linking)], environment)
         os.replace(part, output)
     return output
 
@@ -186,11 +187,12 @@ def _zig_caches(folder: Path) -> dict[str, str]:
     return {"ZIG_LOCAL_CACHE_DIR": str(folder / "zig"), "ZIG_GLOBAL_CACHE_DIR": str(folder / "zig")}
 
 
-def _linking(target: Target) -> tuple[str, ...]:
+def _linking(target: Target, debugged: bool) -> tuple[str, ...]:
     """Flags that export the library's own functions and nothing of the compiler's."""
     if target.system != "linux":
         return ("-shared",)
-    return ("-shared", "-s", f"-Wl,--version-script={SHARED / 'exported.map'}")
+    exported = f"-Wl,--version-script={SHARED / 'exported.map'}"
+    return ("-shared", exported) if debugged else ("-shared", exported, "-s")
 
 
 def _run_all(commands: list[tuple[str, ...]], environment: dict[str, str]) -> None:
