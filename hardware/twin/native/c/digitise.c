@@ -11,14 +11,16 @@ EXPORT(void, OF(digitise))(int64_t height, int64_t width, int64_t pool_size, con
                            PIXEL *out)
 {
     (void)pool_size;
-    double read2 = read * read;
+    /* single precision, for it is twice as quick and 16 bits fit into it */
+    const float by = (float)gain, veil = (float)haze, level = (float)dark, most = (float)top;
+    const float read2 = (float)(read * read), by_digit = (float)shot, to_own = (float)scale;
     for (int64_t r = 0; r < height; r++) {
         const float *row = light + r * width, *normal = pool + offsets[r];
         PIXEL *digits = out + r * width;
         for (int64_t c = 0; c < width; c++) {
-            double signal = row[c] * (float)gain + haze;
-            double value = dark + signal + sqrt(read2 + shot * signal) * normal[c];
-            digits[c] = (PIXEL)(int32_t)(min_f64(max_f64(value, 0.0), top) * scale + 0.5);
+            float signal = row[c] * by + veil;
+            float value = level + signal + sqrtf(read2 + by_digit * signal) * normal[c];
+            digits[c] = (PIXEL)(int32_t)(min_f32(max_f32(value, 0.0f), most) * to_own + 0.5f);
         }
     }
 }
