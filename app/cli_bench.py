@@ -76,11 +76,17 @@ def extraction(
         Path | None,
         typer.Option(exists=True, help="Python of another checkout: its rates beside these."),
     ] = None,
+    clipped: Annotated[
+        bool, typer.Option(help="Frames whose line is clipped in places, instead.")
+    ] = False,
     as_json: AsJson = False,
 ) -> None:
     """Stripe extraction: speed and error over the Cramér-Rao bound, beside OpenCV and numpy."""
     if variants or against is not None:
         _extraction_paired(against, as_json)
+        return
+    if clipped:
+        _extraction_clipped(as_json)
         return
     from app.bench import real_lines
     from app.bench.extraction import run
@@ -106,6 +112,18 @@ def _extraction_paired(against: Path | None, as_json: bool) -> None:
         return
     beside = "" if against is None else " (in brackets: over the other's rate)"
     print_table(f"Plain frames, 1280 × 1024, one thread{beside}", COLUMNS, table(rates))
+
+
+def _extraction_clipped(as_json: bool) -> None:
+    """Prints the rates and errors where the line is clipped, beside those where it is not."""
+    from app.bench.extraction_clipped import COLUMNS, run, table
+
+    with progress_bar("Measuring", not as_json) as tell:
+        found = run(tell)
+    if as_json:
+        print_json({"kinds": [asdict(one) for one in found]})
+        return
+    print_table("Lines that are clipped, 1280 × 1024, one thread", COLUMNS, table(found))
 
 
 @bench.command()

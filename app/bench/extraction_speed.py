@@ -10,10 +10,11 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from app.bench.extraction_table import Measured
-from app.bench.stripe_frames import HEIGHT, WIDTH, Grey, taken
+from app.bench.stripe_frames import HEIGHT, WIDTH, taken
 from app.bench.stripe_methods import blurred_parabola, centroid
 from app.files.progress import Progress
 from app.metrology.camera import Camera
+from app.metrology.image import Image
 from app.metrology.laser_plane import LaserPlane
 from app.metrology.reconstruct import frame_points
 from app.metrology.stripe import StripeTracker, extract_stripe
@@ -59,7 +60,7 @@ def speeds(frames: int, progress: Progress) -> list[Measured]:
 
 
 def timed(
-    methods: Sequence[tuple[Callable[[Grey], object], Sequence[Grey]]],
+    methods: Sequence[tuple[Callable[[Image], object], Sequence[Image]]],
 ) -> list[float]:
     """Median seconds of each method on its frames, the methods in turn, some frames each."""
     for method, images in methods:
@@ -83,7 +84,7 @@ def sensor() -> tuple[Camera, LaserPlane]:
     return camera, LaserPlane(np.array([0.0, np.sin(0.6), np.cos(0.6)]), 120.0)
 
 
-def to_points(image: Grey, camera: Camera, plane: LaserPlane) -> object:
+def to_points(image: Image, camera: Camera, plane: LaserPlane) -> object:
     """The points of a frame in the arm frame, at one pose."""
     stripe = extract_stripe(image)
     count = np.array([len(stripe.u)])

@@ -5,15 +5,16 @@ from collections.abc import Callable
 import cv2
 import numpy as np
 
-from app.bench.stripe_frames import READ, Grey
+from app.bench.stripe_frames import READ
 from app.metrology.frames import Floats
+from app.metrology.image import Image
 from app.metrology.stripe import extract_stripe
 
 Line = tuple[Floats, Floats]
-Method = Callable[[Grey], Line]
+Method = Callable[[Image], Line]
 
 
-def blurred_parabola(image: Grey) -> Line:
+def blurred_parabola(image: Image) -> Line:
     """Vertex of the parabola through every column's highest pixel after Gaussian blur."""
     smooth = cv2.GaussianBlur(image, (1, 9), sigmaX=0.1, sigmaY=2.0).astype(np.float32)
     along = np.arange(image.shape[1])
@@ -25,7 +26,7 @@ def blurred_parabola(image: Grey) -> Line:
     return along[kept].astype(np.float64), (top + np.clip(vertex, -1, 1))[kept]
 
 
-def centroid(image: Grey) -> Line:
+def centroid(image: Image) -> Line:
     """Centre of gravity about every column's highest pixel."""
     along = np.arange(image.shape[1])
     top = np.clip(image.argmax(axis=0), 6, image.shape[0] - 7)
@@ -37,7 +38,7 @@ def centroid(image: Grey) -> Line:
     return along[kept].astype(np.float64), ((light * rows).sum(axis=0) / total)[kept]
 
 
-def crenel_line(image: Grey) -> Line:
+def crenel_line(image: Image) -> Line:
     stripe = extract_stripe(image)
     return stripe.u, stripe.v
 

@@ -71,7 +71,8 @@ static void step_shape(Flanks *flanks, const ShapeSums *sums)
     } else {
         return;
     }
-    double largest = max_f64(fabs(slope) / (0.3 * flanks->slope), fabs(bend) / (0.3 * flanks->slope + 0.05));
+    double most = 0.3 * flanks->slope;
+    double largest = max_f64(fabs(slope) / most, fabs(bend) / (most + 0.05));
     flanks->slope += slope / max_f64(largest, 1.0);
     flanks->bend += bend / max_f64(largest, 1.0);
 }

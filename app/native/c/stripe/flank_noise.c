@@ -26,7 +26,8 @@ static void add_flank_residuals(const Clipped *c, int64_t at, const BlockModel *
     lanes top = load(c->top[0] + at);
     for (int j = 0; j < 2 * FLANK; j++) {
         lanes m = block->model[j], s = block->slope[j], left = load(signals + j * LANES) - m;
-        lanes taken = s * s * inverse->shift - s * m * inverse->both * 2.0f + m * m * inverse->height;
+        lanes taken = s * s * inverse->shift - 2.0f * s * m * inverse->both;
+        taken += m * m * inverse->height;
         lanes share = m * top / load(c->top[j / FLANK] + at) * (HEIGHT_STEPS / HIGHEST);
         float weights[LANES], free[LANES], squares[LANES], heights[LANES], shares[LANES];
         store(weights, where(inverse->fits, block->weight[j], all_lanes(0)));

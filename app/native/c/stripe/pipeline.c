@@ -179,14 +179,14 @@ static int64_t OF(find_cores)(Workspace *work, Clipped *clipped, float saturated
     return drop_short_tracks(clipped);
 }
 
-/* The same for one picture; fills the cores' columns, first and last rows (3, width). */
-EXPORT(int64_t, OF(find_cores))(Workspace *work, double saturated, int32_t *cores)
+/* The same alone; fills the cores' columns, first and last rows (3, width). */
+EXPORT(int64_t, OF(find_cores))(int64_t width, Workspace *work, double saturated, int32_t *cores)
 {
     Clipped clipped;
     const int64_t n = OF(find_cores)(work, &clipped, (float)saturated);
     memcpy(cores, clipped.column, (size_t)n * sizeof *cores);
-    memcpy(cores + work->width, clipped.first, (size_t)n * sizeof *cores);
-    memcpy(cores + 2 * work->width, clipped.last, (size_t)n * sizeof *cores);
+    memcpy(cores + width, clipped.first, (size_t)n * sizeof *cores);
+    memcpy(cores + 2 * width, clipped.last, (size_t)n * sizeof *cores);
     return n;
 }
 

@@ -4,8 +4,9 @@
  * points some columns apart: the fourth difference over such lags of a smooth surface is noise
  * alone. Its median is robust to steps and texture. */
 
-enum { SPECKLE_LAG = 6 }; /* columns between which laser speckle has become independent */
-static const double FOURTH = 70.0;             /* the sum of a fourth difference's squared factors */
+/* Columns between which laser speckle has become independent. */
+enum { SPECKLE_LAG = 6 };
+static const double FOURTH = 70.0; /* the sum of a fourth difference's squared factors */
 static const double MEDIAN_OF_SQUARE = 0.4549; /* of a standard normal deviate */
 /* The standard deviation of such a median of n, times the root of n, in shares of itself. */
 static const double CHANCE = 2.33;
@@ -40,7 +41,8 @@ static double speckle_variance(const double *along, const double *across, const 
         int64_t j = i + lag, k = i + 2 * lag, l = i + 3 * lag, m = i + 4 * lag;
         bool whole = along[m] - along[i] == 4 * lag;
         double fourth = across[i] + across[m] - 4 * (across[j] + across[l]) + 6 * across[k];
-        double own = variance[i] + variance[m] + 16 * (variance[j] + variance[l]) + 36 * variance[k];
+        double own = variance[i] + 16 * (variance[j] + variance[l]) + variance[m];
+        own += 36 * variance[k];
         /* over a gap there is no difference; it is never below anything */
         squares[i] = whole ? fourth * fourth : INFINITY;
         known[i] = whole ? own : 0.0;
