@@ -12,6 +12,7 @@ import typer
 
 from app.files.failures import refusal_of
 from app.metrology.refusal import Refusal
+from app.native.sources import LibraryError
 from hardware.errors import DeviceError
 
 P = ParamSpec("P")
@@ -35,7 +36,7 @@ def refusing(command: Callable[P, None]) -> Callable[P, None]:
             fail(refusal.line)
         except KeyboardInterrupt:
             fail("interrupted.", INTERRUPTED)
-        except DeviceError as error:
+        except (DeviceError, LibraryError) as error:
             fail(str(error))
         except OSError as error:
             if error.errno == errno.EPIPE:  # who read our output has gone

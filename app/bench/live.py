@@ -210,10 +210,7 @@ def _serve(pipe: Connection, data: Path, pace: Pace) -> None:
 
 @contextlib.contextmanager
 def scanning(data: Path, pace: Pace) -> Iterator[tuple[Context, int, SwiftClock]]:
-    """As ``serving``, and ready to scan: everything compiled, devices there, calibrated."""
-    from app.station.warm_up import warm_up
-
-    warm_up()
+    """As ``serving``, and ready to scan: devices there, calibrated."""
     with serving(data, pace) as (station, port, clock):
         while not station.rig.sensor.fresh:
             time.sleep(0.05)

@@ -5,28 +5,15 @@ is one shared object that holds its code once for each processor variant; ``libr
 """
 
 import argparse
-import hashlib
 import os
-import platform
 import shlex
 import subprocess
 import sys
 import tempfile
-from dataclasses import dataclass
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-SHARED = ROOT / "app" / "native" / "c"
-"""What the text of every library needs."""
-VARIANTS: dict[str, dict[str, tuple[str, ...]]] = {
-    "x86_64": {
-        "v1": (),
-        "v3": ("-march=x86_64_v3",),
-        "v4": ("-march=x86_64_v4", "-mprefer-vector-width=512"),
-    },
-    "aarch64": {"v1": ()},
-}
-"""Flags of each variant by machine, the least demanding first."""
+from app.native.sources import LIBRARIES, SHARED, Source, Target, source_hash, variants_of
+
 FLAGS = (
     "-std=c11",
     "-O3",
@@ -47,64 +34,10 @@ ZIG_TARGETS = {
     "win32": "{machine}-windows-gnu",
 }
 WHEEL_PLATFORMS = {"linux": "manylinux_2_17_{machine}"}
-SUFFIXES = {"linux": ".so", "darwin": ".dylib", "win32": ".dll"}
 
 
 class BuildError(RuntimeError):
     """A library could not be compiled."""
-
-
-@dataclass(frozen=True)
-class Source:
-    """A library's name and its folder, which holds the sources in ``c``."""
-
-    name: str
-    folder: Path
-
-    @property
-    def files(self) -> list[Path]:
-        """All sources and headers, in a fixed order."""
-        return sorted(
-            path for path in (self.folder / "c").rglob("*") if path.suffix in (".c", ".h")
-        )
-
-    def built(self, system: str = sys.platform) -> Path:
-        """Where the compiled library is."""
-        return self.folder / f"{self.name}{SUFFIXES.get(system, '.so')}"
-
-
-LIBRARIES = (
-    Source("crenel", ROOT / "app" / "native"),
-    Source("simulator", ROOT / "hardware" / "twin" / "native"),
-)
-
-
-@dataclass(frozen=True)
-class Target:
-    """The system and the machine that a library is for."""
-
-    system: str
-    machine: str
-
-    @classmethod
-    def here(cls) -> "Target":
-        names = {"amd64": "x86_64", "arm64": "aarch64"}
-        machine = platform.machine().lower()
-        return cls(sys.platform, names.get(machine, machine))
-
-    @property
-    def zig(self) -> str:
-        """The target's name as zig has it."""
-        return ZIG_TARGETS[self.system].format(machine=self.machine)
-
-
-def source_hash(source: Source) -> str:
-    """Identifies the text of all sources of a library."""
-    digest = hashlib.sha256()
-    for path in source.files:
-        digest.update(path.relative_to(source.folder).as_posix().encode() + b"\0")
-        digest.update(path.read_bytes() + b"\0")
-    return digest.hexdigest()
 
 
 def build(
@@ -163,11 +96,6 @@ def wheel_tag(target: Target | None = None) -> str:
     return f"py3-none-{named.format(machine=target.machine)}"
 
 
-def variants_of(target: Target) -> dict[str, tuple[str, ...]]:
-    """The variants of a target's library, each with its flags, the least demanding first."""
-    return VARIANTS.get(target.machine, {"v1": ()})
-
-
 def _compiler(target: Target) -> tuple[tuple[str, ...], bool]:
     """The compiler's command, and whether it is zig."""
     if chosen := os.environ.get("CC"):
@@ -180,7 +108,8 @@ def _compiler(target: Target) -> tuple[tuple[str, ...], bool]:
         ) from None
     zig = Path(ziglang.__file__).parent / ("zig.exe" if os.name == "nt" else "zig")
     # without a target zig compiles for exactly this processor
-    return (str(zig), "cc", "-target", target.zig), True
+    name = ZIG_TARGETS[target.system].format(machine=target.machine)
+    return (str(zig), "cc", "-target", name), True
 
 
 def _zig_caches(folder: Path) -> dict[str, str]:

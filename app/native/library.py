@@ -7,15 +7,11 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import cached_property
 
-from app.native.build import Source, Target, source_hash, variants_of
+from app.native.sources import LibraryError, Source, Target, source_hash, variants_of
 
 VARIANT_SETTING = "CRENEL_VARIANT"
 """Environment variable that names a variant, such as v1; else the best one is used."""
 REBUILD = "python -m app.native.build"
-
-
-class LibraryError(ImportError):
-    """A compiled library is missing, older than its sources, or not for this processor."""
 
 
 class Library:
@@ -24,6 +20,14 @@ class Library:
     def __init__(self, source: Source) -> None:
         self._source = source
         self._variant = ""
+
+    def load(self) -> None:
+        """Loads it, if it is not loaded yet.
+
+        Raises:
+            LibraryError: it is missing, older than its sources, or not for this processor.
+        """
+        _ = self.variant
 
     @property
     def variant(self) -> str:

@@ -18,10 +18,8 @@ from app.api.context import Context
 from app.demonstration import parts_of
 from app.main import build_app
 from app.serving import make_server
-from app.station.warm_up import warm_up
 from hardware.twin.station import Twin, TwinConfig
 from tests.entering import cookie, enter
-from tests.loops import loops
 from tests.said import Heard
 
 
@@ -44,8 +42,6 @@ class Server:
     twin: Twin
     http: httpx.Client
     application: FastAPI
-    loops: dict[str, set[str]]
-    """What was compiled when it began to serve."""
 
     @property
     def address(self) -> str:
@@ -90,12 +86,10 @@ class Server:
 @pytest.fixture(scope="session")
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     data = tmp_path_factory.mktemp("station")
-    warm_up()
     with Twin(TwinConfig(pace=3.0)) as twin, socket.socket() as listening:
         listening.bind(("127.0.0.1", 0))
         listening.listen()
         app = build_app(parts_of(twin, data))
-        compiled = loops()
         running = make_server(app)
         thread = threading.Thread(target=running.run, kwargs={"sockets": [listening]})
         thread.start()
@@ -106,7 +100,7 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
         with httpx.Client(base_url=address, timeout=20.0, event_hooks=hooks) as http:
             enter(http, app.state.context.entrance.code)
             context = app.state.context
-            yield Server(port, data, context, twin, http, app, compiled)
+            yield Server(port, data, context, twin, http, app)
             # the live connection's newest topics, and the events that it still has
             told = context.bus._take({}, {"preview"}, 0)
             heard.value(to_jsonable_python(told.topics, inf_nan_mode="null"))

@@ -372,7 +372,7 @@ def test_help_imports_nothing_heavy(tmp_path: Path) -> None:
     code = (
         "import sys\nfrom app.cli import cli\n"
         "try:\n    cli(['--help'])\nexcept SystemExit:\n    pass\n"
-        "heavy = {'numba', 'cv2', 'scipy', 'fastapi', 'viser', 'foxglove', 'uvicorn', 'mcap'}\n"
+        "heavy = {'cv2', 'scipy', 'fastapi', 'viser', 'foxglove', 'uvicorn', 'mcap'}\n"
         "print(sorted(heavy & set(sys.modules)), file=sys.stderr)"
     )
     run = subprocess.run(

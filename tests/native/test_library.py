@@ -8,9 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from app.native.build import LIBRARIES, BuildError, Source, build, source_hash
-from app.native.library import VARIANT_SETTING, Library, LibraryError
+from app.native.build import BuildError, build
+from app.native.library import VARIANT_SETTING, Library
 from app.native.product import CRENEL
+from app.native.sources import LIBRARIES, LibraryError, Source, source_hash
 
 
 def copied(folder: Path) -> Source:

@@ -8,7 +8,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 
-NUMERICS = {"numpy", "scipy", "numba", "cv2"}
+NUMERICS = {"numpy", "scipy", "cv2"}
 ROOMS_ALLOWED = {
     # how C code is built, loaded and called: beneath all that has loops
     "app.native": {"app.native"},

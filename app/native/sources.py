@@ -1,0 +1,78 @@
+"""Which C libraries there are, where their sources and results lie, and for which processors."""
+
+import hashlib
+import platform
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+SHARED = ROOT / "app" / "native" / "c"
+"""Holds what is compiled into every library: ``export.h`` and ``about.c``."""
+VARIANTS: dict[str, dict[str, tuple[str, ...]]] = {
+    "x86_64": {
+        "v1": (),
+        "v3": ("-march=x86_64_v3",),
+        "v4": ("-march=x86_64_v4", "-mprefer-vector-width=512"),
+    },
+    "aarch64": {"v1": ()},
+}
+"""Flags of each variant by machine, the least demanding first."""
+SUFFIXES = {"linux": ".so", "darwin": ".dylib", "win32": ".dll"}
+
+
+class LibraryError(ImportError):
+    """A compiled library is missing, older than its sources, or not for this processor."""
+
+
+@dataclass(frozen=True)
+class Source:
+    """A library's name and its folder, which holds the sources in ``c``."""
+
+    name: str
+    folder: Path
+
+    @property
+    def files(self) -> list[Path]:
+        """All sources and headers, in a fixed order."""
+        return sorted(
+            path for path in (self.folder / "c").rglob("*") if path.suffix in (".c", ".h")
+        )
+
+    def built(self, system: str = sys.platform) -> Path:
+        """Where the compiled library is."""
+        return self.folder / f"{self.name}{SUFFIXES.get(system, '.so')}"
+
+
+LIBRARIES = (
+    Source("crenel", ROOT / "app" / "native"),
+    Source("simulator", ROOT / "hardware" / "twin" / "native"),
+)
+
+
+@dataclass(frozen=True)
+class Target:
+    """The system and the machine that a library is for."""
+
+    system: str
+    machine: str
+
+    @classmethod
+    def here(cls) -> "Target":
+        names = {"amd64": "x86_64", "arm64": "aarch64"}
+        machine = platform.machine().lower()
+        return cls(sys.platform, names.get(machine, machine))
+
+
+def variants_of(target: Target) -> dict[str, tuple[str, ...]]:
+    """The variants of a target's library, each with its flags, the least demanding first."""
+    return VARIANTS.get(target.machine, {"v1": ()})
+
+
+def source_hash(source: Source) -> str:
+    """Identifies the text of all sources of a library."""
+    digest = hashlib.sha256()
+    for path in (SHARED / "export.h", SHARED / "about.c", *source.files):
+        digest.update(path.name.encode() + b"\0")
+        digest.update(path.read_bytes() + b"\0")
+    return digest.hexdigest()
