@@ -2,7 +2,7 @@
 
 ``python3 .ci/container.py`` as root on Debian. The base image is made of Debian's packages, by
 this machine's apt; ``--base NAME`` takes a published one instead. The image must be healthy within
-ten seconds of its start, run as nobody's administrator, and hold no compiler.
+ten seconds of its start, not run as root, and hold no compiler.
 """
 
 import argparse
@@ -142,7 +142,7 @@ class Network:
 
 
 def check_contents(builder: Builder, run: list[str]) -> None:
-    """Nobody's administrator runs it, and no compiler is left.
+    """It does not run as root, and no compiler is left.
 
     Raises:
         ContainerError: it is not so.

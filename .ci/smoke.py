@@ -65,8 +65,9 @@ def check_demo(crenel: str, folder: Path) -> None:
             address = next((word for word in words if word.startswith("http")), "")
             if not address:
                 raise SmokeError(f"crenel demo did not start\n{errors.read_text()}")
-            await_page(address)
-            print(f"  {time.monotonic() - began:5.1f} s  demo: first page", flush=True)
+            for path, what in (("/", "first page"), ("/api/session", "ready")):
+                await_answer(address, path)
+                print(f"  {time.monotonic() - began:5.1f} s  demo: {what}", flush=True)
             process.send_signal(signal.SIGTERM)
             process.wait(15.0)
         finally:
@@ -77,25 +78,22 @@ def check_demo(crenel: str, folder: Path) -> None:
         raise SmokeError(f"crenel demo did not end in order\n{errors.read_text()}")
 
 
-def await_page(address: str) -> None:
-    """Waits until the client's page and the interface behind it are served.
+def await_answer(address: str, path: str) -> None:
+    """Waits until something is served there.
 
     Raises:
-        SmokeError: they are not, in time.
+        SmokeError: it is not, in time.
     """
     where = urlsplit(address)
     deadline = time.monotonic() + PATIENCE_S
     while time.monotonic() < deadline:
         try:
-            if all(
-                status_of(str(where.hostname), int(where.port or 80), path) == 200
-                for path in ("/", "/api/session")
-            ):
+            if status_of(str(where.hostname), int(where.port or 80), path) == 200:
                 return
         except OSError:
             pass  # its socket may not listen yet
         time.sleep(0.1)
-    raise SmokeError(f"{address} does not answer")
+    raise SmokeError(f"{address} does not answer at {path}")
 
 
 def status_of(host: str, port: int, path: str) -> int:
