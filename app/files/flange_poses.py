@@ -4,7 +4,6 @@ import re
 from collections.abc import Sequence
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from app.files.tables import Row, Table
 from app.metrology.frames import Floats, rigid
@@ -39,6 +38,8 @@ class FlangePoses:
 
     def of(self, row: Row) -> Floats:
         """``T_arm_flange`` (4, 4) of a row; ``Refusal`` where the quaternion is none."""
+        from scipy.spatial.transform import Rotation  # slow to load; most arms give angles
+
         values = np.array([row.number(column) for column in COLUMNS])
         length = float(np.linalg.norm(values[3:]))
         if abs(length - 1) > UNIT_TOLERANCE:
@@ -64,5 +65,7 @@ class FlangePoses:
 
 def pose_cells(T_arm_flange: Floats) -> tuple[float, ...]:
     """The cells of ``COLUMNS``."""
+    from scipy.spatial.transform import Rotation
+
     quaternion = Rotation.from_matrix(T_arm_flange[:3, :3]).as_quat()
     return (*T_arm_flange[:3, 3].tolist(), *quaternion.tolist())

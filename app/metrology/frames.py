@@ -2,7 +2,6 @@
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial.transform import Rotation
 
 from app.metrology.refusal import Refusal
 
@@ -56,7 +55,9 @@ def rotation_from_vector(vector_rad: Floats) -> Floats:
 
 
 def vector_from_rotation(rotation: Floats) -> Floats:
-    """The (3,) rotation vector, angle in [0, pi] rad, of a (3, 3) rotation."""
+    """The (..., 3) rotation vectors, angle in [0, pi] rad, of (..., 3, 3) rotations."""
+    from scipy.spatial.transform import Rotation  # slow to load, and seldom needed
+
     return np.asarray(Rotation.from_matrix(rotation).as_rotvec(), dtype=np.float64)
 
 

@@ -6,7 +6,6 @@ What a scan of the same gauge is compared with, as ISO 10360-9 compares two prob
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.special import stdtrit
 
 from app.metrology.arm import Arm, flange_poses, tip_centres, tip_covariances
 from app.metrology.cylinder import across
@@ -164,6 +163,8 @@ def _flanges(arm: Arm, q_rad: Floats) -> Floats:
 def _touch_sd(arm: Arm, q_rad: Floats, off: Floats, outward: Floats, parameters: int) -> float:
     """Of one touch, k = 1: by how they scatter, allowing for how few there are, and no
     better than the encoders are."""
+    from scipy.special import stdtrit  # slow to load, and seldom needed
+
     of_encoders = np.einsum("ni,nij,nj->n", outward, tip_covariances(arm, q_rad), outward)
     encoders = float(np.sqrt(np.mean(of_encoders)))
     freedom = len(off) - parameters

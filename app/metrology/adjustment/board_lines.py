@@ -5,7 +5,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.special import stdtrit
 
 from app.metrology.adjustment.board_bundle import Bundle
 from app.metrology.adjustment.board_view import BoardView, on_sheet
@@ -118,6 +117,8 @@ def _contradicting(
     From the better half of the lines on, the plane is laid through those that agree with it.
     How closely they do, their places and their turns tell together, in their usual proportion.
     """
+    from scipy.special import stdtrit  # slow to load, and needed for boards alone
+
     off = _offsets(in_cam, seen, plane)
     agreeing = sorted(seen, key=lambda p: abs(float(off[p])))[: len(seen) // 2 + 1]
     for _ in range(AGREEING_ROUNDS):

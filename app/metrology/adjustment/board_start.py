@@ -6,7 +6,6 @@ from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from app.metrology.adjustment.block_start import placed
 from app.metrology.adjustment.mounting import Mounting
@@ -14,7 +13,7 @@ from app.metrology.camera import Camera
 from app.metrology.chessboard.board import Chessboard, corner_points
 from app.metrology.chessboard.corners import BoardDetection
 from app.metrology.detection.picture import PictureFinding
-from app.metrology.frames import Floats, inverse
+from app.metrology.frames import Floats, inverse, vector_from_rotation
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import Stripe
 
@@ -127,7 +126,7 @@ def numbered(
 
 
 def _angle_deg(T: Floats) -> float:
-    return float(np.degrees(np.linalg.norm(Rotation.from_matrix(T[:3, :3]).as_rotvec())))
+    return float(np.degrees(np.linalg.norm(vector_from_rotation(T[:3, :3]))))
 
 
 def refuse_other_size(mounting: Mounting, board: Chessboard) -> None:

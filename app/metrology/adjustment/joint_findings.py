@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from app.metrology.adjustment.block_start import SeenPose
 from app.metrology.adjustment.faults import about_block_faults
@@ -26,7 +25,7 @@ from app.metrology.findings import (
     gravest_first,
     verdict,
 )
-from app.metrology.frames import Floats, inverse
+from app.metrology.frames import Floats, inverse, vector_from_rotation
 from app.metrology.limits import Limits
 
 # The arm reads worse than its sheet by this factor.
@@ -121,7 +120,7 @@ def _about_poses(evidence: JointEvidence) -> list[Finding]:
 def largest_turn_deg(T_arm_flange: Floats) -> float:
     """The largest angle between any two of P poses (P, 4, 4)."""
     turns = [
-        float(np.linalg.norm(Rotation.from_matrix((inverse(a) @ b)[:3, :3]).as_rotvec()))
+        float(np.linalg.norm(vector_from_rotation((inverse(a) @ b)[:3, :3])))
         for i, a in enumerate(T_arm_flange)
         for b in T_arm_flange[i + 1 :]
     ]

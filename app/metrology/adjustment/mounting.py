@@ -5,9 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial.transform import Rotation
 
-from app.metrology.frames import Floats, inverse, nearest_rotation, rigid
+from app.metrology.frames import Floats, inverse, nearest_rotation, rigid, vector_from_rotation
 from app.metrology.refusal import Refusal
 
 # Poses disagree with the others beyond this and this many times what is usual among them.
@@ -103,7 +102,7 @@ def refuse_alike(T_arm_flange: Floats) -> None:
         )
     turns = np.array(
         [
-            Rotation.from_matrix(inverse(A)[:3, :3] @ B[:3, :3]).as_rotvec()
+            vector_from_rotation(inverse(A)[:3, :3] @ B[:3, :3])
             for i, A in enumerate(T_arm_flange)
             for B in T_arm_flange[i + 1 :]
         ]
@@ -154,8 +153,7 @@ def refuse_contradictions(mounting: Mounting, numbers: Sequence[int], thing: str
 
 def mean_of(T: Floats) -> Floats:
     """The mean (4, 4) of transforms (P, 4, 4) that are close to one another."""
-    turn = Rotation.from_matrix(T[:, :3, :3]).mean().as_matrix()
-    return rigid(np.asarray(turn), T[:, :3, 3].mean(axis=0))
+    return rigid(nearest_rotation(T[:, :3, :3].mean(axis=0)), T[:, :3, 3].mean(axis=0))
 
 
 def contradicting(off_mm: Floats) -> NDArray[np.bool_]:
@@ -169,7 +167,7 @@ def off_place_mm(
 ) -> Floats:
     """(P,) mm between the object as seen in each pose and its place ``Z``."""
     off = inverse(Z) @ T_arm_flange @ X @ T_cam_obj
-    turn = np.linalg.norm(Rotation.from_matrix(off[:, :3, :3]).as_rotvec(), axis=1)
+    turn = np.linalg.norm(vector_from_rotation(off[:, :3, :3]), axis=1)
     return np.asarray(np.hypot(np.linalg.norm(off[:, :3, 3], axis=1), turn * reach_mm / 2))
 
 

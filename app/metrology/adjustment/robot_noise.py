@@ -11,8 +11,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import minimize
-from scipy.special import fdtri
 
 from app.metrology.adjustment.arm_motion import FlangeMotion
 from app.metrology.adjustment.twists import about, carried, motion
@@ -88,6 +86,8 @@ def astray(seen: PosesSeen, T_flange_cam: Floats, T_arm_obj: Floats) -> int | No
 
     It is judged by a fit without it (Fisher's test), which it cannot spoil.
     """
+    from scipy.special import fdtri
+
     count = len(seen.T_arm_flange)
     if count <= FEWEST_OTHERS:
         return None
@@ -102,6 +102,8 @@ def astray(seen: PosesSeen, T_flange_cam: Floats, T_arm_obj: Floats) -> int | No
 
 
 def _told(seen: PosesSeen, X: Floats, Z: Floats) -> _Told:
+    from scipy.optimize import minimize  # slow to load, and needed for robots alone
+
     noise = np.log(USUAL)
     for _ in range(ROUNDS):
         residuals, J, G = _linearised(seen, X, Z)

@@ -4,7 +4,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import brentq
 
 from app.metrology.arm import Arm
 from app.metrology.arm_model.adjustment import (
@@ -212,6 +211,8 @@ def _scatter(data: Stacked, at: Unknowns, columns: Indices, kept: NDArray[np.boo
             f"they leave nothing over to check {len(columns)} parameters",
             "Take more points, in more places",
         )
+
+    from scipy.optimize import brentq  # slow to load, and seldom needed
 
     sight = look(data, at)
 

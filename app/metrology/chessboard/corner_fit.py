@@ -4,7 +4,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import erf
 
 from app.metrology.frames import Floats
 from app.metrology.image import Image
@@ -96,6 +95,8 @@ def _window(
 
 def _edges(places: Floats, p: Floats) -> tuple[Floats, Floats, Floats, Floats]:
     """Both blurred steps (M,) from -1 to 1, and both signed distances over the blur."""
+    from scipy.special import erf  # slow to load, and needed for boards alone
+
     away = places - p[:2]
     first, second = (-np.sin(a) * away[:, 0] + np.cos(a) * away[:, 1] for a in p[2:4])
     d1, d2 = first / p[4], second / p[4]

@@ -1,12 +1,16 @@
 """Which saddles are the corners of one chessboard, and where each stands in it."""
 
+from typing import TYPE_CHECKING
+
 import cv2
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from app.metrology.chessboard.saddles import Saddles
 from app.metrology.frames import Floats
+
+if TYPE_CHECKING:
+    from scipy.spatial import cKDTree
 
 # A corner is looked for around where its neighbours put it, in shares of their distance:
 # first by the nearest alone, then by a perspective through all.
@@ -28,6 +32,8 @@ def largest_lattice(saddles: Saddles, wanted: int) -> Lattice:
     """
     if len(saddles.uv_px) < 4:
         return {}
+    from scipy.spatial import cKDTree  # slow to load, and needed for boards alone
+
     tree = cKDTree(saddles.uv_px)
     best: Lattice = {}
     used: set[int] = set()
@@ -51,7 +57,7 @@ def _opposite(saddles: Saddles, one: int, other: int) -> bool:
     return abs((apart + np.pi) % (2 * np.pi) - np.pi) > OPPOSITE_RAD
 
 
-def _first_square(saddles: Saddles, tree: cKDTree, seed: int) -> Lattice | None:
+def _first_square(saddles: Saddles, tree: "cKDTree", seed: int) -> Lattice | None:
     """A seed with a neighbour along each of its two edges, and the corner across."""
     uv = saddles.uv_px
     near = np.atleast_1d(tree.query(uv[seed], k=min(NEIGHBOURS, len(uv)))[1])
@@ -77,7 +83,9 @@ def _first_square(saddles: Saddles, tree: cKDTree, seed: int) -> Lattice | None:
     return {(0, 0): seed, (1, 0): beside[0], (0, 1): beside[1], (1, 1): across}
 
 
-def _at(saddles: Saddles, tree: cKDTree, uv: Floats, reach: float, opposite_to: int) -> int | None:
+def _at(
+    saddles: Saddles, tree: "cKDTree", uv: Floats, reach: float, opposite_to: int
+) -> int | None:
     """The saddle next to a place, where it is of opposite phase to another one."""
     distance, found = tree.query(uv, distance_upper_bound=reach)
     if not np.isfinite(distance) or not _opposite(saddles, int(found), opposite_to):
@@ -85,7 +93,7 @@ def _at(saddles: Saddles, tree: cKDTree, uv: Floats, reach: float, opposite_to: 
     return int(found)
 
 
-def _grown(saddles: Saddles, tree: cKDTree, lattice: Lattice) -> Lattice:
+def _grown(saddles: Saddles, tree: "cKDTree", lattice: Lattice) -> Lattice:
     """With all that continue two neighbours in a row or column."""
     lattice = dict(lattice)
     open_ends = list(lattice)
@@ -123,7 +131,7 @@ def _step(
     return None
 
 
-def _completed(saddles: Saddles, tree: cKDTree, lattice: Lattice) -> Lattice:
+def _completed(saddles: Saddles, tree: "cKDTree", lattice: Lattice) -> Lattice:
     """With those beyond gaps, where a perspective through all puts them; without misfits."""
     for _ in range(6):
         if len(lattice) < 6:
@@ -145,7 +153,7 @@ def _completed(saddles: Saddles, tree: cKDTree, lattice: Lattice) -> Lattice:
 
 
 def _by_perspective(
-    saddles: Saddles, tree: cKDTree, lattice: Lattice, H: Floats, wanted: list[tuple[int, int]]
+    saddles: Saddles, tree: "cKDTree", lattice: Lattice, H: Floats, wanted: list[tuple[int, int]]
 ) -> Lattice:
     """The saddles at the wanted places, of the phase that the lattice so far wants there."""
     even = _even_phase(saddles, lattice)
