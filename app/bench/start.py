@@ -133,7 +133,7 @@ def _measuring(
         with busy_machine() if kind == "busy" else nullcontext():
             for name, figure in _commands(copy, cache, session, cold=kind == "cold", into=place):
                 yield f"{kind}: {name}", figure
-            for name, figure in _demo(copy, cache, place / "demo", cold=kind == "cold"):
+            for name, figure in _demo(copy, cache, place / "data", cold=kind == "cold"):
                 yield f"{kind}: {name}", figure
         if kind == "warm":
             with Station(copy, cache, place / "idle") as station:
