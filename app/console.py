@@ -10,7 +10,6 @@ from typing import NoReturn, ParamSpec
 
 import typer
 
-from app.files.failures import refusal_of
 from app.metrology.refusal import Refusal
 from app.native.sources import LibraryError
 from hardware.errors import DeviceError
@@ -41,6 +40,8 @@ def refusing(command: Callable[P, None]) -> Callable[P, None]:
         except OSError as error:
             if error.errno == errno.EPIPE:  # who read our output has gone
                 raise
+            from app.files.failures import refusal_of  # not what every command waits for
+
             fail(refusal_of(error).line)
         except MemoryError:
             fail("there is not enough memory. Close other programs, or use less data.")
