@@ -11,6 +11,7 @@ import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from types import ModuleType
 from typing import Any
 
@@ -30,10 +31,11 @@ class CompiledPartsHook(BuildHookInterface[Any]):
 
     def _build_libraries(self, build_data: dict[str, Any]) -> None:
         native = native_build(Path(self.root))
-        for source in native.LIBRARIES:
-            self.app.display_info(f"compiling {source.name}")
-            built = native.build(source)
-            build_data["artifacts"].append(f"/{built.relative_to(self.root).as_posix()}")
+        with TemporaryDirectory(prefix="crenel-build-") as cache:
+            for source in native.LIBRARIES:
+                self.app.display_info(f"compiling {source.name}")
+                built = native.build(source, cache=Path(cache))
+                build_data["artifacts"].append(f"/{built.relative_to(self.root).as_posix()}")
         build_data["pure_python"] = False
         build_data["tag"] = native.wheel_tag()
 

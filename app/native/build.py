@@ -45,6 +45,7 @@ def build(
     target: Target | None = None,
     output: Path | None = None,
     extra_flags: tuple[str, ...] = (),
+    cache: Path | None = None,
 ) -> Path:
     """Compiles a library.
 
@@ -52,6 +53,8 @@ def build(
         target: what it is for; this machine by default.
         output: where to write it; beside its sources by default.
         extra_flags: further flags of the compiler, such as those of a sanitizer.
+        cache: keeps what zig compiles of its own for a target, three seconds' work; nothing is
+            kept by default.
 
     Returns:
         The shared library.
@@ -63,7 +66,7 @@ def build(
     output = output or source.built(target.system)
     compiler, zig = _compiler(target)
     with tempfile.TemporaryDirectory(prefix="crenel-build-") as folder:
-        environment = os.environ | (_zig_caches(Path(folder)) if zig else {})
+        environment = os.environ | (_zig_caches(cache or Path(folder)) if zig else {})
         common = (*compiler, *FLAGS, *extra_flags)
         code, about = str(source.folder / "c" / "library.c"), str(SHARED / "about.c")
         commands, objects = [], []
