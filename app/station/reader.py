@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Generic, Protocol, TypeVar
 
+from app.station.awake import AWAKE
 from hardware.errors import DeviceError
 from hardware.interfaces import LinkHealth
 
@@ -131,12 +132,12 @@ class DeviceReader(Generic[D, I_co]):
 
     def link(self) -> Link:
         """The state as of now: also a thread stuck in its driver cannot make it look fresh."""
-        now = time.monotonic()
+        now = AWAKE.now_s()
         with self._lock:
             age = None if self._last_data_s is None else now - self._last_data_s
             state, text = self._state(age, now)
             health = self._total()
-            rate = self._rate(now) if state is LinkState.CONNECTED else None
+            rate = self._rate(time.monotonic()) if state is LinkState.CONNECTED else None
         return Link(state, text, age, rate, health.received, health.lost, health.corrupt)
 
     def _state(self, age_s: float | None, now: float) -> tuple[LinkState, str]:
@@ -203,24 +204,24 @@ class DeviceReader(Generic[D, I_co]):
             self._driver, self._info = driver, info
             self._ever_connected = True
             self._error = ""
-            self._opened_s = time.monotonic()
+            self._opened_s = AWAKE.now_s()
             self._arrivals.clear()
 
     def _pump(self, driver: D) -> None:
         """Reads until the station stops; raises ``DeviceError`` when the device falls silent."""
         while not self._stopping.is_set():
             count = self._read(driver)
-            now = time.monotonic()
+            now = AWAKE.now_s()
             if count:
-                self._note(now, count)
+                self._note(now, time.monotonic(), count)
             elif now - max(self._opened_s, self._last_data_s or 0.0) > SILENCE_S:
                 raise DeviceError(
                     f"The {self._title} sent nothing for {SILENCE_S:.0f} s; opening it again"
                 )
 
-    def _note(self, now: float, count: int) -> None:
+    def _note(self, awake_s: float, now: float, count: int) -> None:
         with self._lock:
-            self._last_data_s = now
+            self._last_data_s = awake_s
             self._records += count
             self._arrivals.append((now, count))
             while now - self._arrivals[0][0] > RATE_WINDOW_S:
