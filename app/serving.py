@@ -14,9 +14,11 @@ import uvicorn
 from starlette.types import ASGIApp
 
 from app.api.guard import Network
+from app.connections import BoundedWebSocket, http_protocol, make_space
 from app.files.failures import files_refused
 from app.metrology.refusal import Refusal
 from app.settings import Serving
+from app.station.log_text import printable
 
 LOCAL = Serving()
 SHUTDOWN_S = 3
@@ -24,7 +26,11 @@ LARGEST_MESSAGE = 1 << 16
 """Of a browser's messages; all are small."""
 WORDLESS_S = 15.0
 """A connection on which nothing is asked for so long is closed."""
+ACCEPTED_AT_ONCE, WAITING = 32, 1024
+"""Connections that are taken before others are read again, and those the system keeps for it."""
 MOST_FILES = 65536
+LONGEST_LINE = 400
+"""On the console."""
 PORT_REMEDIES: dict[int | None, str] = {
     errno.EADDRINUSE: "Stop what is using it, or choose another with --port",
     errno.EACCES: "Choose a port from 1024 on with --port",
@@ -85,7 +91,10 @@ def address_of(host: str, listening: socket.socket, serving: Serving) -> str:
 
 
 class FirstLine(logging.Formatter):
-    """For the console: what happened, on one line. The log has stacks and traces."""
+    """For the console: what happened, on one line that does nothing to a terminal.
+
+    The log has stacks and traces.
+    """
 
     def format(self, record: logging.LogRecord) -> str:
         plain = logging.makeLogRecord(record.__dict__)
@@ -93,6 +102,7 @@ class FirstLine(logging.Formatter):
         if record.exc_info and record.exc_info[1] is not None:
             error = " ".join(str(record.exc_info[1]).split())
             plain.msg += f": {type(record.exc_info[1]).__name__}: {error} (the log has more)"
+        plain.msg = printable(plain.msg[:LONGEST_LINE]) + getattr(record, "repeated", "")
         plain.exc_info = plain.exc_text = plain.stack_info = None
         return super().format(plain)
 
@@ -112,7 +122,9 @@ def make_server(app: ASGIApp, serving: Serving = LOCAL) -> "StationServer":
         log_config=None,  # its words go where all others go
         log_level="warning",
         access_log=False,
-        ws="websockets-sansio",
+        backlog=ACCEPTED_AT_ONCE,
+        http=http_protocol(serving.proxies),
+        ws=BoundedWebSocket,
         ws_per_message_deflate=False,
         ws_max_size=LARGEST_MESSAGE,
         timeout_graceful_shutdown=SHUTDOWN_S,
@@ -166,6 +178,7 @@ class StationServer(uvicorn.Server):
         """Of each connection, what it asked last and since when it has asked nothing more."""
 
     async def on_tick(self, counter: int) -> bool:
+        make_space(self.server_state.connections)
         if counter % 10 == 0:
             self._close_wordless()
         return await super().on_tick(counter)
@@ -188,6 +201,8 @@ class StationServer(uvicorn.Server):
 
     async def startup(self, sockets: list[socket.socket] | None = None) -> None:
         await super().startup(sockets)
+        for listening in sockets or ():
+            listening.listen(WAITING)
         if self.started and self.address:
             print(f"Crenel is at {self.address} (end with Ctrl-C)", flush=True)
             for line in self.first_words:

@@ -40,6 +40,7 @@ from app.serving import (
     raise_file_limit,
 )
 from app.settings import DEFAULT_FILE, Serving, Settings, read_settings, user_data_folder
+from app.station.log_text import Repeats
 
 if TYPE_CHECKING:
     from app.api.context import Context
@@ -209,6 +210,7 @@ def run(
     console = logging.StreamHandler()
     console.setLevel(logging.WARNING)  # the rest is in the log of the Health page
     console.setFormatter(FirstLine("%(asctime)s %(name)s: %(message)s"))
+    console.addFilter(Repeats())
     logging.getLogger().addHandler(console)
     server.address = address_of(plan.host, listening, plan.serving)
     if plan.by_link:

@@ -1,11 +1,10 @@
 """The ways to sign in: by name and password, by the console's code, and by a wall link."""
 
-import ipaddress
 import threading
 from hmac import compare_digest
 
 from app.api.denied import TooManyTries
-from app.api.throttle import Throttle
+from app.api.throttle import Throttle, counted_address
 from app.metrology.refusal import Refusal
 from app.store.accounts import Account, AccountStore, Role, plain_name
 from app.store.scrapers import ScraperStore
@@ -131,14 +130,3 @@ class Entrance:
             self._throttle.succeeded(*keys)
         else:
             self._throttle.failed(*keys)
-
-
-def counted_address(address: str) -> str:
-    """What tries are counted by: one machine may have as many addresses as an IPv6 network has."""
-    try:
-        plain = ipaddress.ip_address(address.partition("%")[0])
-    except ValueError:
-        return f"address {address}"
-    if isinstance(plain, ipaddress.IPv4Address):
-        return f"address {plain}"
-    return f"address {plain.ipv4_mapped or ipaddress.ip_network((int(plain) >> 64 << 64, 64))}"

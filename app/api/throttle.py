@@ -1,5 +1,6 @@
 """Slowing down whoever guesses passwords."""
 
+import ipaddress
 import threading
 import time
 from collections.abc import Callable
@@ -46,3 +47,14 @@ class Throttle:
             return 0.0
         wait_s = min(2.0 ** (count - FREE_TRIES), LONGEST_WAIT_S)
         return max(at + wait_s - self._clock(), 0.0)
+
+
+def counted_address(address: str) -> str:
+    """What tries and connections are counted by: a machine may have a whole IPv6 network."""
+    try:
+        plain = ipaddress.ip_address(address.partition("%")[0])
+    except ValueError:
+        return f"address {address}"
+    if isinstance(plain, ipaddress.IPv4Address):
+        return f"address {plain}"
+    return f"address {plain.ipv4_mapped or ipaddress.ip_network((int(plain) >> 64 << 64, 64))}"

@@ -8,7 +8,6 @@ import json
 import logging
 import logging.handlers
 import queue
-import re
 import sys
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
@@ -19,14 +18,14 @@ from pathlib import Path
 from typing import Literal
 
 from app.metrology.refusal import Refusal
+from app.station.log_text import NUMBER, Repeats, printable
 
 FOLDER, FILE = "logs", "station.jsonl"
 FILE_BYTES, FILES = 2_000_000, 5
-LONGEST_TEXT = 4000
+LONGEST_TEXT, LONGEST_TRACE = 1000, 4000
 TOLD = ("app", "hardware")
 """Loggers that are heard from ``info`` on; all others from ``warning`` on."""
 
-NUMBER = re.compile(r"\d+")
 MOST_RETOLD = 1000
 """Sentences of a log that are put into another language for one search of it."""
 
@@ -79,7 +78,9 @@ class LogBook:
         file.setFormatter(_JsonLine())
         self._errors: deque[float] = deque(maxlen=1000)
         lines: queue.SimpleQueue[logging.LogRecord] = queue.SimpleQueue()
-        self._handler = _Handler(lines, self._errors)
+        self._handler = _Handler(lines)
+        self._handler.addFilter(_Counted(self._errors))
+        self._handler.addFilter(Repeats())
         self._file = file
         self._listener = logging.handlers.QueueListener(lines, file)
         self._listener.start()
@@ -124,7 +125,7 @@ class LogBook:
     def _newest_first(self, words: list[str]) -> Iterator[LogLine]:
         for path in self.files():
             try:
-                raw = path.read_text("utf-8", "replace").splitlines()
+                raw = path.read_text("utf-8", "replace").split("\n")
             except OSError:  # rotated away meanwhile
                 continue
             for text in reversed(raw):
@@ -158,21 +159,29 @@ class _Sought:
         return self._retold.get(alike, "")
 
 
-class _Handler(logging.handlers.QueueHandler):
-    """Counts errors as they are logged; the trace is made into text at once."""
+class _Counted(logging.Filter):
+    """Counts errors as they are logged."""
 
-    def __init__(self, lines: "queue.SimpleQueue[logging.LogRecord]", errors: deque[float]) -> None:
-        super().__init__(lines)
+    def __init__(self, errors: deque[float]) -> None:
+        super().__init__()
         self._error_times = errors
 
-    def prepare(self, record: logging.LogRecord) -> logging.LogRecord:
+    def filter(self, record: logging.LogRecord) -> bool:
         if record.levelno >= logging.ERROR:
             self._error_times.append(record.created)
+        return True
+
+
+class _Handler(logging.handlers.QueueHandler):
+    """Makes the trace into text at once."""
+
+    def prepare(self, record: logging.LogRecord) -> logging.LogRecord:
         trace = str(getattr(record, "trace", ""))
         if record.exc_info:
             trace = logging.Formatter().formatException(record.exc_info)
         plain = logging.makeLogRecord(record.__dict__)
-        plain.msg, plain.args = record.getMessage(), None
+        plain.msg = record.getMessage()[:LONGEST_TEXT] + getattr(record, "repeated", "")
+        plain.args = None
         plain.exc_info, plain.exc_text, plain.stack_info = None, trace or None, None
         return plain
 
@@ -200,10 +209,10 @@ class _JsonLine(logging.Formatter):
             "level": _level(record.levelno),
             "logger": record.name,
             "thread": record.threadName or "",
-            "text": str(record.msg)[:LONGEST_TEXT],
+            "text": printable(str(record.msg), "\n\t"),
         }
         if record.exc_text:
-            line["trace"] = record.exc_text[-LONGEST_TEXT:]
+            line["trace"] = printable(record.exc_text[-LONGEST_TRACE:], "\n\t")
         return json.dumps(line, ensure_ascii=False)
 
 

@@ -2,8 +2,7 @@
 
 import pytest
 
-from app.api.entrance import counted_address
-from app.api.throttle import FORGOTTEN_S, FREE_TRIES, LONGEST_WAIT_S, Throttle
+from app.api.throttle import FORGOTTEN_S, FREE_TRIES, LONGEST_WAIT_S, Throttle, counted_address
 
 
 class Clock:

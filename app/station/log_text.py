@@ -1,0 +1,108 @@
+"""What of a record may stand in a log, and how often: strangers cause lines, too.
+
+Whatever they send is written so that it is seen and does nothing: to a terminal control
+characters are commands, and to readers some of Unicode's are ends of lines.
+"""
+
+import logging
+import re
+import threading
+import time
+from collections import OrderedDict
+from collections.abc import Callable
+from dataclasses import dataclass
+
+FIRST = 3
+"""Lines of one kind that are written before they are counted only."""
+FORGOTTEN_S = 600.0
+MOST_KINDS, MOST_ALIKE = 500, 20
+NUMBER = re.compile(r"\d+")
+LONGEST_KIND = 80
+
+
+def printable(text: str, kept: str = "") -> str:
+    """The text with all that is no letter, sign or space as its number, save what is kept."""
+    if text.isprintable():
+        return text
+    return "".join(
+        sign if sign.isprintable() or sign in kept else _escaped(ord(sign)) for sign in text
+    )
+
+
+def _escaped(code: int) -> str:
+    if code < 0x100:
+        return f"\\x{code:02x}"
+    return f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"
+
+
+_Key = tuple[str, int, str]
+"""The file and line that says it, and what."""
+
+
+@dataclass
+class _Kind:
+    count: int
+    began: float
+    seen_s: float
+    written_s: float
+
+
+class Repeats(logging.Filter):
+    """Lets warnings and errors of one kind pass three times; then the tenth, twentieth, hundredth
+    and so on, and one every ten minutes, which say how many there were.
+
+    Of one kind are errors raised at one place, and what is said in the same words; of what one
+    line of the program says in ever other words, the first twenty. How many is the record's
+    ``repeated``, for what writes it.
+    """
+
+    def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
+        super().__init__()
+        self._clock = clock
+        self._lock = threading.Lock()
+        self._kinds: OrderedDict[_Key, _Kind] = OrderedDict()
+
+    def filter(self, record: logging.LogRecord) -> bool:
+        record.repeated = ""
+        if record.levelno < logging.WARNING:
+            return True
+        with self._lock:
+            key = _kind(record)
+            if key not in self._kinds and self._alike(key) >= MOST_ALIKE:
+                key = (*key[:2], "")
+            kind = self._counted(key, record.created)
+            count, late = kind.count, self._clock() - kind.written_s > FORGOTTEN_S
+            if count > FIRST and not late and set(str(count)[1:]) != {"0"}:
+                return False
+            kind.written_s = self._clock()
+        if count > FIRST:
+            since = time.strftime("%H:%M:%S", time.localtime(kind.began))
+            record.repeated = f" ({count} of these since {since})"
+        return True
+
+    def _alike(self, key: _Key) -> int:
+        """Kinds of the same line in the program that are remembered."""
+        soon_s = self._clock() - FORGOTTEN_S
+        return sum(
+            known[:2] == key[:2] and kind.seen_s > soon_s for known, kind in self._kinds.items()
+        )
+
+    def _counted(self, key: _Key, now: float) -> _Kind:
+        known, now_s = self._kinds.pop(key, None), self._clock()
+        if known is None or now_s - known.seen_s > FORGOTTEN_S:
+            known = _Kind(0, now, now_s, now_s)
+        known.count, known.seen_s = known.count + 1, now_s
+        self._kinds[key] = known
+        while len(self._kinds) > MOST_KINDS:
+            self._kinds.popitem(last=False)
+        return known
+
+
+def _kind(record: logging.LogRecord) -> _Key:
+    words = NUMBER.sub("#", record.getMessage())[:LONGEST_KIND]
+    if record.exc_info and record.exc_info[0] is not None:
+        words, at = record.exc_info[0].__name__, record.exc_info[2]
+        while at is not None and at.tb_next is not None:
+            at = at.tb_next
+        words += str(at.tb_lineno if at else 0)
+    return record.pathname, record.lineno, words

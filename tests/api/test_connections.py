@@ -1,0 +1,102 @@
+"""Floods at the server's own socket: what is kept of them, and who is served meanwhile."""
+
+import contextlib
+import socket
+import time
+from collections.abc import Iterator
+
+import httpx
+import pytest
+
+from app import connections
+from app.connections import LARGEST_HEAD
+from tests.api.conftest import Server
+
+HEAD = b"GET /api/session HTTP/1.1\r\nHost: localhost\r\n"
+
+
+@contextlib.contextmanager
+def connected(server: Server) -> Iterator[socket.socket]:
+    with socket.create_connection(("127.0.0.1", server.port), timeout=10.0) as own:
+        yield own
+
+
+def answer_to(server: Server, *parts: bytes) -> bytes:
+    """What the server says first; it may close while it is still sent to."""
+    with connected(server) as own:
+        with contextlib.suppress(ConnectionError):
+            for part in parts:
+                own.sendall(part)
+        try:
+            return own.recv(1000)
+        except ConnectionError:
+            return b"closed"
+
+
+@pytest.mark.parametrize(
+    "much",
+    [
+        HEAD + b"X: " + b"v" * LARGEST_HEAD,
+        HEAD + b"".join(b"X-%d: v\r\n" % number for number in range(10_000)),
+        b"GET /" + b"a" * (LARGEST_HEAD + 1000),
+        b"POST /api/nothing HTTP/1.1\r\nHost: localhost\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n"
+        + b"".join(b"T-%d: %s\r\n" % (number, b"v" * 1000) for number in range(100)),
+    ],
+    ids=["one", "many", "address", "trailers"],
+)
+def test_headers_are_taken_up_to_64_kb(server: Server, much: bytes) -> None:
+    answer = answer_to(server, much)
+    assert answer.startswith(b"HTTP/1.1 431") or b"HTTP/1.1 404" in answer or answer == b"closed"
+    assert b"200 OK" not in answer
+
+
+def test_headers_of_60_kb_are_answered(server: Server) -> None:
+    assert answer_to(server, HEAD, b"X: " + b"v" * 60_000, b"\r\n\r\n").startswith(b"HTTP/1.1 200")
+
+
+def test_requests_that_wait_for_no_answer_are_few(server: Server) -> None:
+    with connected(server) as own, contextlib.suppress(ConnectionError):
+        for _ in range(1000):
+            own.sendall((HEAD + b"\r\n") * 100)
+        pytest.fail("a connection may not go on asking")
+
+
+def test_what_comes_before_a_live_connection_is_let_in_ends_it(
+    server: Server, caplog: pytest.LogCaptureFixture
+) -> None:
+    upgrade = HEAD.replace(b"session", b"live") + (
+        b"Upgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
+        b"Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n"
+    )
+    assert answer_to(server, upgrade + b"\x00" * 100_000) in (b"", b"closed")
+    assert "Fatal error" not in caplog.text
+
+
+def test_a_crowd_that_asks_nothing_leaves_its_places_to_others(
+    server: Server, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(connections, "MOST_OF_ONE", 20)
+    monkeypatch.setattr(connections, "MOST_AT_ONCE", 60)
+    with contextlib.ExitStack() as crowd:
+        silent = [crowd.enter_context(connected(server)) for _ in range(100)]
+        for one in silent:
+            with contextlib.suppress(ConnectionError):
+                one.sendall(HEAD)
+        for _ in range(5):
+            with httpx.Client(base_url=server.address, timeout=5.0) as other:
+                assert other.get("/api/session").status_code == 200
+        deadline = time.monotonic() + 10.0
+        while len(left := [one for one in silent if is_open(one)]) > 20:
+            assert time.monotonic() < deadline, len(left)
+            time.sleep(0.1)
+        assert left, "a few may wait"
+
+
+def is_open(connection: socket.socket) -> bool:
+    connection.setblocking(False)
+    try:
+        return connection.recv(1) != b""
+    except BlockingIOError:
+        return True
+    except ConnectionError:
+        return False

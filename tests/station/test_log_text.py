@@ -1,0 +1,100 @@
+"""What strangers cause in a log: nothing that acts, and few lines."""
+
+import json
+import logging
+import time
+from pathlib import Path
+
+import pytest
+
+from app.serving import FirstLine
+from app.station.log_book import FILE, LogBook
+from app.station.log_text import FIRST, FORGOTTEN_S, Repeats, printable
+
+HOSTILE = "\x1b[31m red \x00\x7f\x9b\u2028 next \u202e back \ud800 end"
+
+
+class Clock:
+    now_s = 1000.0
+
+    def __call__(self) -> float:
+        return self.now_s
+
+
+def record(text: str, *args: object, level: int = logging.ERROR) -> logging.LogRecord:
+    return logging.LogRecord("app.test", level, "file.py", 1, text, args, None)
+
+
+def test_what_acts_on_terminals_and_readers_is_written_as_numbers() -> None:
+    told = printable(HOSTILE)
+    assert told.isprintable()
+    assert "\\x1b[31m red" in told
+    assert "\\u2028" in told
+    assert "\\ud800" in told
+    assert printable("µm ″ Prüfkörper") == "µm ″ Prüfkörper"
+    assert printable("a\nb", "\n") == "a\nb"
+
+
+def test_the_log_and_the_console_have_hostile_lines_harmless(tmp_path: Path) -> None:
+    book = LogBook(tmp_path)
+    logging.getLogger("app.test").error("before")
+    logging.getLogger("app.test").error("GET %s failed", HOSTILE + "x" * 10_000)
+    logging.getLogger("app.test").error("after")
+    book.close()
+    assert [line.text[:6] for line in book.read("error", "", 10)] == ["after", "GET \\x", "before"]
+    raw = (book.folder / FILE).read_text("utf-8")
+    assert all(sign.isprintable() or sign == "\n" for sign in raw)
+    assert len(raw) < 3000
+    line = FirstLine("%(message)s").format(record("GET %s failed", HOSTILE + "x" * 10_000))
+    assert line.isprintable()
+    assert len(line) < 600
+
+
+def test_equal_errors_are_counted_instead_of_repeated() -> None:
+    clock = Clock()
+    repeats = Repeats(clock)
+    passed = []
+    for _ in range(1000):
+        one = record("the request failed")
+        if repeats.filter(one):
+            passed.append(one.repeated)  # type: ignore[attr-defined]
+    assert passed[:FIRST] == [""] * FIRST
+    assert passed[-1].startswith(" (1000 of these since ")
+    assert len(passed) < 25
+    other = record("something else")
+    assert repeats.filter(other)
+    clock.now_s += FORGOTTEN_S + 1
+    again = record("the request failed")
+    assert repeats.filter(again)
+    assert again.repeated == ""  # type: ignore[attr-defined]
+
+
+def test_one_line_in_ever_other_words_is_counted_too() -> None:
+    repeats = Repeats(Clock())
+    paths = [chr(0x4E00 + number) for number in range(5000)]
+    assert sum(repeats.filter(record("GET /%s failed", path)) for path in paths) < 60
+
+
+def test_what_is_said_of_normal_work_is_not_counted() -> None:
+    repeats = Repeats(Clock())
+    assert all(repeats.filter(record("point %d", n, level=logging.INFO)) for n in range(100))
+
+
+def test_a_flood_pushes_no_fault_out_of_the_log(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    caplog.set_level(logging.CRITICAL)
+    book, log = LogBook(tmp_path), logging.getLogger("app.test")
+    log.setLevel(logging.INFO)
+    log.error("the camera is gone")
+    for number in range(20_000):
+        try:
+            raise ValueError(number)
+        except ValueError:
+            log.exception("GET /%s failed", "a" * 5000)
+    book.close()
+    began = time.monotonic()
+    assert book.read("error", "camera", 10)[0].text == "the camera is gone"
+    assert time.monotonic() - began < 60
+    assert sum(file.stat().st_size for file in book.files()) < 200_000
+    assert "of these since" in json.dumps([line.text for line in book.read("error", "", 5)])
