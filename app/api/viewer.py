@@ -1,7 +1,7 @@
 """The 3D view, reached through this server's own origin.
 
-viser listens on loopback with neither sign-in nor origin check, and any client of it
-may ask it to change the scene or to open a public tunnel. So from browsers only camera
+viser listens on loopback and answers this server alone (see ``scene_server``); any client
+of it may change the scene. So from browsers only camera
 messages are passed on, decoded and encoded anew; everything else is dropped.
 """
 
@@ -86,7 +86,9 @@ async def page(path: str, context: TheContext) -> Response:
     try:
         async with (
             httpx.AsyncClient(trust_env=False, timeout=10.0) as client,
-            client.stream("GET", address, headers={"accept-encoding": "gzip"}) as found,
+            client.stream(
+                "GET", address, headers={"accept-encoding": "gzip", **context.scene.key}
+            ) as found,
         ):
             # as sent, so that what viser compressed stays compressed
             body = b"".join([part async for part in found.aiter_raw()])
@@ -107,11 +109,12 @@ async def socket(browser: WebSocket, key: str = "") -> None:
 
     With a key, the station knows by it where that page looks from, and how much it can draw.
     """
-    viewing, port = context_of(browser).viewing, context_of(browser).scene.port
+    viewing, scene = context_of(browser).viewing, context_of(browser).scene
     asked = [Subprotocol(name) for name in browser.scope["subprotocols"]]
     try:
         viser = await connect(
-            f"ws://127.0.0.1:{port}/",
+            f"ws://127.0.0.1:{scene.port}/",
+            additional_headers=scene.key,
             subprotocols=asked or None,
             compression=None,
             max_size=None,

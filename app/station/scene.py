@@ -1,7 +1,7 @@
 """The 3D view: a viser server on the loopback, showing arm, sensor, object and cloud.
 
-It has no authentication of its own and shows whatever it is told, so it is
-reached only through the station's own server. It is a preview, never the record.
+It shows whatever it is told, so it is reached only through the station's own server.
+It is a preview, never the record.
 """
 
 import threading
@@ -11,7 +11,6 @@ from typing import TypeVar
 
 import numpy as np
 import rich
-import viser
 
 from app.files.cloud_points import Points
 from app.metrology.arm import Arm, link_transforms
@@ -26,6 +25,7 @@ from app.station.fit_view import FitViews
 from app.station.object_view import ObjectView
 from app.station.painter import Legend, Measure, Target, Traits
 from app.station.ruler import Ruler
+from app.station.scene_server import open_server
 from app.station.shapes import Mesh, reach_mm
 from app.station.views import M_PER_MM
 
@@ -53,9 +53,7 @@ class Scene:
     """
 
     def __init__(self, point_budget: int = POINT_BUDGET, label: str = "Crenel") -> None:
-        self._server = _quiet(
-            lambda: viser.ViserServer(host="127.0.0.1", port=0, label=label, verbose=False)
-        )
+        self._server, self.key = _quiet(lambda: open_server(label))
         self._server._websock_server._broadcast_buffer.max_window_size = WINDOW_MESSAGES
         self._lock = threading.RLock()
         self._handing_over = threading.Lock()

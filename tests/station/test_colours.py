@@ -22,7 +22,7 @@ def scene() -> Iterator[Scene]:
 
 @pytest.fixture
 def viewer(scene: Scene) -> Iterator[Viewer]:
-    viewer = Viewer(scene.port)
+    viewer = Viewer(scene)
     yield viewer
     viewer.close()
 
@@ -116,7 +116,7 @@ def test_a_late_viewer_sees_the_present_colours(scene: Scene) -> None:
     until(lambda: scene.points_shown > 0)
     scene.colour_by("uncertainty", (3.0, 9.0))
     until(lambda: all(not view.repaint(1) for view in scene._clouds._views.values()))
-    viewer = Viewer(scene.port)
+    viewer = Viewer(scene)
     found = colours(viewer)
     viewer.close()
     assert np.abs(found[:, 3:] - expected(3 + found[:, 1] / 10, 3, 9)).max() <= 3

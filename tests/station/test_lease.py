@@ -97,3 +97,16 @@ def test_signing_out_lets_go() -> None:
     assert lease.control == Control(ANNA)
     lease.leave("a")
     assert lease.control == Control()
+
+
+def test_a_person_signed_out_everywhere_has_control_at_no_browser() -> None:
+    lease, _, _ = leased()
+    lease.act(TABLET)
+    lease.ask(BEN)
+    lease.leave_all("anna")
+    assert lease.control == Control(BEN)
+    lease.ask(ANNA)
+    lease.leave_all("Anna")
+    assert lease.control == Control(BEN)
+    lease.leave_all("Ben")
+    assert lease.control == Control()

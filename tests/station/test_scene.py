@@ -2,8 +2,12 @@
 
 from collections.abc import Iterator
 
+import httpx
 import numpy as np
 import pytest
+import viser
+from websockets.exceptions import InvalidStatus
+from websockets.sync.client import connect
 
 from app.files.cloud_points import Points, packed
 from app.metrology.arm import Joint, flange_pose, link_transforms, tip_centres
@@ -33,7 +37,7 @@ def scene() -> Iterator[Scene]:
 
 @pytest.fixture
 def viewer(scene: Scene) -> Iterator[Viewer]:
-    viewer = Viewer(scene.port)
+    viewer = Viewer(scene)
     yield viewer
     viewer.close()
 
@@ -107,7 +111,7 @@ def test_small_nodes_are_merged(scene: Scene, viewer: Viewer) -> None:
 def test_a_late_viewer_gets_everything_in_small_windows(scene: Scene) -> None:
     add(scene, surface(5000))
     until(lambda: scene.points_shown > 0)
-    viewer = Viewer(scene.port)
+    viewer = Viewer(scene)
     shown = sum(map(len, viewer.listen().clouds().values()))
     viewer.close()
     assert shown == scene.points_shown
@@ -189,7 +193,7 @@ def test_scales_have_round_lengths(most_mm: float, length_mm: float) -> None:
 
 
 def test_the_view_follows_the_cloud_until_somebody_turns_it(scene: Scene) -> None:
-    untouched, turned = Viewer(scene.port), Viewer(scene.port)
+    untouched, turned = Viewer(scene), Viewer(scene)
     for viewer in (untouched, turned):
         viewer.listen()
         viewer.pose_camera(
@@ -251,3 +255,27 @@ def test_the_field_lies_in_the_laser_plane_inside_the_picture() -> None:
     uv = project(CAMERA, outline)
     assert ((uv >= -0.01) & (uv <= [1279.01, 1023.01])).all()
     assert len(measuring_field(CAMERA, PLANE, (1.0, 2.0))) == 0
+
+
+def test_the_views_own_port_answers_the_station_alone(scene: Scene) -> None:
+    address, version = f"127.0.0.1:{scene.port}", f"viser-v{viser.__version__}"
+    asked: list[dict[str, str]] = [
+        {},
+        dict.fromkeys(scene.key, "wrong"),
+        {**scene.key, "Origin": f"http://{address}"},
+    ]
+    for headers in asked:
+        assert httpx.get(f"http://{address}/", headers=headers).status_code == 403
+        with pytest.raises(InvalidStatus, match="403"):
+            connect(
+                f"ws://{address}",
+                additional_headers=headers,
+                subprotocols=[version],  # type: ignore[list-item]
+            )
+    assert httpx.get(f"http://{address}/", headers=scene.key).status_code == 200
+
+
+def test_the_view_shares_nothing(scene: Scene) -> None:
+    """Asked to by a client that has the key; a tunnel would be a process of its own."""
+    heard = scene._server._websock_server._incoming_handlers
+    assert not {kind.__name__ for kind in heard if "Share" in kind.__name__}

@@ -155,7 +155,7 @@ def test_a_sphere_is_fitted_to_all_points_of_the_file(room: Room) -> None:
     assert [figure.value for figure in centre] == pytest.approx([500, 0, 15], abs=0.003)
     assert fitted.rms_um == pytest.approx(10, rel=0.1)
     assert fitted.rms_um < fitted.largest_um < fitted.form_um < 8 * fitted.rms_um
-    viewer = Viewer(room.scene.port)
+    viewer = Viewer(room.scene)
     vertices = viewer.listen().nodes["/fits/1/shape"]["props"]["vertices"].reshape(-1, 3)
     viewer.close()
     radius = np.linalg.norm(1e3 * vertices - [500, 0, 15], axis=1)
@@ -230,7 +230,7 @@ def test_scans_stand_beside_one_another_within_one_budget(room: Room) -> None:
     until(lambda: sum(room.scene.scans.values()) <= 40_000)
     assert room.shown("one") > 5000
     assert room.shown("other") > 5000
-    viewer = Viewer(room.scene.port)
+    viewer = Viewer(room.scene)
     kept = {name for name in viewer.listen().nodes if name.startswith("/kept/")}
     room.viewing.hide("one")
     assert [scan.id for scan in room.viewing.state().scans] == ["other"]

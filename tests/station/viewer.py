@@ -9,17 +9,20 @@ import numpy as np
 import zstandard
 from websockets.sync.client import connect
 
+from app.station.scene import Scene
+
 DTYPES = {"<f4": np.float32, "<u4": np.uint32, "|u1": np.uint8}
 
 
 class Viewer:
-    def __init__(self, port: int, through: Callable[[bytes], bytes] = bytes) -> None:
+    def __init__(self, scene: Scene, through: Callable[[bytes], bytes] = bytes) -> None:
         self._through = through
         self.nodes: dict[str, dict[str, Any]] = {}
         self.said: dict[str, dict[str, Any]] = {}
         """The last message of each kind that is about no node."""
         self._socket = connect(
-            f"ws://127.0.0.1:{port}",
+            f"ws://127.0.0.1:{scene.port}",
+            additional_headers=scene.key,
             subprotocols=["viser-v1.1.1"],  # type: ignore[list-item]
             max_size=None,
             compression=None,
