@@ -29,15 +29,21 @@ BODY_S = 15.0
 OWN = ("/api/", "/metrics")
 """What is nobody else's to see, a later user of the same browser included."""
 SAFE_METHODS = ("GET", "HEAD", "OPTIONS")
+SCHEMES = ("http", "https", "ws", "wss")
+OWN_PAGES = ("same-origin", "none")
+"""What a browser says of a request by the station's own pages, or of what somebody typed."""
+LONGEST_PATH, LONGEST_PART = 1024, 200
+NOTHING = "No page or file has such an address."
 PAGES = (
     "default-src 'self'; img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'; "
     "frame-ancestors 'self'; object-src 'none'; base-uri 'none'; form-action 'none'"
 )
-# The viewer's page is one file that unpacks its own script and WebAssembly.
+# The viewer's page is one file that unpacks its own script and WebAssembly. It may reach the
+# scene and nothing else of the station.
 VIEWER = (
     "default-src 'self'; script-src 'self' 'unsafe-inline' 'unsafe-eval' blob:; "
     "style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; font-src 'self' data:; "
-    "connect-src 'self' data: blob:; worker-src 'self' blob:; "
+    "connect-src {places} data: blob:; worker-src 'self' blob:; "
     "frame-ancestors 'self'; object-src 'none'; base-uri 'none'; form-action 'none'"
 )
 
@@ -64,9 +70,13 @@ class Guard:
         if refusal:
             await _refuse(refusal, scope, receive, send)
             return
+        path = scope["path"]
+        if not _may_be(path):
+            await _refuse(NOTHING, scope, receive, send, 404)
+            return
         if scope["type"] == "http":
             receive = _Body(receive)
-        await self._app(scope, receive, _with_headers(send, scope["path"]))
+        await self._app(scope, receive, _with_headers(send, _policy(scope), path))
 
     def _refusal(self, scope: Scope) -> str:
         headers = Headers(scope=scope)
@@ -78,22 +88,40 @@ class Guard:
             )
         if scope["type"] == "http" and scope["method"] in SAFE_METHODS:
             return ""
-        origin = headers.get("origin")
-        if origin is not None and urlsplit(origin).netloc.lower() != host:
+        origin, site = headers.get("origin"), headers.get("sec-fetch-site", "none")
+        if (origin is not None and _place(origin) != host) or site.lower() not in OWN_PAGES:
             return "Only the station's own pages may do this."
         return ""
 
 
-def _policy(path: str) -> str:
-    if path.startswith("/viewer"):
-        return VIEWER
+def _may_be(path: str) -> bool:
+    """Whether anything can be there; nothing has such long names, or control characters."""
+    longest = max(map(len, path.split("/")))
+    return path.isprintable() and len(path) <= LONGEST_PATH and longest <= LONGEST_PART
+
+
+def _policy(scope: Scope) -> str:
+    path: str = scope["path"]
+    if path.startswith("/viewer/"):
+        host = Headers(scope=scope).get("host", "")
+        return VIEWER.format(places=" ".join(f"{one}://{host}/viewer/" for one in SCHEMES))
     return REPORT if path.endswith("/report.html") else PAGES
 
 
-def _name(host: str) -> str:
-    """The host without its port and brackets."""
+def _place(origin: str) -> str:
+    """The host with its port; nothing of what is no address."""
     try:
-        return urlsplit(f"//{host}").hostname or ""
+        return urlsplit(origin).netloc.lower()
+    except ValueError:
+        return ""
+
+
+def _name(host: str) -> str:
+    """The host without its port and brackets; nothing of what is no host."""
+    try:
+        parts = urlsplit(f"//{host}")
+        plain = parts.netloc == host and "@" not in host and parts.port != 0
+        return (parts.hostname or "") if plain else ""
     except ValueError:
         return ""
 
@@ -134,19 +162,20 @@ class _Body:
         return message
 
 
-async def _refuse(text: str, scope: Scope, receive: Receive, send: Send) -> None:
+async def _refuse(text: str, scope: Scope, receive: Receive, send: Send, status: int = 403) -> None:
     if scope["type"] == "websocket":
         await receive()
         await send({"type": "websocket.close", "code": 1008, "reason": text[:120]})
         return
     if "text/html" in Headers(scope=scope).get("accept", ""):  # somebody reads it
-        await PlainTextResponse(text, 403)(scope, receive, send)
+        await PlainTextResponse(text, status)(scope, receive, send)
         return
-    await problem(403, "not-allowed", text)(scope, receive, send)
+    code = "not-found" if status == 404 else "not-allowed"
+    await problem(status, code, text)(scope, receive, send)
 
 
-def _with_headers(send: Send, path: str) -> Send:
-    policy, own = _policy(path), path.startswith(OWN)
+def _with_headers(send: Send, policy: str, path: str) -> Send:
+    own = path.startswith(OWN)
 
     async def sending(message: Message) -> None:
         if message["type"] == "http.response.start":

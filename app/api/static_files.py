@@ -20,8 +20,11 @@ the source tree: <code>npm ci &amp;&amp; npm run build</code> in <code>frontend<
 
 def file_response(path: str) -> Response | None:
     """A built file by its address; None where there is none."""
-    file = (STATIC / path).resolve()
-    if not (path and file.is_file() and file.is_relative_to(STATIC)):
+    try:
+        file = (STATIC / path).resolve()
+        if not (path and file.is_file() and file.is_relative_to(STATIC)):
+            return None
+    except (OSError, ValueError):  # no file can have such a name
         return None
     # names under assets carry a hash of their content
     hashed = file.is_relative_to(STATIC / "assets")

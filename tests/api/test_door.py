@@ -42,6 +42,46 @@ def test_a_foreign_page_changes_nothing(server: Server, origin: str) -> None:
     assert server.http.get("/api/home", headers={"origin": origin}).status_code == 200
 
 
+@pytest.mark.parametrize("origin", ["http://[", "http://[::1", "//", "\\", "http://\xff"])
+def test_an_origin_that_is_none_is_a_foreign_one(server: Server, origin: str) -> None:
+    headers = {"origin": origin.encode("latin-1")}
+    assert server.http.post("/api/stop", headers=headers).status_code == 403
+
+
+@pytest.mark.parametrize(
+    ("site", "status"),
+    [("cross-site", 403), ("same-site", 403), ("same-origin", 204), ("none", 204)],
+)
+def test_what_the_browser_marks_as_anothers_is_refused(
+    server: Server, site: str, status: int
+) -> None:
+    marked = {"sec-fetch-site": site}
+    assert server.http.post("/api/stop", headers=marked).status_code == status
+    assert server.http.get("/api/home", headers={"sec-fetch-site": "cross-site"}).is_success
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        "/" + "a" * 300,
+        "/" + "a/" * 3000,
+        "/%00",
+        "/assets/%00.js",
+        "/assets/" + "a" * 150 + "/" * 900,
+        "/%1b%5b31m",
+        "/x%e2%80%a8y",
+        "/api/%00",
+        "/viewer/%00",
+        "/api/scans/%00/cloud.ply",
+    ],
+)
+def test_an_address_that_nothing_can_have_is_not_found(
+    server: Server, path: str, caplog: pytest.LogCaptureFixture
+) -> None:
+    assert server.http.get(path).status_code == 404
+    assert not [one for one in caplog.records if one.levelname in ("WARNING", "ERROR")]
+
+
 def test_the_own_page_may(server: Server) -> None:
     own = {"origin": server.address}
     assert server.http.post("/api/laser/off", headers=own).status_code == 200

@@ -74,7 +74,10 @@ def test_the_viewers_page_comes_through_with_a_policy_of_its_own(server: Server)
     assert "<title>Viser</title>" in page.text
     policy = page.headers["content-security-policy"]
     assert "frame-ancestors 'self'" in policy
-    assert "connect-src 'self' data: blob:" in policy
+    own = f"127.0.0.1:{server.port}/viewer/"
+    assert f"connect-src http://{own} https://{own} ws://{own} wss://{own} data: blob:;" in policy
+    for path in ("/viewers", "/viewer-x", "/viewer.html"):
+        assert "unsafe-eval" not in server.http.get(path).headers["content-security-policy"]
     assert server.http.get("/viewer").status_code == 307
     assert server.http.get("/viewer/nothing.js").status_code == 404
 
