@@ -50,7 +50,8 @@ def build_app(parts: Parts) -> FastAPI:
         docs_url=None,
         redoc_url=None,
         openapi_url=None,
-        dependencies=[Depends(authorise)],
+        # what was done stands in the audit log before it is answered
+        dependencies=[Depends(authorise, scope="function")],
     )
     app.state.context = context
     problems.install(app)

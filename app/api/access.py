@@ -148,10 +148,14 @@ def person_of(connection: HTTPConnection) -> Person:
 
 
 async def until_signed_out(socket: WebSocket) -> None:
-    """Returns once this browser's sign-in is no longer good, or allows something else."""
+    """Returns once this browser's sign-in is no longer good, or allows something else.
+
+    Control goes with it, also where another program ended the sign-in.
+    """
     visitor = signed_in(socket)
     while await asyncio.to_thread(visitor_of, socket) == visitor:
         await asyncio.sleep(LOOKED_AFTER_S)
+    context_of(socket).lease.leave(visitor.id)
     await socket.close(SIGNED_OUT, "signed out")
 
 

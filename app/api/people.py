@@ -17,6 +17,8 @@ from app.strings.sentences import saying
 
 router = APIRouter(prefix="/api")
 AUDIT_SHOWN = 500
+Name = Annotated[str, Query(max_length=200)]
+"""Of an account; in no path, since browsers take some names there for folders."""
 
 
 @router.get("/accounts")
@@ -32,9 +34,9 @@ def add(asked: NewAccount, request: Request, context: TheContext) -> AccountSumm
     return _summary(context.store.accounts.add(asked.name, Role[asked.role], asked.password))
 
 
-@router.post("/accounts/{name}")
+@router.post("/account")
 def change(
-    name: str, asked: AccountChange, request: Request, context: TheContext
+    name: Name, asked: AccountChange, request: Request, context: TheContext
 ) -> AccountSummary:
     """Another role, or a new password; the person is signed out everywhere."""
     account = _account(context, name)
@@ -44,14 +46,17 @@ def change(
         context.store.accounts.set_role(account.name, Role[asked.role])
     if asked.password is not None:
         context.store.accounts.set_password(account.name, asked.password)
-    context.store.sign_ins.end_all(account.name)
+    _sign_out(context, account)
     return _summary(_account(context, account.name))
 
 
-@router.delete("/accounts/{name}", status_code=HTTP_204_NO_CONTENT)
-def remove(name: str, context: TheContext) -> None:
+@router.delete("/account", status_code=HTTP_204_NO_CONTENT)
+def remove(name: Name, request: Request, context: TheContext) -> None:
     """Removes an account; the person is signed out everywhere."""
-    context.store.accounts.remove(_account(context, name).name)
+    request.state.detail = name
+    account = _account(context, name)
+    context.store.accounts.remove(account.name)
+    _sign_out(context, account)
 
 
 @router.get("/walls")
@@ -97,6 +102,12 @@ def _account(context: Context, name: str) -> Account:
     if account is None:
         raise NotFound(f"There is no account {name}.")
     return account
+
+
+def _sign_out(context: Context, account: Account) -> None:
+    """Everywhere, and out of control."""
+    context.store.sign_ins.end_all(account.name)
+    context.lease.leave_all(account.name)
 
 
 def _summary(account: Account) -> AccountSummary:

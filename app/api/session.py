@@ -137,6 +137,7 @@ def change_password(
         )
     context.store.accounts.set_password(visitor.name, asked.new)
     context.store.sign_ins.end_all(visitor.name)
+    context.lease.leave_all(visitor.name)
     return _begin(visitor.name, request, response, context)
 
 

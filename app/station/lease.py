@@ -143,6 +143,13 @@ class Lease:
             elif asked_by is not None and asked_by.id == person_id:
                 self._set(Control(holder))
 
+    def leave_all(self, name: str) -> None:
+        """A person who was signed out everywhere has no control any more."""
+        with self._lock:
+            for person in (self._control.asked_by, self._control.holder):
+                if person is not None and person.name.lower() == name.lower():
+                    self.leave(person.id)
+
     def _held_by(self, person: Person) -> Control:
         control = self.control
         if control.holder is None or control.holder.id != person.id:

@@ -186,23 +186,60 @@ def test_administrators_make_change_and_remove_accounts(server: Server, people: 
     )
     assert admin.post("/api/accounts", json={**new, "name": " "}).json()["code"] == "account-name"
     with browser(server, "Carl") as carl:
-        assert admin.post("/api/accounts/Carl", json={"role": "operator"}).status_code == 200
+        assert admin.post("/api/account?name=Carl", json={"role": "operator"}).status_code == 200
         assert carl.get("/api/home").status_code == 401
-        assert admin.delete("/api/accounts/Carl").status_code == 204
+        assert admin.delete("/api/account?name=Carl").status_code == 204
         gone = carl.post("/api/session", json={"name": "Carl", "password": PASSWORD})
         assert gone.status_code == 401
-    assert admin.delete("/api/accounts/Carl").status_code == 404
+    assert admin.delete("/api/account?name=Carl").status_code == 404
     server.context.entrance._throttle.succeeded("address 127.0.0.1", "name carl")
+
+
+@pytest.mark.parametrize("name", ["a/b", "..", ".", "?x#y", "100%", "a b/../c", "ä ", "\\"])
+def test_an_account_of_any_name_is_changed_and_removed(server: Server, name: str) -> None:
+    admin, asked = server.http, {"name": name}
+    new = {"name": name, "role": "viewer", "password": PASSWORD}
+    assert admin.post("/api/accounts", json=new).status_code == 200
+    changed = admin.post("/api/account", params=asked, json={"role": "operator"})
+    assert changed.json()["role"] == "operator"
+    assert admin.delete("/api/account", params=asked).status_code == 204
+    assert admin.delete("/api/account", params=asked).status_code == 404
+
+
+def test_whoever_loses_the_account_loses_control_at_once(server: Server, people: None) -> None:
+    def holder() -> str | None:
+        person = server.context.lease.control.holder
+        return person and person.name
+
+    for end in (
+        lambda: server.http.delete("/api/account", params={"name": "Anna"}),
+        lambda: server.http.post("/api/account", params={"name": "Ben"}, json={"role": "viewer"}),
+    ):
+        name = "Anna" if server.context.store.accounts.get("Anna") else "Ben"
+        with browser(server, name) as http:
+            assert http.post("/api/control/ask").status_code == 200
+            assert holder() == name
+            assert end().is_success
+            assert holder() is None
+
+
+def test_what_was_done_is_in_the_audit_log_before_it_is_answered(server: Server) -> None:
+    for number in range(20):
+        made = server.http.post("/api/walls", json={"name": f"Audit {number}"}).json()
+        newest = server.context.store.audit.newest(1)[0]
+        assert newest.act == f"made a wall-screen link: Audit {number}"
+        server.http.delete(f"/api/walls/{made['id']}").raise_for_status()
+        assert server.context.store.audit.newest(1)[0].act.startswith("removed a wall-screen link")
 
 
 def test_the_last_administrator_stays(server: Server) -> None:
     accounts = server.context.store.accounts
     accounts.add("Ada", Role.admin, PASSWORD)
-    assert server.http.delete("/api/accounts/Ada").json()["code"] == "last-admin"
-    change = server.http.post("/api/accounts/ada", json={"role": "viewer"})
+    assert server.http.delete("/api/account?name=Ada").json()["code"] == "last-admin"
+    change = server.http.post("/api/account?name=ada", json={"role": "viewer"})
     assert change.json()["code"] == "last-admin"
     accounts.add("Eva", Role.admin, PASSWORD)
-    assert server.http.delete("/api/accounts/Ada").status_code == 204
+    assert server.http.delete("/api/account?name=Ada").status_code == 204
 
 
 def test_a_wall_screen_shows_and_does_nothing(server: Server) -> None:

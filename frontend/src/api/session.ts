@@ -80,12 +80,12 @@ export const addAccount = (name: string, role: Role, password: string) =>
 
 export const changeAccount = (name: string, change: { role?: Role; password?: string }) =>
   done(
-    async () => void (await post<Account>(`/api/accounts/${encodeURIComponent(name)}`, change)),
+    async () => void (await post<Account>(`/api/account?name=${encodeURIComponent(name)}`, change)),
     t("the account was not changed"),
   );
 
 export const removeAccount = (name: string) =>
-  done(async () => void (await drop(`/api/accounts/${encodeURIComponent(name)}`)), t("the account was not removed"));
+  done(async () => void (await drop(`/api/account?name=${encodeURIComponent(name)}`)), t("the account was not removed"));
 
 /** The new link's address, which is shown this once; nothing where it was not made. */
 export async function addWall(name: string): Promise<string> {
