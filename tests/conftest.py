@@ -11,7 +11,7 @@ FIRST = Path(__file__).parent / "api/test_flow.py"
 """Counts what the station compiles while it works; other tests' loops would hide some."""
 SHARED = Path(__file__).resolve().parents[2] / "shared"
 
-settings.register_profile("long", max_examples=10_000, deadline=None)
+settings.register_profile("long", max_examples=5_000, deadline=None)
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

@@ -7,6 +7,7 @@ is one shared object that holds its code once for each processor variant; ``libr
 import argparse
 import os
 import shlex
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -66,7 +67,7 @@ def build(
     output = output or source.built(target.system)
     compiler, zig = _compiler(target)
     with tempfile.TemporaryDirectory(prefix="crenel-build-") as folder:
-        environment = os.environ | (_zig_caches(cache or Path(folder)) if zig else {})
+        environment = (_zig_caches(cache or Path(folder)) if zig else {}) | os.environ
         common = (*compiler, *FLAGS, *extra_flags)
         code, about = str(source.folder / "c" / "library.c"), str(SHARED / "about.c")
         commands, objects = [], []
@@ -80,9 +81,11 @@ def build(
             [(*command, "-o", to) for command, to in zip(commands, objects, strict=True)],
             environment,
         )
-        part = output.with_name(f"{output.name}.{os.getpid()}.part")
-        linking = (*_linking(target, "-g" in extra_flags), *objects, "-o", str(part), "-lm")
+        linked = f"{folder}/{output.name}"  # here, since for Windows more comes beside it
+        linking = (*_linking(target, "-g" in extra_flags), *objects, "-o", linked, "-lm")
         _run_all([(*common, *linking)], environment)
+        part = output.with_name(f"{output.name}.{os.getpid()}.part")
+        shutil.copy(linked, part)
         os.replace(part, output)
     return output
 
@@ -116,6 +119,7 @@ def _compiler(target: Target) -> tuple[tuple[str, ...], bool]:
 
 
 def _zig_caches(folder: Path) -> dict[str, str]:
+    """Where zig keeps what it compiles, unless the environment says so."""
     return {"ZIG_LOCAL_CACHE_DIR": str(folder / "zig"), "ZIG_GLOBAL_CACHE_DIR": str(folder / "zig")}
 
 
