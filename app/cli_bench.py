@@ -1,4 +1,4 @@
-"""``crenel bench``: what the README's tables say, measured on the machine it runs on."""
+"""``crenel bench``: the tables of docs/accuracy.md, measured on the machine it runs on."""
 
 from dataclasses import asdict
 from pathlib import Path
@@ -8,7 +8,7 @@ import typer
 
 from app.console import print_json, print_table, progress_bar, refusing
 
-bench = typer.Typer(help="Measure what the README claims, on this machine.", no_args_is_help=True)
+bench = typer.Typer(help="Measure the figures of docs/accuracy.md here.", no_args_is_help=True)
 
 AsJson = Annotated[bool, typer.Option("--json", help="Print the result for programs on stdout.")]
 
@@ -184,16 +184,29 @@ def viewers(
 
 @bench.command()
 @refusing
-def faults(as_json: AsJson = False) -> None:
-    """Devices that fail in every step: how soon it is said, and whether anything is lost."""
-    from app.bench.faults import COLUMNS, run, table
+def faults(
+    only: Annotated[
+        list[str] | None,
+        typer.Option(help="kills, disk, damage, floods or devices alone. May be repeated."),
+    ] = None,
+    seed: Annotated[int, typer.Option(help="Of what is tried at random.")] = 0,
+    as_json: AsJson = False,
+) -> None:
+    """The station killed, its disk full, its files damaged, its devices failing: what is lost."""
+    from app.bench.faults import devices, everything, row
 
+    kinds = [name for name in only or () if name != devices.KIND]
     with progress_bar("Failing", not as_json) as tell:
-        found = run(tell)
+        rows = everything.run(kinds, seed, tell) if kinds or not only else []
+        failing = devices.run(tell) if not only or devices.KIND in only else []
     if as_json:
-        print_json({"failures": [asdict(row) for row in found]})
+        found = {"faults": [asdict(one) for one in rows], "failures": [asdict(f) for f in failing]}
+        print_json(found)
         return
-    print_table("Devices that fail on the way", COLUMNS, table(found))
+    if rows:
+        print_table("Faults, and what was lost", row.COLUMNS, row.table(rows))
+    if failing:
+        print_table("Devices that fail on the way", devices.COLUMNS, devices.table(failing))
 
 
 @bench.command()

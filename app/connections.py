@@ -14,10 +14,14 @@ from typing import Any
 from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol
 from uvicorn.protocols.websockets.websockets_sansio_impl import WebSocketsSansIOProtocol
 
+from app.api.strangers import IS_CONNECTED
 from app.api.throttle import counted_address
 
-LARGEST_HEAD = 1 << 16
+LARGEST_HEAD = 1 << 15
 """Of a request: its first line with all its headers, or what follows its body."""
+LONGEST_URL = 1 << 13
+MOST_HEADERS = 200
+"""Each costs a call; browsers send twenty."""
 MOST = 192
 MOST_OF_ONE = 128
 """Of one address: some twenty tabs, with what they load."""
@@ -25,13 +29,15 @@ MOST_AT_ONCE = 320
 """Until the next look at them."""
 GRACE_S = 0.2
 """So long a connection may take to its request before others need its place more."""
-MOST_AHEAD = 8
+MOST_AHEAD = 2
 """Requests sent before the answer to the first of them; browsers send none."""
 SLICE_BYTES = 4096
+DONE = 6
+"""The claim of a request that changes something."""
 TOO_LARGE = (
     b"HTTP/1.1 431 Request Header Fields Too Large\r\n"
     b"content-type: text/plain; charset=utf-8\r\ncontent-length: 33\r\nconnection: close\r\n\r\n"
-    b"The request's headers are > 64 kB"
+    b"The request's headers are > 32 kB"
 )
 
 
@@ -48,8 +54,15 @@ class BoundedHttp(HttpToolsProtocol):
         super().__init__(*args, **kwargs)
         self._unread_bytes = 0
         """Of a head, or of what follows a body; since the last that the application may read."""
+        self._headers = 0
+        """Of the present request, or of what follows its body."""
+        self.url = b""
         self.since_s = time.monotonic()
         """Since when nothing whole was asked."""
+        self.app_state = {**self.app_state, IS_CONNECTED: self._is_connected}
+
+    def _is_connected(self) -> bool:
+        return not self.transport.is_closing()
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
         super().connection_made(transport)
@@ -68,15 +81,35 @@ class BoundedHttp(HttpToolsProtocol):
                 continue
             self._unread_bytes += len(piece)
             super().data_received(piece)
-            if self._unread_bytes > LARGEST_HEAD:
+            if self._is_too_large():
                 self.transport.write(TOO_LARGE)
                 self.transport.close()
             elif len(self.pipeline) > MOST_AHEAD:
                 self.transport.close()
 
+    def _is_too_large(self) -> bool:
+        too_many = self._headers > MOST_HEADERS or len(self.url) > LONGEST_URL
+        return too_many or self._unread_bytes > LARGEST_HEAD
+
+    def on_message_begin(self) -> None:
+        self._headers = 0
+        super().on_message_begin()
+
+    def on_header(self, name: bytes, value: bytes) -> None:
+        self._headers += 1
+        super().on_header(name, value)
+
     def on_headers_complete(self) -> None:
         self._unread_bytes = 0
         super().on_headers_complete()
+
+    def handle_websocket_upgrade(self) -> None:
+        """As uvicorn, which fails at its own headers where they are no ASCII."""
+        others = (value for name, value in self.scope["headers"] if name.lower() != b"cookie")
+        if all(value.isascii() for value in others):
+            super().handle_websocket_upgrade()
+        else:
+            self.send_400_response("A header of this handshake is not ASCII.")
 
     def on_body(self, body: bytes) -> None:
         self._unread_bytes = 0
@@ -90,14 +123,17 @@ class BoundedHttp(HttpToolsProtocol):
     @property
     def claim(self) -> int:
         """How much there is to keep it for: nothing asked yet, all answered, a request that is
-        not whole, an answer that nobody takes, and at last an answer under way."""
+        not whole, an answer that nobody takes, pages and files, the answered ones of whoever is
+        signed in, and at last what is done."""
         if self.cycle is None:
             return 0
         if self.cycle.response_complete:
-            return 1
+            return 5 if self.cycle.scope["state"].get("visitor") else 1
         if self.cycle.more_body:
             return 2
-        return 3 if self.flow.write_paused else 4
+        if self.flow.write_paused:
+            return 3
+        return 4 if self.scope["method"] in ("GET", "HEAD") else DONE
 
 
 class BoundedWebSocket(WebSocketsSansIOProtocol):
@@ -143,7 +179,7 @@ def _leave(crowd: list[Any], surplus: int, grace_s: float) -> None:
     if surplus <= 0:
         return
     before_s = time.monotonic() - grace_s
-    idle = [one for one in crowd if isinstance(one, BoundedHttp) and one.claim < 4]
+    idle = [one for one in crowd if isinstance(one, BoundedHttp) and one.claim < DONE]
     late = sorted((one for one in idle if one.since_s <= before_s), key=_rank)
     for one in late[:surplus]:
         one.connections.discard(one)  # it is lost only in the loop's next turn

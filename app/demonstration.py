@@ -63,11 +63,27 @@ def _identified(path: Path) -> bool:
 
 def put_papers(twin: Twin, data: Path) -> None:
     """Writes what an operator would be given with the devices into the data folder."""
-    with files_refused(data):
-        for name, paper in twin.papers().items():
-            content = (json.dumps(paper, indent=1) + "\n").encode()
-            target = data / PLACES.get(name, f"gauges/{name}")
+    for name, paper in twin.papers().items():
+        content = (json.dumps(paper, indent=1) + "\n").encode()
+        target = data / PLACES.get(name, f"gauges/{name}")
+        with _data_folder_refused(data), files_refused(target.parent):
             if name == "arm.json" and _identified(target):
                 continue  # it is known better than its papers have it
             target.parent.mkdir(parents=True, exist_ok=True)
             write_atomically(target, content)
+
+
+@contextmanager
+def _data_folder_refused(data: Path) -> Iterator[None]:
+    """Names the option by which another folder is given, where that is the remedy."""
+    try:
+        yield
+    except Refusal as refusal:
+        if refusal.code in ("disk-full", "output-not-a-file"):
+            raise
+        raise Refusal(
+            "data-folder-unwritable",
+            f"The data folder {data} cannot be used",
+            f"{refusal.what}: {refusal.why}",
+            "Give a folder that this user may write with --data",
+        ) from refusal

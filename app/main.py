@@ -31,6 +31,7 @@ from app.api.access import authorise
 from app.api.context import Context
 from app.api.guard import Guard
 from app.api.observer import observe
+from app.api.strangers import Strangers
 from app.api.ticker import tick
 from app.api.wiring import Parts, close_context, open_context
 from app.files.software import SOFTWARE
@@ -76,6 +77,7 @@ def build_app(parts: Parts) -> FastAPI:
     ):
         app.include_router(room.router)
     app.add_middleware(Guard, hosts=parts.hosts)
+    app.add_middleware(Strangers)
     return app
 
 

@@ -16,9 +16,10 @@ from starlette.types import ASGIApp
 from app.api.guard import Network
 from app.connections import BoundedWebSocket, http_protocol, make_space
 from app.files.failures import files_refused
+from app.files.names import printable
+from app.files.opening import read_bounded
 from app.metrology.refusal import Refusal
 from app.settings import Serving
-from app.station.log_text import printable
 
 LOCAL = Serving()
 SHUTDOWN_S = 3
@@ -26,8 +27,9 @@ LARGEST_MESSAGE = 1 << 16
 """Of a browser's messages; all are small."""
 WORDLESS_S = 15.0
 """A connection on which nothing is asked for so long is closed."""
-ACCEPTED_AT_ONCE, WAITING = 32, 1024
-"""Connections that are taken before others are read again, and those the system keeps for it."""
+ACCEPTED_AT_ONCE, WAITING = 2, 1024
+"""Connections that are taken in one turn of the loop, and those that the system keeps meanwhile.
+So few, because all that wait, Stop among them, wait for each turn."""
 MOST_FILES = 65536
 LONGEST_LINE = 400
 """On the console."""
@@ -148,7 +150,7 @@ def _check_key(serving: Serving) -> None:
         if file is None:
             continue
         with files_refused(file):
-            content = file.read_bytes()
+            content = read_bounded(file)
         if file == serving.tls_key and b"ENCRYPTED" in content:
             raise Refusal(
                 "tls",

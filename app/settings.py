@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from app.files.gauge import DEFAULT_LIMITS, VerificationLimits
+from app.files.opening import check_ordinary
 from app.guide.due import DUE, DueLimits
 from app.metrology.limits import Limits
 from app.metrology.refusal import Refusal
@@ -103,6 +104,7 @@ def _mqtt(path: Path, table: MqttTable | None) -> BrokerSettings | None:
     settings.password()
     if settings.ca_file is not None:
         try:
+            check_ordinary(settings.ca_file)
             ssl.create_default_context(cafile=settings.ca_file)
         except OSError as error:  # those of TLS are of this kind
             unreadable = isinstance(error, ssl.SSLError)

@@ -56,6 +56,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from app.files.failures import files_refused
 from app.files.gauge import VerificationLimits
+from app.files.opening import read_bounded
 from app.guide.due import DUE
 from app.metrology.limits import LIMITS
 from app.metrology.refusal import Refusal
@@ -165,10 +166,10 @@ def read_file(path: Path) -> StationFile:
             "settings-missing",
             f"{path}: there is no such file",
             "it says which arm and which sensor are connected",
-            "Write one as the README shows, name another with --config, or try crenel demo",
+            "Write one as docs/operating.md shows, name another with --config, or try crenel demo",
         )
     with files_refused(path):
-        raw = path.read_bytes()
+        raw = read_bounded(path)
     try:
         return StationFile.model_validate(tomllib.loads(raw.decode()))
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
@@ -184,7 +185,7 @@ def _invalid(path: Path, error: ValidationError) -> Refusal:
     key = ".".join(place[1:])
     named = f"{path}, {table}: {key}" if key else f"{path}: the table {table}"
     if first["type"] == "missing":
-        remedy = "Add it as the README shows"
+        remedy = "Add it as docs/formats.md shows"
         return Refusal("settings-key-missing", f"{named} is missing", remedy=remedy)
     if first["type"] == "extra_forbidden":
         return Refusal("settings-key-unknown", f"{named} is not known", remedy="Correct its name")

@@ -4,6 +4,7 @@ Such are ``/sys/bus/w1/devices/28-*/temperature`` of a DS18B20 and
 ``/sys/class/hwmon/hwmon*/temp1_input`` of many others.
 """
 
+import errno
 from pathlib import Path
 
 from hardware.errors import DeviceError
@@ -21,6 +22,8 @@ class FileThermometer:
     def read_c(self) -> float:
         """The temperature now; raises ``DeviceError`` where there is none."""
         try:
+            if not self._path.is_file():  # a pipe would be waited for
+                raise FileNotFoundError(errno.ENOENT, "there is no such file")
             celsius = int(self._path.read_text()) / 1000.0
         except (OSError, ValueError) as error:
             raise DeviceError(

@@ -1,10 +1,10 @@
 """The arm's own flows: its daily check, and its identification."""
 
 from fastapi import APIRouter, Request
-from pydantic_core import to_json
 from starlette.responses import Response
 
 from app.api.context import TheContext
+from app.api.encoding import encoded
 from app.api.schema import ArmStart, FlowCommand
 from app.guide.arm.commands import command
 from app.guide.arm.view import (
@@ -19,7 +19,7 @@ router = APIRouter(prefix="/api/arm")
 
 
 def _answer(view: ArmView) -> Response:
-    return Response(to_json(view, inf_nan_mode="null"), media_type="application/json")
+    return Response(encoded(view), media_type="application/json")
 
 
 @router.get("", response_model=ArmView)

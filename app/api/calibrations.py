@@ -5,13 +5,14 @@ from pathlib import Path as Folder
 from typing import Annotated
 
 from fastapi import APIRouter, Path
-from pydantic_core import to_json
-from starlette.responses import FileResponse, Response
+from starlette.responses import Response
 
 from app.api.context import Context, TheContext
+from app.api.encoding import encoded
 from app.api.problems import NotFound
 from app.api.record_schema import CalibrationPoint, RecordedCalibration
 from app.api.records import summary_of
+from app.api.sending import sent_file
 from app.files.acceptance import read_acceptance
 from app.files.calibration_history import HistoryEntry, history
 from app.guide.recorded import recorded
@@ -50,16 +51,14 @@ def calibration(calibration_id: CalibrationId, context: TheContext) -> Response:
         picture=picture,
         findings=findings,
     )
-    return Response(to_json(shown, inf_nan_mode="null"), media_type="application/json")
+    return Response(encoded(shown), media_type="application/json")
 
 
 @router.get("/calibrations/{calibration_id}/image/{name}")
 def image(calibration_id: CalibrationId, name: str, context: TheContext) -> Response:
     """One of its pictures."""
     found: Folder | None = SessionFolder(_record(context, calibration_id).file.parent).image(name)
-    if found is None:
-        raise NotFound(f"This calibration has no picture {name}.")
-    return FileResponse(found, media_type="image/png", headers={"Cache-Control": "private"})
+    return sent_file(found, f"This calibration has no picture {name}.", "image/png", cached=True)
 
 
 def _record(context: Context, calibration_id: str) -> CalibrationRecord:

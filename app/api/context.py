@@ -8,6 +8,7 @@ from fastapi import Depends
 from starlette.requests import HTTPConnection
 
 from app.api.entrance import Entrance
+from app.api.recovery import Recovery
 from app.api.schema import ScanState, Station
 from app.api.watch import Watch
 from app.guide.arm.guide import ArmGuide
@@ -49,6 +50,7 @@ class Context:
     lease: Lease
     entrance: Entrance
     watch: Watch
+    recovery: Recovery
     due: DueLimits = DUE
     printer: asyncio.Lock = field(default_factory=asyncio.Lock)
     """Reports are made in turn: many at once would keep Stop waiting."""

@@ -10,12 +10,14 @@ from typing import TypeVar, cast
 from urllib.parse import urlsplit
 
 from app.api.context import Context
-from app.files.moments import utc_now
+from app.api.standing import set_aside
+from app.files.moments import is_moment, moment_of, utc_now
 from app.files.software import SOFTWARE
 from app.guide.due import SECONDS_A_DAY, age_days
-from app.station import health
+from app.station import health, health_messages
 from app.station.health import Health, HealthItem
 from app.station.host import memory, versions, writable
+from app.store.backup import shown_backup
 
 T = TypeVar("T")
 DATABASE_EVERY_S = 600.0
@@ -49,6 +51,8 @@ class Examiner:
             window = self._context.watch.losses[name]
             window.note(*counts)
             items += [health.device(state), health.losses(state.title, window.over(*counts))]
+        arm = rig.arm
+        items.append(health.readings(arm.kept_back, arm.newest_kept_back, arm.kept_back_ago_s))
         temperature = self._context.watch.temperature
         if temperature.there:
             items.append(health.room(temperature.now, self._warmer_c()))
@@ -66,16 +70,20 @@ class Examiner:
         damage = self._every(DATABASE_EVERY_S, "database", store.check)
         trouble = self._every(RECORDS_EVERY_S, "folder", lambda: writable(store.folder / "scans"))
         ahead_days = self._every(RECORDS_EVERY_S, "ahead", self._ahead_days)
+        aside = self._every(DATABASE_EVERY_S, "records", lambda: set_aside(self._context))
+        damaged = self._every(DATABASE_EVERY_S, "damaged", self._context.recovery.damaged)
         size_mb = (store.folder / "station.db").stat().st_size / 1e6
         last, load = watch.backups.last, self._context.scanner.load()
         pace = load.bytes_written / 1e6 / max(load.seconds, 1.0) if load else None
         return [
             health.disk(free_gb, pace),
-            health.folder(str(store.folder), trouble),
+            health.folder(trouble),
             health.database(size_mb, damage),
+            health.records(aside),
+            health.recordings(damaged),
             health.backup(
                 None if last is None else age_days(last.at, datetime.now(UTC)),
-                "" if last is None else last.folder,
+                "" if last is None else shown_backup(last.folder),
                 watch.backups.same_disk,
                 watch.backups.trouble,
             ),
@@ -97,7 +105,7 @@ class Examiner:
         newest = [calibration.accepted_at] if calibration else []
         newest += [scan.started_at] if scan else []
         now = datetime.now(UTC)
-        ahead = [(datetime.fromisoformat(at) - now).total_seconds() for at in newest]
+        ahead = [(moment_of(at) - now).total_seconds() for at in newest if is_moment(at)]
         ahead_s = max(ahead, default=0.0)
         return ahead_s / SECONDS_A_DAY if ahead_s > AHEAD_S else 0.0
 
@@ -125,6 +133,8 @@ class Examiner:
                     doubled_at_s is not None and time.monotonic() - doubled_at_s < 10.0,
                 )
             )
+            unread = watch.fleet.unread
+            items += health_messages.messages(unread.counts, unread.ago_s)
         if watch.webhook.settings.url:
             host = urlsplit(watch.webhook.settings.url).hostname or ""
             items.append(health.webhook(host, watch.webhook.failed, watch.webhook.trouble))

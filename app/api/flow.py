@@ -3,12 +3,12 @@
 from pathlib import Path
 
 from fastapi import APIRouter, Request
-from pydantic_core import to_json
-from starlette.responses import FileResponse, Response
+from starlette.responses import Response
 
 from app.api.context import TheContext
-from app.api.problems import NotFound
+from app.api.encoding import encoded
 from app.api.schema import FlowCommand
+from app.api.sending import sent_file
 from app.guide.commands import command
 from app.guide.deeds import deed_of
 from app.guide.view import FlowView
@@ -17,7 +17,7 @@ router = APIRouter(prefix="/api/flow")
 
 
 def _answer(view: FlowView) -> Response:
-    return Response(to_json(view, inf_nan_mode="null"), media_type="application/json")
+    return Response(encoded(view), media_type="application/json")
 
 
 @router.get("", response_model=FlowView)
@@ -43,6 +43,4 @@ def act(asked: FlowCommand, request: Request, context: TheContext) -> Response:
 def image(name: str, context: TheContext) -> Response:
     """A captured picture of the present session."""
     path: Path | None = context.guide.folder.image(name)
-    if path is None:
-        raise NotFound(f"This session has no picture {name}.")
-    return FileResponse(path, media_type="image/png", headers={"Cache-Control": "private"})
+    return sent_file(path, f"This session has no picture {name}.", "image/png", cached=True)

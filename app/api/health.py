@@ -1,7 +1,7 @@
 """The station's health, its log, the support bundle and backups."""
 
 import threading
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Annotated
 
 from fastapi import APIRouter, Query
@@ -14,7 +14,7 @@ from app.files.moments import utc_now
 from app.metrology.refusal import Refusal
 from app.station.health import Health
 from app.station.log_book import Level, LogLine
-from app.store.backup import BackupMade
+from app.store.backup import BackupMade, shown_backup
 from app.strings.files import ENGLISH
 from app.strings.sentences import saying
 
@@ -89,4 +89,7 @@ def start_backup(context: TheContext) -> BackupState:
 
 def _backup(context: Context) -> BackupState:
     backups = context.watch.backups
-    return BackupState(backups.share, str(backups.folder), backups.last, backups.trouble)
+    last = backups.last
+    if last is not None:
+        last = replace(last, folder=shown_backup(last.folder))
+    return BackupState(backups.share, shown_backup(backups.folder), last, backups.trouble)

@@ -6,17 +6,18 @@ value of each topic, so that a slow one delays nobody.
 
 import asyncio
 import contextlib
+import logging
 import time
 
 from fastapi import APIRouter, WebSocket
 from pydantic import TypeAdapter, ValidationError
-from pydantic_core import to_json
 from starlette.websockets import WebSocketDisconnect
 
 from app.api.access import signed_in, until_signed_out
 from app.api.context import Context, context_of
+from app.api.encoding import encoded
 from app.api.rights import MESSAGES, allowed
-from app.api.schema import Beat, LiveRequest, PreviewRequest
+from app.api.schema import Beat, LiveRequest, PreviewRequest, StationsRequest
 from app.api.session import you
 from app.station.bus import Event, Subscription, Updates
 from app.station.preview import PreviewImage
@@ -24,6 +25,9 @@ from app.station.scan_state import ScanState
 from app.store.sign_ins import Visitor
 
 router = APIRouter()
+log = logging.getLogger(__name__)
+UNSENT: set[str] = set()
+"""Topics that could not be sent; each is logged once."""
 BEAT_S = 1.0
 POLICY_VIOLATION = 1008
 LONGEST_REQUEST = 1024
@@ -35,7 +39,7 @@ async def live(socket: WebSocket) -> None:
     """Hello, the snapshot, then what changes."""
     context = context_of(socket)
     await socket.accept()
-    with context.bus.subscribe(without={"preview"}) as subscription:
+    with context.bus.subscribe(without={"preview", "stations"}) as subscription:
         tab = _Tab(context, socket, subscription, signed_in(socket))
         context.watch.tabs += 1
         try:
@@ -98,12 +102,24 @@ class _Tab:
                 await self._socket.send_bytes(value.packed())
                 continue
             shown = self._context.scan_state(value) if isinstance(value, ScanState) else value
-            await self._text({"type": "topic", "name": name, "value": shown})
+            await self._topic(name, shown)
         for event in updates.events:
             await self._text(_message(event))
 
+    async def _topic(self, name: str, value: object) -> None:
+        """Leaves a topic out that cannot be sent; the others go on."""
+        message = {"type": "topic", "name": name, "value": value}
+        try:
+            text = encoded(message).decode()
+        except (ValueError, TypeError, RecursionError):
+            if name not in UNSENT:  # a topic may come many times a second
+                UNSENT.add(name)
+                log.exception("the topic %s cannot be sent", name)
+            return
+        await self._socket.send_text(text)
+
     async def _text(self, message: object) -> None:
-        await self._socket.send_text(to_json(message, inf_nan_mode="null").decode())
+        await self._socket.send_text(encoded(message).decode())
 
     async def _receive(self) -> None:
         while True:
@@ -126,6 +142,8 @@ class _Tab:
             self._context.lease.beat(self._visitor.id)
         elif isinstance(request, PreviewRequest):
             self._set_preview(request.on)
+        elif isinstance(request, StationsRequest):
+            self._subscription.want("stations", request.on)
         elif self._previewing:
             self._subscription.want("preview", True)
 

@@ -9,6 +9,7 @@ from app.api.examining import Examiner
 from app.api.reporting import report_of
 from app.api.schema import Home
 from app.files.moments import utc_now
+from app.metrology.refusal import Refusal
 from app.station.bus import Event
 from app.supervise.messages import StationEvent
 from app.supervise.notices import kind_of
@@ -61,6 +62,8 @@ async def _reports(context: Context) -> None:
             if context.watch.broker is not None:
                 context.watch.broker.report(report)
             due = _tell_due(context, due)
+        except Refusal as refusal:  # of a damaged database or its disk; Health tells of it
+            log.warning("the station's report could not be made: %s", refusal.line)
         except Exception:  # the station lives on, and the next may succeed
             log.exception("the station's report could not be made")
         await asyncio.sleep(REPORT_S)
@@ -80,9 +83,14 @@ def _tell_due(context: Context, told: set[tuple[str, str | None]]) -> set[tuple[
 
 
 async def _stations(context: Context) -> None:
-    """The other stations, as fresh as they are."""
+    """The other stations, when something of them has changed; how long one is silent is no news."""
+    told: object = None
     while True:
-        context.bus.publish("stations", context.watch.fleet.shown())
+        shown = context.watch.fleet.shown()
+        news = [one.model_copy(update={"silent_s": None}) for one in shown]
+        if news != told:
+            told = news
+            context.bus.publish("stations", shown)
         await asyncio.sleep(STATIONS_S)
 
 
@@ -128,6 +136,8 @@ async def _health(context: Context) -> None:
     while True:
         try:
             context.watch.health = await asyncio.to_thread(examiner.look)
+        except Refusal as refusal:
+            log.warning("the station's health could not be looked at: %s", refusal.line)
         except Exception:
             log.exception("the station's health could not be looked at")
         await asyncio.sleep(HEALTH_S)
@@ -137,6 +147,8 @@ async def _temperature(context: Context) -> None:
     while context.watch.temperature.there:
         try:
             await asyncio.to_thread(context.watch.temperature.read)
+        except Refusal as refusal:
+            log.warning("the temperature could not be kept: %s", refusal.line)
         except Exception:
             log.exception("the temperature could not be read")
         await asyncio.sleep(TEMPERATURE_S)

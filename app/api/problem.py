@@ -2,8 +2,9 @@
 
 from http import HTTPStatus
 
-from pydantic_core import to_json
 from starlette.responses import Response
+
+from app.api.encoding import encoded
 
 
 def problem(
@@ -21,7 +22,7 @@ def problem(
     if view is not None:
         body["view"] = view
     return Response(
-        to_json(body, inf_nan_mode="null"),
+        encoded(body),
         status_code=status,
         media_type="application/problem+json",
     )

@@ -4,11 +4,12 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 from fastapi import APIRouter
-from starlette.responses import FileResponse, Response
+from starlette.responses import Response
 
 from app.api.context import Context, TheContext
 from app.api.problems import NotFound
 from app.api.schema import CalibrationSummary, Home, ScanSummary
+from app.api.sending import sent_file
 from app.guide.arm.guide import ArmGuide
 from app.guide.arm.view import ArmCheckSummary
 from app.guide.due import (
@@ -21,6 +22,7 @@ from app.guide.due import (
     tip_finding,
     validity_of,
 )
+from app.metrology.refusal import Refusal
 from app.station.findings import Finding, Quality
 from app.store.calibrations import CalibrationRecord
 
@@ -44,7 +46,7 @@ def calibrations(context: TheContext) -> list[CalibrationSummary]:
 
 @router.get("/calibrations/{calibration_id}/calibration.json")
 def calibration_file(calibration_id: str, context: TheContext) -> Response:
-    """An accepted calibration as FORMATS.md has it."""
+    """An accepted calibration, as described in docs/formats.md."""
     record = context.store.calibrations.get(calibration_id)
     if record is None:
         raise NotFound(f"There is no calibration {calibration_id}.")
@@ -63,6 +65,7 @@ def scans(context: TheContext) -> list[ScanSummary]:
             frames=scan.frames,
             seconds=scan.seconds,
             calibration_id=scan.calibration_id,
+            note=context.recovery.note_of(scan),
         )
         for scan in context.store.scans.all()
     ]
@@ -78,9 +81,7 @@ def cloud(scan_id: str, context: TheContext) -> Response:
 
 
 def _download(path: Path, media_type: str, name: str) -> Response:
-    if not path.is_file():
-        raise NotFound(f"{path.name} is not in the data folder any more.")
-    return FileResponse(path, media_type=media_type, filename=name)
+    return sent_file(path, f"{path.name} is not in the data folder any more.", media_type, name)
 
 
 def summary_of(record: CalibrationRecord) -> CalibrationSummary:
@@ -129,9 +130,7 @@ def known_of(context: Context, record: CalibrationRecord | None) -> Known:
     verified = store.verifications.newest_of(record.id) if record else None
     tip, arm = arm_guide.past.last_tip_check(), arm_guide.past.last_check()
     return Known(
-        calibration=None
-        if record is None
-        else Checked(record.accepted_at, "valid", f"{record.figures.total_um:.0f} µm (k = 1)"),
+        calibration=_calibration(record, context.scanner.trouble),
         verification=None
         if verified is None
         else Checked(verified.accepted_at, RESULTS[verified.figures.result], verified.figures.text),
@@ -140,6 +139,14 @@ def known_of(context: Context, record: CalibrationRecord | None) -> Known:
         arm=None if arm is None else Checked(arm.at, _state(arm.verdict), _of_arm(arm)),
         warmer_c=None if record is None else store.temperatures.change_since(record.accepted_at),
     )
+
+
+def _calibration(record: CalibrationRecord | None, trouble: Refusal | None) -> Checked | None:
+    at = record.accepted_at if record is not None else ""
+    if trouble is not None:
+        return Checked(at, "failed", trouble.why)
+    figures = record.figures if record is not None else None
+    return None if figures is None else Checked(at, "valid", f"{figures.total_um:.0f} µm (k = 1)")
 
 
 def tip_of(arm_guide: ArmGuide, limits: DueLimits) -> Finding:

@@ -12,6 +12,7 @@ from app.guide.view import FlowView
 from app.station.device_state import DeviceState
 from app.station.findings import Quality
 from app.supervise.messages import (
+    MOST_ALARMS,
     ActivityReport,
     Alarm,
     CalibrationReport,
@@ -21,7 +22,6 @@ from app.supervise.messages import (
 )
 
 LONGEST = 400
-MOST_ALARMS = 12
 
 
 def report_of(context: Context) -> StationReport:

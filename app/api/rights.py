@@ -149,6 +149,7 @@ ROUTES: dict[tuple[str, str], Rule] = {
 MESSAGES: dict[str, Right] = {
     "preview": Right.look,
     "preview_ack": Right.look,
+    "stations": Right.look,
     "beat": Right.look,
 }
 """What each kind of message of a live connection asks."""

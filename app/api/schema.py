@@ -89,6 +89,13 @@ class PreviewRequest(Request):
     on: bool
 
 
+class StationsRequest(Request):
+    """Whether this tab shows what other stations do."""
+
+    type: Literal["stations"]
+    on: bool
+
+
 class PreviewAck(Request):
     type: Literal["preview_ack"]
     seq: int
@@ -100,7 +107,9 @@ class Beat(Request):
     type: Literal["beat"]
 
 
-LiveRequest = Annotated[PreviewRequest | PreviewAck | Beat, Field(discriminator="type")]
+LiveRequest = Annotated[
+    PreviewRequest | PreviewAck | StationsRequest | Beat, Field(discriminator="type")
+]
 
 
 @dataclass(frozen=True)
@@ -146,6 +155,8 @@ class ScanSummary:
     frames: int
     seconds: float
     calibration_id: str
+    note: str
+    """What is wrong with its recording, or why it ended early; mostly empty."""
 
 
 @dataclass(frozen=True)

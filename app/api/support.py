@@ -16,6 +16,7 @@ from app.api.context import Context
 from app.api.examining import Examiner, packages, software
 from app.api.reporting import report_of
 from app.files.moments import utc_now
+from app.files.opening import read_bounded
 from app.metrology.refusal import Refusal
 from app.station.redaction import Redactor, secrets_in, secrets_of
 
@@ -104,7 +105,7 @@ def _lines(redactor: Redactor, rows: object) -> str:
 def _log(redactor: Redactor, path: Path) -> str:
     """Line by line, so that what is redacted stays JSON."""
     lines = []
-    for text in path.read_text("utf-8", "replace").splitlines():
+    for text in read_bounded(path).decode("utf-8", "replace").splitlines():
         try:
             value = json.loads(text)
         except ValueError:

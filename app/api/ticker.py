@@ -6,6 +6,7 @@ import logging
 from app.api.context import Context
 from app.api.records import home_of
 from app.guide.verify.commands import measure_waiting
+from app.metrology.refusal import Refusal
 
 log = logging.getLogger(__name__)
 PERIOD_S = 0.2
@@ -23,10 +24,14 @@ async def tick(context: Context) -> None:
             await asyncio.to_thread(measure_waiting, context.verify_guide)
             await asyncio.to_thread(context.verify_guide.refresh)
             if count % HOME_EVERY == 0:
+                await asyncio.to_thread(context.recovery.step)
+            if count % HOME_EVERY == 0:
                 found = await asyncio.to_thread(home_of, context)
                 if found != home:
                     home = found
                     context.bus.publish("home", home)
+        except Refusal as refusal:  # of a damaged database or its disk; Health tells of it
+            log.warning("the live state could not be refreshed: %s", refusal.line)
         except Exception:  # the station lives on, and the next tick may succeed
             log.exception("the live state could not be refreshed")
         count += 1

@@ -3,13 +3,14 @@
 from typing import Annotated
 
 from fastapi import APIRouter, Path, Request
-from pydantic_core import to_json
-from starlette.responses import FileResponse, Response
+from starlette.responses import Response
 
 from app.api.access import TheVisitor
 from app.api.context import Context, TheContext
+from app.api.encoding import encoded
 from app.api.problems import NotFound
 from app.api.schema import FlowCommand, Temperature
+from app.api.sending import sent_file
 from app.api.verify_schema import StudyState, VerificationSummary
 from app.files.gauge_cloud import MAP
 from app.files.verification import STUDY, VERIFICATION
@@ -27,7 +28,7 @@ STUDY_TITLE = "Rebuilding the clouds with every calibration"
 
 
 def _answer(view: VerifyView) -> Response:
-    return Response(to_json(view, inf_nan_mode="null"), media_type="application/json")
+    return Response(encoded(view), media_type="application/json")
 
 
 @router.get("/verify", response_model=VerifyView)
@@ -90,11 +91,8 @@ def verification_summary(record: VerificationRecord, calibration: str) -> Verifi
 def verification(verification_id: str, context: TheContext) -> Response:
     """The record as its file has it."""
     path = _record(verification_id, context).folder / VERIFICATION
-    if not path.is_file():
-        raise NotFound("The record is not in the data folder any more.")
-    return FileResponse(
-        path, media_type="application/json", filename=f"verification-{verification_id}.json"
-    )
+    missing = "The record is not in the data folder any more."
+    return sent_file(path, missing, "application/json", f"verification-{verification_id}.json")
 
 
 @router.get("/verifications/{verification_id}/cloud/{number}/map")
@@ -106,9 +104,7 @@ def cloud_map(verification_id: str, number: CloudNumber, context: TheContext) ->
     else:
         folder = _record(verification_id, context).folder
     path = folder / f"cloud-{number}" / MAP
-    if not path.is_file():
-        raise NotFound(f"There is no map of cloud {number}.")
-    return FileResponse(path, media_type="application/json")
+    return sent_file(path, f"There is no map of cloud {number}.", "application/json")
 
 
 @router.get("/verifications/{verification_id}/study")

@@ -9,6 +9,7 @@ from starlette.status import HTTP_204_NO_CONTENT
 
 from app.api.context import Context, TheContext
 from app.api.problems import NotFound
+from app.api.recovery import DELETED
 from app.api.schema import Colouring, Region, Rename, Switch
 from app.files.failures import files_refused
 from app.metrology.refusal import Refusal
@@ -18,7 +19,6 @@ from app.store.scans import ScanRecord
 
 router = APIRouter(prefix="/api")
 ScanId = Annotated[str, Path(max_length=128)]
-DELETED = ".deleted-"
 
 
 @router.get("/view")

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from app.api.guard import Network
 from app.files.moments import utc_now
+from app.files.names import name_from, name_whole
 from app.metrology.refusal import Refusal
 from app.station.bus import Bus
 from app.station.health import Health
@@ -20,7 +21,7 @@ from app.station.losses import LossWindow
 from app.station.scan_state import ScanResult
 from app.station.temperature import TemperatureWatch, Thermometer
 from app.station.watchdog import LoopWatchdog
-from app.store.backup import BackupMade, backup, last_backup, stamped_name
+from app.store.backup import BackupMade, backup, last_backup, shown_backup, stamped_name
 from app.store.store import Store
 from app.supervise.broker_settings import BrokerSettings
 from app.supervise.fleet import Fleet
@@ -88,13 +89,15 @@ class Backups:
         self._thread.start()
 
     def _run(self) -> None:
+        name_from(self.folder.parent)
         try:
             self.last = backup(self._data, self.folder / stamped_name(), self._progress)
-            self._bus.event("backup", f"The backup is in {self.last.folder}.", "good")
+            self._bus.event("backup", f"The backup is in {shown_backup(self.last.folder)}.", "good")
         except Refusal as refusal:
             self.trouble = refusal.line
             self._bus.event("backup", f"No backup was made: {refusal.line}", "bad")
         finally:
+            name_whole(self.folder.parent)
             self.share = None
 
     def _progress(self, share: float, text: str) -> None:

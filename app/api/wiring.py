@@ -7,14 +7,13 @@ from pathlib import Path
 from app.api.console_code import new_code
 from app.api.context import Context
 from app.api.entrance import Entrance
+from app.api.in_use import cannot_use, scan_calibration, trouble_now
 from app.api.machine import stop_everything
 from app.api.records import tip_of
+from app.api.recovery import Recovery
 from app.api.schema import Station
 from app.api.watch import Watch, Watching
-from app.files.arm import read_arm
-from app.files.calibration import CalibrationFile, calibration_in
 from app.files.gauge import DEFAULT_LIMITS, VerificationLimits
-from app.files.session import ARM
 from app.files.software import SOFTWARE
 from app.guide.arm.commands import press as press_arm
 from app.guide.arm.guide import ArmGuide, ArmStation
@@ -35,7 +34,6 @@ from app.station.distance_band import DistanceWatch
 from app.station.jobs import Jobs
 from app.station.lease import Lease
 from app.station.operator_settings import OperatorSettings
-from app.station.pipeline import ScanCalibration
 from app.station.preview import Preview
 from app.station.rig import Rig
 from app.station.scan_state import ScanResult
@@ -82,6 +80,14 @@ def open_context(parts: Parts) -> Context:
         Refusal: the data folder cannot be used, or is in use by another server.
     """
     store = Store(parts.data)
+    try:
+        return _wired(parts, store)
+    except BaseException:
+        store.close()
+        raise
+
+
+def _wired(parts: Parts, store: Store) -> Context:
     bus = Bus()
     rig = Rig(bus, parts.arm, parts.sensor, store.folder)
     scene = Scene()
@@ -118,6 +124,8 @@ def open_context(parts: Parts) -> Context:
         parts.limits,
         signing,
     )
+    recovery = Recovery(store, scanner, jobs, bus, viewing.note_records)
+    recovery.list_unlisted()
     scan_hand = ScanHand(parts.hand, jobs, bus, lambda: bus.publish("scan", scanner.state()))
     scanner.on_finished = lambda result: _finished(result, store, watch)
     arm_station = ArmStation(bus, rig, jobs, parts.hand)
@@ -155,6 +163,7 @@ def open_context(parts: Parts) -> Context:
         lease,
         Entrance(store.accounts, store.sign_ins, store.scrapers, parts.guest, parts.code),
         watch,
+        recovery,
         parts.due,
     )
 
@@ -163,6 +172,7 @@ def close_context(context: Context) -> None:
     """Laser off, hand and scan stopped and saved, devices closed. The store stays open."""
     stop_everything(context)
     context.jobs.wait(JOB_END_S)
+    context.recovery.close()
     context.scanner.close()
     context.preview.stop()
     context.rig.stop()
@@ -205,6 +215,8 @@ def _record(result: ScanResult) -> ScanRecord:
         frames=result.frames,
         seconds=result.seconds,
         calibration_id=result.calibration_id,
+        interrupted=result.interrupted,
+        recording_bytes=result.recording_bytes,
     )
 
 
@@ -219,17 +231,17 @@ def _use(
     """Makes the active calibration the one to scan with."""
     preview.set_calibration(None)
     if record is None:
-        scanner.set_calibration(None)
+        scanner.set_calibration(None, _unreadable(store))
         return
     try:
-        calibration = _scan_calibration(record)
+        calibration = scan_calibration(record)
     except Refusal as refusal:
         bus.event("refused", f"The calibration in use cannot be read: {refusal.line}", "bad")
-        scanner.set_calibration(None)
+        scanner.set_calibration(None, cannot_use(refusal.line))
         return
     rig.arm.set_model(calibration.arm)
     preview.set_stripe_axis(calibration.stripe_axis)
-    scanner.set_calibration(calibration)
+    scanner.set_calibration(calibration, look=lambda: trouble_now(record))
     preview.set_calibration(
         DistanceWatch(
             calibration.camera,
@@ -240,22 +252,7 @@ def _use(
     )
 
 
-def _scan_calibration(record: CalibrationRecord) -> ScanCalibration:
-    """An accepted calibration with the arm that it was made on."""
-    sheet = CalibrationFile.read(record.file)
-    found = calibration_in(sheet)
-    uncertainty = sheet.uncertainty
-    if uncertainty is None:
-        raise Refusal("field-missing", f"{record.file}: uncertainty is missing")
-    return ScanCalibration(
-        id=record.id,
-        name=record.name,
-        arm=read_arm(record.file.parent / ARM),
-        camera=found.camera,
-        plane=found.plane,
-        T_flange_sensor=found.T_flange_sensor,
-        stripe_axis=found.stripe_axis,
-        arm_serial=record.figures.arm_serial,
-        sensor_serial=record.figures.sensor_serial,
-        depth_range_mm=uncertainty.depth_range_mm,
-    )
+def _unreadable(store: Store) -> Refusal | None:
+    """Why there is none although one was accepted."""
+    active = next((one for one in store.calibrations.unreadable() if one.active), None)
+    return None if active is None else cannot_use(f"{active.name} has no readable figures.")

@@ -24,12 +24,12 @@ MB = 1 << 20
 GUEST = "Bench"
 
 
-def stuck(what: str) -> Refusal:
+def stuck(what: str, patience_s: float = PATIENCE_S) -> Refusal:
     """That the station under test, or a viewer of it, does not go on."""
     return Refusal(
         "bench-stuck",
         f"Nothing was measured: {what}",
-        f"nothing came of it in {PATIENCE_S:.0f} s",
+        f"nothing came of it in {patience_s:.0f} s",
         "run it again when the machine has less to do",
     )
 

@@ -171,7 +171,7 @@ class Station:
 
     def calibrated_s(self) -> float:
         """Until a calibration is accepted that its hand has made, step by step."""
-        with httpx.Client(base_url=self._address, timeout=30.0) as http:
+        with httpx.Client(base_url=self._address, timeout=PATIENCE_S) as http:
             _enter(http, self._output.read_text())
             http.post("/api/flow/start").raise_for_status()
             while (view := self._view(http))["step"] != "review" or view["busy"] is not None:
@@ -212,8 +212,9 @@ def _command(http: httpx.Client, view: dict[str, Any], name: str, **args: object
 
 
 def _environment(cache: Path) -> dict[str, str]:
-    """Python's and the compiled loops' caches are in a folder of ours."""
-    kept = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
+    """Python's and the compiled loops' caches are in a folder of ours, and are written."""
+    ours = ("PYTHONPATH", "PYTHONDONTWRITEBYTECODE")
+    kept = {key: value for key, value in os.environ.items() if key not in ours}
     return {
         **kept,
         "PYTHONPYCACHEPREFIX": str(cache / "python"),

@@ -8,6 +8,7 @@ from pydantic import Field, model_validator
 
 from app.files.arm_covariance import IdentificationPart
 from app.files.documents import Document, NotNegative, Number, Part, Positive
+from app.files.names import shown_path
 from app.metrology.arm import Arm, Joint, LinkError, RobotArm, Tip
 from app.metrology.refusal import Refusal
 
@@ -47,7 +48,7 @@ class TipPart(Part):
 
 
 class ArmFile(Document):
-    """The file as FORMATS.md has it."""
+    """The file, as described in docs/formats.md."""
 
     FORMAT: ClassVar[str] = "crenel/arm"
 
@@ -90,7 +91,7 @@ def read_arm(path: Path) -> Arm:
         return arm
     raise Refusal(
         "arm-without-joints",
-        f"{path}: convention is 'pose'",
+        f"{shown_path(path)}: convention is 'pose'",
         "here an arm is needed that reports its joint angles",
         "Give the arm's Denavit-Hartenberg model (convention 'dh-standard')",
     )

@@ -18,6 +18,7 @@ import numpy as np
 from app.files.arm import read_arm
 from app.files.atomic import write_atomically
 from app.files.joint_angles import JointAngles, joint_columns
+from app.files.names import shown_path
 from app.files.tables import Row, Table, read_table, table_text
 from app.metrology.arm import Arm
 from app.metrology.arm_model.observations import Bar, Observations, Seat, Sphere
@@ -57,7 +58,7 @@ def read_observations(folder: Path, arm: Arm) -> Observations:
     if not any((folder / name).exists() for name in TABLES):
         raise Refusal(
             "no-observations",
-            str(folder),
+            shown_path(folder),
             f"it holds none of {', '.join(TABLES)}",
             "Name a folder of seats, spheres or ball bars touched with the arm",
         )
@@ -134,7 +135,7 @@ def read_bars(path: Path, arm: Arm) -> tuple[Bar, ...]:
         if len(both) != 2:
             raise Refusal(
                 "bar-ends",
-                f"{path}: bar {bar}, position {position} has ends {', '.join(both)}",
+                f"{shown_path(path)}: bar {bar}, position {position} has ends {', '.join(both)}",
                 "a bar has two ends",
                 "Complete or delete the rows of this position",
             )
@@ -160,7 +161,10 @@ def _by_labels(
         q_rad.setdefault(label, []).append(angles.of(row))
     if not rows:
         raise Refusal(
-            "no-points", f"{table.path} holds no points", "", "Take some, or delete the file"
+            "no-points",
+            f"{shown_path(table.path)} holds no points",
+            "",
+            "Take some, or delete the file",
         )
     angles.refuse_radians([q for own in q_rad.values() for q in own])
     return {label: (rows[label], np.array(q_rad[label])) for label in rows}
@@ -199,4 +203,4 @@ def _uncertainty(rows: Sequence[Row], label: str) -> float:
 def _refuse_no_folder(folder: Path) -> None:
     if not folder.is_dir():
         there = "it is a file" if folder.exists() else "there is no such folder"
-        raise Refusal("folder-missing", str(folder), there, "Name a folder")
+        raise Refusal("folder-missing", shown_path(folder), there, "Name a folder")

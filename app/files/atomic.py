@@ -8,6 +8,8 @@ from pathlib import Path
 from typing import BinaryIO
 
 from app.files.failures import files_refused
+from app.files.names import shown_path
+from app.files.opening import open_file
 from app.metrology.refusal import Refusal
 
 
@@ -35,13 +37,13 @@ def atomic_path(path: Path) -> Iterator[Path]:
     with files_refused(path):
         try:
             yield part
-            with open(part, "rb") as file:
+            with open_file(part) as file:
                 os.fsync(file.fileno())
             os.replace(part, target)
         except BaseException:
             part.unlink(missing_ok=True)
             raise
-        _sync_folder(target.parent)
+        sync_folder(target.parent)
 
 
 def write_atomically(path: Path, content: bytes) -> None:
@@ -66,33 +68,65 @@ def checked_target(path: Path, sources: Iterable[Path] = ()) -> Path:
         if any(target == source.resolve() for source in sources):
             raise Refusal(
                 "output-is-source",
-                str(path),
+                shown_path(path),
                 "the result would replace a file that it is made from",
-                "Name another file with -o",
+                "Name another file",
             )
         if target.exists() and not target.is_file():
-            kind = "a folder" if target.is_dir() else "a device"
-            raise Refusal("output-not-a-file", str(path), f"it is {kind}", "Name a file")
+            kind = "a folder" if target.is_dir() else "a pipe, a socket or a device"
+            raise Refusal("output-not-a-file", shown_path(path), f"it is {kind}", "Name a file")
         folder = target.parent
         if not folder.is_dir():
             raise Refusal(
                 "folder-missing",
-                str(path),
-                f"there is no folder {folder}",
+                shown_path(path),
+                f"there is no folder {shown_path(folder)}",
                 "Create it, or choose another place",
             )
         if not os.access(folder, os.W_OK | os.X_OK):
             raise Refusal(
                 "folder-forbidden",
-                str(path),
-                f"the folder {folder} cannot be written to",
-                "Choose another place with -o",
+                shown_path(path),
+                f"the folder {shown_path(folder)} cannot be written to",
+                "Choose another place",
             )
     return target
 
 
-def _sync_folder(folder: Path) -> None:
-    """Makes a rename in the folder durable, where the platform can."""
+def make_folder(folder: Path) -> None:
+    """Makes a folder that is not there yet, with those above it, durably.
+
+    Raises:
+        FileExistsError: it is there.
+        OSError: it cannot be made.
+    """
+    if not folder.parent.is_dir():
+        make_folder(folder.parent)
+    folder.mkdir()
+    sync_folder(folder.parent)
+
+
+def ensure_folder(folder: Path) -> None:
+    """Makes a folder durably, with those above it, where it is not there.
+
+    Raises:
+        OSError: it cannot be made, or something else has its name.
+    """
+    try:
+        make_folder(folder)
+    except FileExistsError:
+        if not folder.is_dir():
+            raise
+
+
+def sync_file(path: Path) -> None:
+    """Brings what another process or library wrote to the disk; raises ``OSError``."""
+    with open_file(path) as file:
+        os.fsync(file.fileno())
+
+
+def sync_folder(folder: Path) -> None:
+    """Makes the names in a folder durable, where the platform can; raises ``OSError``."""
     if os.name == "nt":
         return
     handle = os.open(folder, os.O_RDONLY)

@@ -1,6 +1,7 @@
 """Whether a recording holds a scan, and belongs to the calibration and the arm given with it."""
 
 from app.files.calibration import Calibration
+from app.files.names import shown_path
 from app.files.recording import IMAGE_TOPIC, JOINTS_TOPIC, STRIPE_TOPIC, Recording
 from app.metrology.arm import Arm
 from app.metrology.refusal import Refusal
@@ -12,10 +13,10 @@ def check_content(recording: Recording, frames: int, joint_samples: int) -> str:
     if not recording.cut and not {JOINTS_TOPIC, IMAGE_TOPIC, STRIPE_TOPIC} & topics:
         raise Refusal(
             "recording-foreign",
-            f"{recording.path} holds {', '.join(sorted(topics)) or 'no topics'}",
+            f"{shown_path(recording.path)} holds {', '.join(sorted(topics)) or 'no topics'}",
             f"a scan has {JOINTS_TOPIC} and {IMAGE_TOPIC} or {STRIPE_TOPIC}",
         )
-    named = recording.cut or str(recording.path)
+    named = recording.cut or shown_path(recording.path)
     if not frames:
         raise Refusal("recording-without-frames", f"{named}: no frames")
     if not joint_samples:
@@ -33,7 +34,7 @@ def check_station(recording: Recording, calibration: Calibration, arm: Arm) -> N
         if recorded and known and recorded != known:
             raise Refusal(
                 f"{device}-of-another-serial",
-                f"{recording.path} was taken with {device} {recorded}",
+                f"{shown_path(recording.path)} was taken with {device} {recorded}",
                 f"the {'calibration' if device == 'sensor' else 'arm.json'} is for {known}",
                 "Give the files that belong together",
             )

@@ -14,6 +14,7 @@ import numpy as np
 from app.files.cloud_library import first_line, library, written
 from app.files.cloud_points import Cloud, Points, cloud_of
 from app.files.cloud_tables import malformed
+from app.files.names import shown_path
 from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
 
@@ -130,7 +131,7 @@ def _scan(path: Path, e57: Any, file: Any, index: int) -> dict[str, Floats]:
     if not set(AXES) <= set(present):
         raise Refusal(
             "cloud-not-cartesian",
-            f"{path}: scan {index + 1}",
+            f"{shown_path(path)}: scan {index + 1}",
             "its points are not Cartesian",
             "Export Cartesian coordinates",
         )

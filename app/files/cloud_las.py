@@ -13,6 +13,7 @@ import numpy as np
 from app.files.cloud_library import library, written
 from app.files.cloud_points import Cloud, Points, cloud_of
 from app.files.cloud_tables import cut_off, malformed
+from app.files.names import shown_path
 from app.metrology.refusal import Refusal
 
 STEP_MM = 1e-4
@@ -56,7 +57,7 @@ class LasSink:
             if not farthest <= FARTHEST_MM:
                 raise Refusal(
                     "cloud-out-of-range",
-                    f"{self._path}: a point lies at {axis} = ±{farthest:.0f} mm",
+                    f"{shown_path(self._path)}: a point lies at {axis} = ±{farthest:.0f} mm",
                     f"LAS counts in steps of 0.1 µm, up to {FARTHEST_MM:.0f} mm",
                     "Write PLY or E57",
                 )

@@ -6,6 +6,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import TypeVar
 
+from app.files.names import shown_path
 from app.metrology.refusal import Refusal
 
 T = TypeVar("T")
@@ -18,7 +19,7 @@ def library(path: Path, name: str) -> ModuleType:
     except ImportError as error:
         raise Refusal(
             "extra-missing",
-            str(path),
+            shown_path(path),
             f"{path.suffix.upper().lstrip('.')} files need the package {name}, "
             "which is not installed",
             "Install it with: pip install 'crenel[clouds]'; or take PLY, PCD or XYZ",
@@ -34,7 +35,7 @@ def written(path: Path, failure: str, work: Callable[[], T]) -> T:
             raise
         raise Refusal(
             "cloud-not-written",
-            str(path),
+            shown_path(path),
             f"the disk took no more of it ({first_line(error)})",
             "Free some space, or choose another place",
         ) from error

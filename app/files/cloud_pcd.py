@@ -10,6 +10,7 @@ import numpy as np
 
 from app.files.cloud_points import Cloud, Points, cloud_of
 from app.files.cloud_tables import COUNT_WIDTH, as_doubles, binary_rows, malformed, text_rows
+from app.files.names import shown_path
 from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
 
@@ -44,7 +45,7 @@ class PcdSink:
             if farthest > FARTHEST_MM:
                 raise Refusal(
                     "cloud-out-of-range",
-                    f"{self._path}: a point lies at {axis} = ±{farthest:.0f} mm",
+                    f"{shown_path(self._path)}: a point lies at {axis} = ±{farthest:.0f} mm",
                     f"PCD's floats round to more than 1 µm beyond {FARTHEST_MM:.0f} mm",
                     "Write PLY or E57",
                 )
@@ -85,7 +86,7 @@ def read_pcd(path: Path, file: BinaryIO) -> Cloud:
         return cloud_of(_ascii(path, file, layout, count))
     raise Refusal(
         "cloud-compressed",
-        str(path),
+        shown_path(path),
         f"its data is {data}, which is not read here",
         "Export it as binary PCD or as PLY",
     )

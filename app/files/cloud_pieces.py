@@ -7,6 +7,8 @@ import numpy as np
 
 from app.files.cloud_points import POINT, Points
 from app.files.failures import files_refused
+from app.files.names import shown_path
+from app.files.opening import open_file
 from app.files.ply import find_vertices
 from app.metrology.refusal import Refusal
 
@@ -19,12 +21,12 @@ def cloud_pieces(path: Path) -> Iterator[tuple[Points, float]]:
     Raises:
         Refusal: missing, cut off, or not as the scanner writes it.
     """
-    with files_refused(path), open(path, "rb") as file:
+    with files_refused(path), open_file(path) as file:
         vertices = find_vertices(path, file)
         if vertices.ascii or vertices.layout != POINT or vertices.bytes_before:
             raise Refusal(
                 "cloud-foreign",
-                f"{path} is not as a scan leaves it",
+                f"{shown_path(path)} is not as a scan leaves it",
                 "it was written anew by another program",
             )
         left = vertices.count
@@ -33,7 +35,7 @@ def cloud_pieces(path: Path) -> Iterator[tuple[Points, float]]:
             if not len(points):
                 raise Refusal(
                     "cloud-cut-off",
-                    f"{path} holds {vertices.count - left} of {vertices.count} points",
+                    f"{shown_path(path)} holds {vertices.count - left} of {vertices.count} points",
                     "the file was cut off",
                 )
             left -= len(points)

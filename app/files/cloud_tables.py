@@ -6,6 +6,7 @@ from typing import BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
+from app.files.names import shown_path
 from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
 
@@ -45,14 +46,14 @@ def text_rows(path: Path, file: BinaryIO, columns: int, count: int) -> Floats:
 
 def malformed(path: Path, why: str) -> Refusal:
     """A file that is not as its format has it."""
-    return Refusal("cloud-malformed", str(path), why, "Export the cloud again")
+    return Refusal("cloud-malformed", shown_path(path), why, "Export the cloud again")
 
 
 def cut_off(path: Path, found: int, announced: int) -> Refusal:
     """A file that holds fewer points than its header says."""
     return Refusal(
         "cloud-cut-off",
-        f"{path} holds {found} of {announced} points",
+        f"{shown_path(path)} holds {found} of {announced} points",
         "the file was cut off",
         "Export the cloud again",
     )

@@ -1,12 +1,14 @@
 """XYZ: one point a line, as text."""
 
+import io
 import warnings
 from pathlib import Path
-from typing import BinaryIO
+from typing import BinaryIO, TextIO
 
 import numpy as np
 
 from app.files.cloud_points import Cloud, Points, cloud_of
+from app.files.names import shown_path
 from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
 from app.native.arguments import I64, U8, Array, Function
@@ -43,7 +45,7 @@ class XyzSink:
         if farthest > FARTHEST_MM:
             raise Refusal(
                 "cloud-out-of-range",
-                f"{self._path}: a point lies at {farthest:.3g} mm",
+                f"{shown_path(self._path)}: a point lies at {farthest:.3g} mm",
                 f"XYZ is written up to {FARTHEST_MM:.0e} mm",
                 "Write PLY",
             )
@@ -57,15 +59,24 @@ class XyzSink:
         """Nothing is held back."""
 
 
-def read_xyz(path: Path) -> Cloud:
+def read_xyz(path: Path, file: BinaryIO) -> Cloud:
     """Reads lines of x y z and more; what is more is known where a first line names it."""
-    with open(path, encoding="utf-8-sig", errors="replace") as text:
-        start = text.read(4096)
+    file.seek(0)
+    with io.TextIOWrapper(file, "utf-8-sig", "replace") as text:
+        return _read(path, text)
+
+
+def _read(path: Path, text: TextIO) -> Cloud:
+    start = text.read(4096)
+    text.seek(0)
     lines = [line for line in start.splitlines() if line.strip() and line[0] not in "#/"]
     if not lines or "\0" in start:
         why = "it is no cloud that is known here" if lines else "it is empty"
         raise Refusal(
-            "cloud-unreadable", str(path), why, "Give a .ply, .pcd, .e57, .xyz, .las or .laz cloud"
+            "cloud-unreadable",
+            shown_path(path),
+            why,
+            "Give a .ply, .pcd, .e57, .xyz, .las or .laz cloud",
         )
     delimiter = next((sign for sign in ";," if sign in lines[0]), None)
     skip = 0 if _is_point(lines[0], delimiter) else start.splitlines().index(lines[0]) + 1
@@ -73,18 +84,17 @@ def read_xyz(path: Path) -> Cloud:
     try:
         with warnings.catch_warnings(action="ignore"):  # of a file without rows
             table: Floats = np.loadtxt(
-                path,
+                text,
                 comments=("#", "//"),
                 delimiter=delimiter,
                 usecols=range(len(names)),
                 ndmin=2,
                 skiprows=skip,
-                encoding="utf-8-sig",
             ).reshape(-1, len(names))
     except (ValueError, IndexError) as error:
         raise Refusal(
             "cloud-unreadable",
-            str(path),
+            shown_path(path),
             f"a line of x y z numbers is expected, but {str(error).split(';')[0]}",
             "Give a .ply or .xyz cloud",
         ) from error

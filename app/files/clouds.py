@@ -14,6 +14,8 @@ from app.files.cloud_pcd import PcdSink, read_pcd
 from app.files.cloud_points import POINT, Cloud, Points, PointSink, packed
 from app.files.cloud_xyz import XyzSink, read_xyz
 from app.files.failures import files_refused
+from app.files.names import shown_path
+from app.files.opening import open_file
 from app.files.ply import PlySink, read_ply
 from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
@@ -115,7 +117,7 @@ def checked_suffix(path: Path) -> str:
     if suffix not in SUFFIXES:
         raise Refusal(
             "cloud-format",
-            str(path),
+            shown_path(path),
             f"clouds are written as {', '.join(SUFFIXES)}",
             f"Name it {path.with_suffix('.ply').name}",
         )
@@ -129,7 +131,7 @@ def read_cloud(path: Path) -> Cloud:
         Refusal: missing, cut off, malformed, or without points; or the format's
             library is not installed.
     """
-    with files_refused(path), open(path, "rb") as file:
+    with files_refused(path), open_file(path) as file:
         head = file.read(16)
         if head[:4].rstrip() == b"ply":
             cloud = read_ply(path, file)
@@ -140,16 +142,16 @@ def read_cloud(path: Path) -> Cloud:
         elif head.startswith((b"# .PCD", b"VERSION ")):
             cloud = read_pcd(path, file)
         else:
-            cloud = read_xyz(path)
+            cloud = read_xyz(path, file)
     if not len(cloud.points_mm):
-        raise Refusal("cloud-empty", str(path), "it holds no points", "Scan the gauge again")
+        raise Refusal("cloud-empty", shown_path(path), "it holds no points", "Scan the gauge again")
     largest = float(
         np.max(np.abs(cloud.points_mm), initial=0.0, where=np.isfinite(cloud.points_mm))
     )
     if largest > FARTHEST_MM:
         raise Refusal(
             "cloud-too-far",
-            f"{path} has a coordinate of {largest:.3g} mm",
+            f"{shown_path(path)} has a coordinate of {largest:.3g} mm",
             f"an arm measures within {FARTHEST_MM:.0e} mm",
             "Give a cloud in millimetres",
         )

@@ -11,12 +11,16 @@ from pydantic_core import PydanticCustomError
 
 from app.files.atomic import write_atomically
 from app.files.failures import files_refused, refusal_of_invalid
+from app.files.names import shown_path
+from app.files.opening import open_file, read_bounded
 from app.metrology.refusal import Refusal
 
 # no line break can stand within a text of JSON
 _NUMBERS = re.compile(r"\[\n\s+([-+.eE\d,\s]+?)\n\s+\]")
 
 
+_HALF = re.compile(r"\\u[dD][89a-fA-F]")
+"""An escape that may be half of a character."""
 LARGEST = 1e9
 
 
@@ -91,14 +95,14 @@ class Document(Part):
         if found != cls.FORMAT:
             raise Refusal(
                 "file-of-another-format",
-                f"{path}: format is {found!r}",
+                f"{shown_path(path)}: format is {found!r}",
                 f"{cls.FORMAT!r} is expected here",
                 "Give the right file",
             )
         if version != cls.VERSION or isinstance(version, bool):
             raise Refusal(
                 "file-of-another-version",
-                f"{path}: version is {version!r}",
+                f"{shown_path(path)}: version is {version!r}",
                 f"this program reads version {cls.VERSION} of {cls.FORMAT}",
             )
 
@@ -107,31 +111,47 @@ def _object_of(path: Path) -> dict[str, Any]:
     text = read_text(path)
     try:
         fields = json.loads(text)
-    except (json.JSONDecodeError, RecursionError) as error:
+    except (ValueError, RecursionError) as error:
         if not text.strip():
             why = "it is empty"
         elif isinstance(error, json.JSONDecodeError):
             why = f"it is not JSON, or was cut off: {error.msg} in line {error.lineno}"
-        else:
+        elif isinstance(error, RecursionError):
             why = "it is nested too deeply"
+        else:
+            why = "one of its numbers has too many digits"
         raise Refusal(
-            "file-not-json", str(path), why, "Restore the file from its source"
+            "file-not-json", shown_path(path), why, "Restore the file from its source"
         ) from error
+    if _HALF.search(text):
+        _check_characters(path, fields)
     if not isinstance(fields, dict):
-        raise Refusal("file-not-json", str(path), "a JSON object { … } is expected")
+        raise Refusal("file-not-json", shown_path(path), "a JSON object { … } is expected")
     return fields
+
+
+def _check_characters(path: Path, fields: object) -> None:
+    try:
+        json.dumps(fields, ensure_ascii=False).encode()
+    except UnicodeEncodeError as error:
+        raise Refusal(
+            "file-not-text",
+            shown_path(path),
+            "half a character stands in one of its texts",
+            "Save it as UTF-8",
+        ) from error
 
 
 def read_text(path: Path) -> str:
     """A UTF-8 text file, a byte-order mark taken off; raises ``Refusal`` where it cannot."""
     with files_refused(path):
-        raw = path.read_bytes()
+        raw = read_bounded(path)
     try:
         return raw.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise Refusal(
             "file-not-text",
-            str(path),
+            shown_path(path),
             f"byte {error.start} is not UTF-8 text",
             "Save it as UTF-8",
         ) from error
@@ -139,5 +159,5 @@ def read_text(path: Path) -> str:
 
 def sha256_of(path: Path) -> str:
     """The file's SHA-256 in hexadecimal; raises ``Refusal`` where it cannot be read."""
-    with files_refused(path), open(path, "rb") as file:
+    with files_refused(path), open_file(path) as file:
         return hashlib.file_digest(file, "sha256").hexdigest()

@@ -9,6 +9,7 @@ import numpy as np
 from app.files.atomic import write_atomically
 from app.files.images import GreyImage, read_grey
 from app.files.mask import Mask
+from app.files.names import shown_path
 from app.files.progress import Progress, no_progress
 from app.files.tables import table_text
 from app.metrology.image import saturation_level
@@ -57,7 +58,7 @@ def extract(
 
 def _without_stripe(path: Path, picture: GreyImage, axis: str, masked: bool) -> Refusal:
     """Says what the picture is like instead."""
-    what = f"{path} shows no laser stripe{' outside the mask' if masked else ''}"
+    what = f"{shown_path(path)} shows no laser stripe{' outside the mask' if masked else ''}"
     full = saturation_level(picture)
     clipped = float(np.mean(picture >= full))
     brightest = int(picture.max())

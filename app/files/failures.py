@@ -7,6 +7,7 @@ from pathlib import Path
 
 from pydantic import ValidationError
 
+from app.files.names import shown_path
 from app.metrology.refusal import Refusal
 
 _BY_ERRNO: dict[int, tuple[str, str, str]] = {
@@ -17,7 +18,19 @@ _BY_ERRNO: dict[int, tuple[str, str, str]] = {
     errno.ENOSPC: ("disk-full", "the disk is full", "Free some space and try again"),
     errno.EDQUOT: ("disk-full", "the disk quota is used up", "Free some space and try again"),
     errno.EISDIR: ("file-is-folder", "it is a folder", "Name a file"),
+    errno.ENXIO: (
+        "file-not-ordinary",
+        "it is a pipe, a socket or a device",
+        "Put a file in its place",
+    ),
+    errno.EOVERFLOW: ("file-too-large", "nothing that is read here is as large", "Check the path"),
     errno.ENOTDIR: ("file-is-no-folder", "a part of the path is not a folder", "Check the path"),
+    errno.EEXIST: (
+        "file-is-no-folder",
+        "a file has the name of a folder that is needed",
+        "Move it away",
+    ),
+    errno.ELOOP: ("file-error", "it is a link that leads to itself", "Remove it"),
     errno.ENAMETOOLONG: ("name-too-long", "the name is too long", "Choose a shorter one"),
     errno.EFBIG: ("file-too-large", "the disk's largest file size is reached", "Choose another"),
 }
@@ -29,7 +42,7 @@ def refusal_of(error: OSError, path: Path | str | None = None) -> Refusal:
     ``path`` is the file as whoever asked for it knows it, where that is known.
     """
     named = path if path is not None else error.filename
-    what = str(named) if named is not None else "a file"
+    what = shown_path(named) if named is not None else "a file"
     code, why, remedy = _BY_ERRNO.get(
         error.errno or 0, ("file-error", error.strerror or str(error), "")
     )
@@ -51,12 +64,12 @@ def refusals_naming(path: Path | str) -> Iterator[None]:
     try:
         yield
     except Refusal as refusal:
-        named = f"{path}: {refusal.what}"
+        named = f"{shown_path(path)}: {refusal.what}"
         raise Refusal(refusal.code, named, refusal.why, refusal.remedy) from refusal
 
 
 def refusal_of_invalid(path: Path | str, error: ValidationError) -> Refusal:
-    """The refusal for a document whose fields are not as FORMATS.md has them."""
+    """The refusal for a document whose fields are not as described in docs/formats.md."""
     problems = error.errors(include_url=False)
     first = problems[0]
     place = "".join(
@@ -67,18 +80,20 @@ def refusal_of_invalid(path: Path | str, error: ValidationError) -> Refusal:
     if first["type"] == "json_invalid":
         return Refusal(
             "file-not-json",
-            str(path),
+            shown_path(path),
             f"it is not JSON, or was cut off: {first.get('ctx', {}).get('error', message)}",
             "Restore the file from its source",
         )
     if first["type"] == "missing":
-        return Refusal("field-missing", f"{path}: {place} is missing{more}")
+        return Refusal("field-missing", f"{shown_path(path)}: {place} is missing{more}")
     value = repr(first["input"])
     if len(value) > 60:
         value = value[:57] + "..."
     shown = f" is {value}" if place and not isinstance(first["input"], dict) else ""
     return Refusal(
-        "field-invalid", f"{path}: {place}{shown}".rstrip(": "), f"{_lower_first(message)}{more}"
+        "field-invalid",
+        f"{shown_path(path)}: {place}{shown}".rstrip(": "),
+        f"{_lower_first(message)}{more}",
     )
 
 

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from app.files.names import shown_path
 from app.files.tables import Row, Table
 from app.metrology.frames import Floats, rigid
 from app.metrology.refusal import Refusal
@@ -33,7 +34,10 @@ class FlangePoses:
         elif {"x", "y", "z"} <= set(table.columns) or "x_m" in table.columns:
             remedy = f"Convert lengths to mm, and name the columns {', '.join(COLUMNS)}"
         raise Refusal(
-            "columns-missing", f"{table.path}: no column {', '.join(missing)}", why, remedy
+            "columns-missing",
+            f"{shown_path(table.path)}: no column {', '.join(missing)}",
+            why,
+            remedy,
         )
 
     def of(self, row: Row) -> Floats:
@@ -57,7 +61,8 @@ class FlangePoses:
         if 0 < furthest < REACH_MM:
             raise Refusal(
                 "poses-in-metres",
-                f"{self._path}: no flange is further than {furthest:.4g} mm from the arm's base",
+                f"{shown_path(self._path)}: "
+                f"no flange is further than {furthest:.4g} mm from the arm's base",
                 "these are metres where millimetres are expected",
                 "Convert the columns x_mm, y_mm and z_mm to millimetres",
             )

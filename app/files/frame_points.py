@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from app.files.calibration import Calibration
 from app.files.cloud_points import Points, packed
+from app.files.names import shown_path
 from app.files.recording import StripeRecord
 from app.files.recording_blocks import Profiles, profiles
 from app.files.recording_stream import Block, Frame
@@ -34,7 +35,7 @@ class Placing:
         if (width_px, height_px) != (camera.width_px, camera.height_px):
             raise Refusal(
                 "image-size",
-                f"{self.path}: frame {number} has {width_px} × {height_px} pixels",
+                f"{shown_path(self.path)}: frame {number} has {width_px} × {height_px} pixels",
                 f"the calibration is for {camera.width_px} × {camera.height_px}",
                 "Give the calibration of the sensor that took this recording",
             )

@@ -1,6 +1,6 @@
 """A gauge's own paper: its shape and size by certificate, and the limits it is judged by.
 
-``gauges/*.nominal.json`` of the data folder, as FORMATS.md has a nominal, with more beside::
+``gauges/*.nominal.json`` of the data folder: a nominal (docs/formats.md) with further fields::
 
     {"format": "crenel/nominal", "version": 1, "shape": "sphere", "radius_mm": 12.7,
      "name": "Ceramic sphere 25.4", "serial_number": "K-17", "certificate": "DKD 4711, 2026-03",

@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 
 from app.files.atomic import write_atomically
 from app.files.failures import files_refused
+from app.files.names import shown_path
+from app.files.opening import open_file, read_bounded
 from app.metrology.refusal import Refusal
 
 GreyImage = NDArray[np.uint8] | NDArray[np.uint16]
@@ -25,15 +27,18 @@ def read_grey(path: Path) -> GreyImage:
         Refusal: missing, no image, damaged or cut off, or in colour.
     """
     with files_refused(path):
-        raw = path.read_bytes()
-    return decode_grey(raw, str(path))
+        raw = read_bounded(path)
+    return decode_grey(raw, shown_path(path))
 
 
 def decode_grey(raw: bytes, named: str) -> GreyImage:
     """Decodes an image file's bytes; ``named`` is what a refusal calls it."""
     if raw.startswith(PNG_SIGNATURE):
         _check_png(raw, named)
-    image = cv2.imdecode(np.frombuffer(raw, np.uint8), cv2.IMREAD_UNCHANGED) if raw else None
+    try:
+        image = cv2.imdecode(np.frombuffer(raw, np.uint8), cv2.IMREAD_UNCHANGED) if raw else None
+    except cv2.error:  # larger than OpenCV reads
+        image = None
     if image is None:
         raise Refusal(
             "image-unreadable",
@@ -59,7 +64,9 @@ def write_png(path: Path, image: GreyImage) -> None:
     """Writes a grey image (height, width) as PNG, atomically."""
     done, encoded = cv2.imencode(".png", image, [cv2.IMWRITE_PNG_COMPRESSION, 1])
     if not done:
-        raise Refusal("image-unwritable", str(path), "the picture could not be encoded as PNG")
+        raise Refusal(
+            "image-unwritable", shown_path(path), "the picture could not be encoded as PNG"
+        )
     write_atomically(path, encoded.tobytes())
 
 
@@ -69,12 +76,12 @@ def grey_png_size(path: Path) -> tuple[int, int]:
     Raises:
         Refusal: missing, no PNG, or in colour.
     """
-    with files_refused(path), open(path, "rb") as file:
+    with files_refused(path), open_file(path) as file:
         head = file.read(29)
     if len(head) < 29 or not head.startswith(PNG_SIGNATURE) or head[12:16] != b"IHDR":
         raise Refusal(
             "image-unreadable",
-            str(path),
+            shown_path(path),
             "it is no PNG image" if head else "it is empty",
             "Restore it, or take the picture again",
         )
@@ -82,7 +89,7 @@ def grey_png_size(path: Path) -> tuple[int, int]:
     if colour != 0:
         raise Refusal(
             "image-not-grey",
-            f"{path} holds colour or transparency",
+            f"{shown_path(path)} holds colour or transparency",
             "only a grey image tells how bright the laser's line was at a pixel",
             "Give the camera's own grey picture",
         )

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from app.files.names import shown_path
 from app.files.tables import Row, Table
 from app.metrology.arm import Arm
 from app.metrology.frames import Floats
@@ -31,14 +32,15 @@ class JointAngles:
         if any(re.fullmatch(r"q\d+(_rad)?", name) for name in table.columns):
             raise Refusal(
                 "columns-without-degrees",
-                f"{table.path}: its first line names {', '.join(table.columns)}",
+                f"{shown_path(table.path)}: its first line names {', '.join(table.columns)}",
                 "joint angles are given in degrees",
                 f"Convert them and name the columns {self._columns[0]} to {self._columns[-1]}",
             )
         if sorted(found) != sorted(self._columns):
             raise Refusal(
                 "joint-count",
-                f"{table.path} has {len(found)} joint columns ({', '.join(found) or 'none'})",
+                f"{shown_path(table.path)} has "
+                f"{len(found)} joint columns ({', '.join(found) or 'none'})",
                 f"the arm {arm.serial_number or arm.name} has {arm.joint_count} joints",
                 f"Give the right arm.json, or columns {self._columns[0]} to {self._columns[-1]}",
             )
@@ -67,7 +69,7 @@ class JointAngles:
         if 0 < largest_deg <= 2 * np.pi:
             raise Refusal(
                 "joints-in-radians",
-                f"{self._path}: no joint angle exceeds {largest_deg:.4g}",
+                f"{shown_path(self._path)}: no joint angle exceeds {largest_deg:.4g}",
                 "these are radians where degrees are expected",
                 "Convert the columns to degrees",
             )

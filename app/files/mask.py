@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from pydantic import Field, model_validator
 
 from app.files.documents import Document, Number
+from app.files.names import shown_path
 from app.metrology.refusal import Refusal
 
 MOST_ZONES = 32
@@ -54,7 +55,7 @@ class Mask(Document):
         if (width_px, height_px) != (self.width_px, self.height_px):
             raise Refusal(
                 "mask-size",
-                f"{path} has {width_px} × {height_px} pixels",
+                f"{shown_path(path)} has {width_px} × {height_px} pixels",
                 f"the mask is for {self.width_px} × {self.height_px}",
                 "Give the mask of the sensor that took this picture",
             )

@@ -8,6 +8,7 @@ import numpy as np
 from pydantic import model_validator
 
 from app.files.documents import Document, Positive, Vector3
+from app.files.names import shown_path
 from app.metrology.gauges import NominalPlane, NominalSphere
 from app.metrology.refusal import Refusal
 
@@ -52,4 +53,6 @@ def read_nominal(path: Path) -> NominalPlane | NominalSphere:
     if shape == "sphere":
         sphere = SphereFile.read(path)
         return NominalSphere(np.array(sphere.centre_mm), sphere.radius_mm)
-    raise Refusal("shape-unknown", f"{path}: shape is {shape!r}", "gauges are a plane or a sphere")
+    raise Refusal(
+        "shape-unknown", f"{shown_path(path)}: shape is {shape!r}", "gauges are a plane or a sphere"
+    )

@@ -8,6 +8,7 @@ from typing import Annotated, ClassVar, Literal, Self
 from pydantic import Field, model_validator
 
 from app.files.documents import Document, NotNegative, Number, Positive
+from app.files.names import shown_path
 from app.metrology.chessboard.board import Chessboard
 from app.metrology.crenellated import Crenellated
 from app.metrology.refusal import Refusal
@@ -30,7 +31,7 @@ Certificate = Annotated[str, Field(max_length=200)]
 
 
 class ObjectFile(Document):
-    """The file as FORMATS.md has it, for ``kind`` crenellated."""
+    """The file for ``kind`` crenellated, as described in docs/formats.md."""
 
     FORMAT: ClassVar[str] = "crenel/object"
 
@@ -117,7 +118,7 @@ def read_object(path: Path) -> Crenellated | Chessboard:
         return Chessboard(**fields)
     raise Refusal(
         "object-kind-unsupported",
-        f"{path}: kind {kind!r} is unknown",
+        f"{shown_path(path)}: kind {kind!r} is unknown",
         "it is 'crenellated' or 'chessboard'",
         "Correct it",
     )
@@ -135,7 +136,7 @@ def read_block(path: Path) -> Crenellated:
         return found
     raise Refusal(
         "object-kind-unsupported",
-        f"{path}: kind 'chessboard' is not supported here",
+        f"{shown_path(path)}: kind 'chessboard' is not supported here",
         "contacts and stripe on several levels need a crenellated object",
         "Give the certificate of a crenellated object, or calibrate on the command line",
     )

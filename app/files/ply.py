@@ -7,7 +7,14 @@ from typing import BinaryIO
 import numpy as np
 
 from app.files.cloud_points import POINT, Cloud, Points, cloud_of
-from app.files.cloud_tables import COUNT_WIDTH, as_doubles, binary_rows, malformed, text_rows
+from app.files.cloud_tables import (
+    COUNT_WIDTH,
+    as_doubles,
+    binary_rows,
+    cut_off,
+    malformed,
+    text_rows,
+)
 from app.metrology.frames import Floats
 
 TYPES = {
@@ -140,6 +147,7 @@ def _elements(path: Path, words: list[list[str]]) -> list[tuple[str, int, list[t
 def _read_ascii(path: Path, file: BinaryIO, vertices: Vertices) -> dict[str, Floats]:
     names = vertices.layout.names or ()
     for _ in range(vertices.lines_before):
-        file.readline()
+        if not file.readline():
+            raise cut_off(path, 0, vertices.count)
     table = text_rows(path, file, len(names), vertices.count)
     return {name: table[:, i] for i, name in enumerate(names)}

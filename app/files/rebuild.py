@@ -16,7 +16,7 @@ from app.files.clouds import cloud_writer
 from app.files.frame_points import Placing, placed
 from app.files.joint_track import JointTrack
 from app.files.progress import Progress, no_progress
-from app.files.rebuild_words import clock_words, left_out, no_joints_around
+from app.files.rebuild_words import clock_words, implausible, left_out, no_joints_around
 from app.files.recorded_joints import JointReader
 from app.files.recording import Recording, open_recording
 from app.files.recording_clock import ClockReport, ClockWatch
@@ -50,6 +50,8 @@ class Rebuilt:
     """The same of joint samples."""
     clock_jumps: int
     """Places where a clock was set back or forth."""
+    seconds: float
+    """From the recording's first message to its last."""
     cut: str
     """Where and why the recording ended early; empty for a whole one."""
     warnings: tuple[str, ...]
@@ -186,6 +188,8 @@ class _Job:
             while len(self._making) > window:
                 self._write()
             progress(self._recording.bytes_read / max(self._recording.size, 1), "")
+        self._track.extend(*self._joints.rest())
+        self._joints.refuse_another_arm()
         self._settle(pool, None)
         while self._making:
             self._write()
@@ -207,6 +211,7 @@ class _Job:
             frame_holes=frames.holes,
             joint_holes=joints.holes,
             clock_jumps=frames.jumps + joints.jumps,
+            seconds=((self._recording.last_ns or start_ns) - start_ns) / 1e9,
             cut=self._recording.cut,
             warnings=tuple(self._warnings(joints, frames)),
         )
@@ -286,6 +291,9 @@ class _Job:
             said.append(left_out(unplaced, self._numbered, self._track, self._delay_ns, start_ns))
         if self._joints.unusable:
             said.append(f"{self._joints.unusable} joint samples left out: not numbers")
+        first = self._joints.first_implausible
+        if first is not None:
+            said.append(implausible(self._joints.implausible, first, start_ns))
         said += clock_words("joint samples", joints, start_ns)
         return said + clock_words("frames", frames, start_ns)
 

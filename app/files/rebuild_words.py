@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from app.files.joint_track import JointTrack
 from app.files.recording_clock import ClockReport
+from app.metrology.joint_plausibility import Implausible
 from app.metrology.refusal import Refusal
 
 
@@ -18,6 +19,14 @@ def left_out(
         f"{len(unplaced_ns)} of {frames} frames left out: no joints around their stamps, the "
         f"first {(unplaced_ns[0] - start_ns) / 1e9:.3f} s from the start; {beyond} before the "
         f"first or after the last sample, {len(unplaced_ns) - beyond} in gaps"
+    )
+
+
+def implausible(count: int, first: Implausible, start_ns: int) -> str:
+    """Of joint samples that cannot be true."""
+    return (
+        f"{count} joint samples left out that cannot be true, the first "
+        f"{(first.stamp_ns - start_ns) / 1e9:.3f} s from the start: {first.refusal.line}"
     )
 
 

@@ -1,5 +1,6 @@
 """Reading a scan recording (MCAP) as a stream, also one that was cut off."""
 
+import os
 import struct
 import zlib
 from collections.abc import Callable, Iterator
@@ -19,6 +20,8 @@ from mcap_protobuf.decoder import DecoderFactory
 
 from app.files.failures import files_refused
 from app.files.images import GreyImage, decode_grey
+from app.files.names import shown_path
+from app.files.opening import open_file
 from app.files.stripe_schema import STRIPE_SCHEMA, Stamp, StripeMessage, stripe_of
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import Stripe
@@ -28,6 +31,10 @@ STATION_METADATA = "crenel/station"
 ARM_DELAY = "arm_delay_ns"
 EXTRACTION = "extraction"
 """How stripes were extracted, as JSON; empty where all was automatic."""
+SCAN_NAME, SCAN_STARTED, SCAN_CALIBRATION = "scan_name", "scan_started_at", "scan_calibration"
+"""By which a scan is listed whose process was killed."""
+MAGIC = b"\x89MCAP0\r\n"
+"""A recording begins with it, and a whole one ends with it, too."""
 LARGEST_RECORD = 2**30
 
 SCHEMAS = {
@@ -114,9 +121,24 @@ class Recording:
         Raises:
             Refusal: missing, no MCAP, or a topic of another message type.
         """
-        with files_refused(self.path), open(self.path, "rb") as file:
+        with files_refused(self.path), open_file(self.path) as file:
             check_magic(self.path, file)
             yield from self._decoded(file)
+
+    def told(self) -> dict[str, str]:
+        """What it says of the station before its first message; empty where it does not.
+
+        Raises:
+            Refusal: missing, or no MCAP.
+        """
+        with files_refused(self.path), open_file(self.path) as file:
+            check_magic(self.path, file)
+            for record in self._raw(file):
+                if isinstance(record, Metadata) and record.name == STATION_METADATA:
+                    return dict(record.metadata)
+                if isinstance(record, Message):
+                    break
+        return {}
 
     def _decoded(self, file: BinaryIO) -> Iterator[Record]:
         decoders = Decoders(self.path)
@@ -159,7 +181,8 @@ class Recording:
         """Takes note that nothing can be read behind what was read."""
         share = 100 * self.bytes_read / max(self.size, 1)
         text = (
-            f"{self.path} is cut off or damaged after {self.bytes_read} of {self.size} bytes "
+            f"{shown_path(self.path)} is cut off or damaged after "
+            f"{self.bytes_read} of {self.size} bytes "
             f"({share:.0f} %)"
         )
         if self.first_ns is None or self.last_ns is None:
@@ -173,13 +196,45 @@ def open_recording(path: Path) -> Recording:
     with files_refused(path):
         size = path.stat().st_size
         if not path.is_file():
-            raise Refusal("recording-not-a-file", str(path), "it is no file", "Name a recording")
+            raise Refusal(
+                "recording-not-a-file", shown_path(path), "it is no file", "Name a recording"
+            )
     return Recording(path, size)
+
+
+def damage_of(path: Path, bytes_written: int | None = None) -> str:
+    """Why a recording that was completed is not what it was; empty where it seems whole.
+
+    It looks at the size and at both ends alone, so that a thousand are looked at in a moment.
+
+    Args:
+        bytes_written: its size when it was completed, where that is known.
+    """
+    try:
+        size = path.stat().st_size
+        if not path.is_file():
+            return "the recording is no file"
+        if not size:
+            return "the recording is empty"
+        if bytes_written is not None and size < bytes_written:
+            return f"the recording is cut off: {size} of {bytes_written} bytes are left"
+        with open_file(path) as file:
+            first = file.read(len(MAGIC))
+            file.seek(-min(size, len(MAGIC)), os.SEEK_END)
+            last = file.read(len(MAGIC))
+    except FileNotFoundError:
+        return "the recording is missing"
+    except OSError as error:
+        return f"the recording cannot be read: {error.strerror or error}"
+    if first != MAGIC:
+        return "the recording is damaged"
+    whole = last == MAGIC or bytes_written is not None
+    return "" if whole else "the recording is cut off"
 
 
 def last_stamp_ns(path: Path) -> int | None:
     """The log time of a recording's last message, by its summary; None where it has none."""
-    with files_refused(path), open(path, "rb") as file:
+    with files_refused(path), open_file(path) as file:
         try:
             summary = SeekingReader(file).get_summary()
         except DAMAGE:
@@ -189,10 +244,10 @@ def last_stamp_ns(path: Path) -> int | None:
 
 
 def check_magic(path: Path, file: BinaryIO) -> None:
-    head = file.read(8)
-    if head != b"\x89MCAP0\r\n":
+    head = file.read(len(MAGIC))
+    if head != MAGIC:
         why = "it is no MCAP recording" if head else "it is empty"
-        raise Refusal("recording-not-mcap", str(path), why, "Name a scan.mcap")
+        raise Refusal("recording-not-mcap", shown_path(path), why, "Name a scan.mcap")
     file.seek(0)
 
 
@@ -242,7 +297,7 @@ class Decoders:
         decoder = self._by_channel.get(channel.id)
         if decoder is None:
             decoder = self._by_channel[channel.id] = self._decoder(channel)
-        named = f"{self._path} {channel.topic} at {message.log_time} ns"
+        named = f"{shown_path(self._path)} {channel.topic} at {message.log_time} ns"
         try:
             return self._record(channel, decoder(message.data), message.log_time, named)
         except (DecodeError, ValueError) as error:
@@ -258,9 +313,10 @@ class Decoders:
         if decoder is None:
             raise Refusal(
                 "recording-of-another-type",
-                f"{self._path}: {channel.topic} holds {name} ({channel.message_encoding})",
+                f"{shown_path(self._path)}: {channel.topic} holds {name} "
+                f"({channel.message_encoding})",
                 f"{' or '.join(SCHEMAS[channel.topic])} in protobuf is expected",
-                "Give a recording as FORMATS.md has it",
+                "Give a recording as docs/formats.md describes it",
             )
         return decoder
 

@@ -12,6 +12,7 @@ from mcap.stream_reader import StreamReader
 
 from app.files import recording_wire as wire
 from app.files.failures import files_refused
+from app.files.opening import open_file
 from app.files.recording import (
     DAMAGE,
     JOINTS_TOPIC,
@@ -72,7 +73,7 @@ def blocks(recording: Recording, pool: Executor, ahead: int) -> Iterator[Block]:
     Raises:
         Refusal: as ``Recording.records``.
     """
-    with files_refused(recording.path), open(recording.path, "rb") as file:
+    with files_refused(recording.path), open_file(recording.path) as file:
         check_magic(recording.path, file)
         reader = _Reader(recording)
         waiting: deque[tuple[Future[Opened], int]] = deque()

@@ -1,5 +1,7 @@
 """Writing a scan recording (MCAP) while it is taken."""
 
+import os
+import threading
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from types import TracebackType
@@ -10,6 +12,7 @@ from foxglove.channels import JointStatesChannel, RawImageChannel
 from foxglove.mcap import MCAPCompression, MCAPWriteOptions
 from foxglove.messages import JointState, JointStates, RawImage, Timestamp
 
+from app.files.atomic import sync_folder
 from app.files.failures import files_refused, refusal_of
 from app.files.images import GreyImage
 from app.files.recording import IMAGE_TOPIC, JOINTS_TOPIC, STATION_METADATA, STRIPE_TOPIC
@@ -24,8 +27,8 @@ class RecordingWriter:
     """A recording that grows on disk; what is there is readable at any moment.
 
     Chunks of 1 MiB go to disk as they fill, LZ4 compressed, so that a killed process
-    loses less than one of them. For use from one thread. ``close`` completes the
-    file; leaving the ``with`` block closes.
+    loses less than one of them. For use from one thread, but for ``sync``. ``close``
+    completes the file and syncs it; leaving the ``with`` block closes.
     """
 
     def __init__(
@@ -117,9 +120,17 @@ class RecordingWriter:
         self._sink.check()
 
     def flush(self) -> None:
-        """Brings to disk what has come so far; once a second costs nothing that matters."""
+        """Hands to the system what has come so far: a killed process does not lose it."""
         self._writer.flush()
         self._sink.check()
+
+    def sync(self) -> None:
+        """Brings to the disk what was flushed: a power failure does not lose it.
+
+        From any thread, so that a slow disk holds up no writing; the next write raises
+        where it failed.
+        """
+        self._sink.sync()
 
     def close(self) -> None:
         """Completes the file on disk; idempotent. Raises ``Refusal`` where it could not."""
@@ -145,8 +156,10 @@ class _Sink:
         self._failure: OSError | None = None
         self._at = self._end = 0
         self.written = 0
+        self._closing = threading.Lock()
         with files_refused(path):
             self._file = open(path, "xb", buffering=0)  # noqa: SIM115  closed by close()
+            sync_folder(path.parent)
 
     def write(self, data: bytes | bytearray) -> int:
         view = memoryview(data)
@@ -169,11 +182,24 @@ class _Sink:
     def flush(self) -> None:
         """Nothing is held back here."""
 
-    def close(self) -> None:
+    def sync(self) -> None:
+        with self._closing:
+            if not self._file.closed:
+                self._sync()
+
+    def _sync(self) -> None:
         try:
-            self._file.close()
+            os.fsync(self._file.fileno())
         except OSError as error:
             self._failure = self._failure or error
+
+    def close(self) -> None:
+        with self._closing:
+            self._sync()
+            try:
+                self._file.close()
+            except OSError as error:
+                self._failure = self._failure or error
 
     def check(self) -> None:
         if self._failure is not None:

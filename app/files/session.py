@@ -1,4 +1,4 @@
-"""A calibration session: a folder with the contacts and the pictures (FORMATS.md)."""
+"""A calibration session: a folder with contacts and pictures (docs/formats.md)."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,6 +12,7 @@ from app.files.atomic import write_atomically
 from app.files.flange_poses import COLUMNS, pose_cells
 from app.files.images import grey_png_size
 from app.files.joint_angles import joint_columns
+from app.files.names import shown_path
 from app.files.objects import read_block, read_object
 from app.files.sensor import SensorSheet, read_sensor
 from app.files.tables import Row, read_table, table_text
@@ -173,7 +174,7 @@ def read_any_session(folder: Path) -> Session | BoardSession:
 def _refuse_no_folder(folder: Path) -> None:
     if not folder.is_dir():
         there = "it is a file" if folder.exists() else "there is no such folder"
-        raise Refusal("session-missing", str(folder), there, "Name a session's folder")
+        raise Refusal("session-missing", shown_path(folder), there, "Name a session's folder")
 
 
 def read_contacts(path: Path, arm: Arm | RobotArm, faces: Sequence[str] = FACES) -> Contacts:
@@ -192,7 +193,9 @@ def read_contacts(path: Path, arm: Arm | RobotArm, faces: Sequence[str] = FACES)
             )
         features.append(feature)
     if not features:
-        raise Refusal("no-contacts", f"{path} holds no contact points", "", "Probe the object")
+        raise Refusal(
+            "no-contacts", f"{shown_path(path)} holds no contact points", "", "Probe the object"
+        )
     return Contacts(tuple(features), *readings.of_all(table.rows))
 
 
@@ -207,7 +210,9 @@ def read_poses(path: Path, arm: Arm | RobotArm, sensor: SensorSheet) -> tuple[Po
         _check_picture(row, path.parent / image.file, sensor)
         by_pose.setdefault(image.pose, []).append((row, image))
     if not by_pose:
-        raise Refusal("no-images", f"{path} holds no pictures", "", "Take a picture of the object")
+        raise Refusal(
+            "no-images", f"{shown_path(path)} holds no pictures", "", "Take a picture of the object"
+        )
     readings.of_all(table.rows)
     return tuple(_pose_of(path.parent, arm, by_pose[number]) for number in sorted(by_pose))
 
@@ -269,7 +274,7 @@ def _check_picture(row: Row, path: Path, sensor: SensorSheet) -> None:
     if not path.is_file():
         raise Refusal(
             "image-missing",
-            f"{row.place}: {path}",
+            f"{row.place}: {shown_path(path)}",
             "there is no such file",
             "Restore the picture or delete the row",
         )
@@ -277,7 +282,7 @@ def _check_picture(row: Row, path: Path, sensor: SensorSheet) -> None:
     if (width, height) != (sensor.width_px, sensor.height_px):
         raise Refusal(
             "image-size",
-            f"{path} has {width} × {height} pixels",
+            f"{shown_path(path)} has {width} × {height} pixels",
             f"the sensor has {sensor.width_px} × {sensor.height_px}",
             "Give the picture as the camera took it, and the right sensor.json",
         )

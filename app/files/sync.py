@@ -15,6 +15,7 @@ from app.files.documents import Document, NotNegative, Number
 from app.files.failures import refusals_naming
 from app.files.frame_points import Placing, placed
 from app.files.joint_track import JointTrack
+from app.files.names import shown_path
 from app.files.progress import Progress, no_progress
 from app.files.recorded_joints import JointReader
 from app.files.recording import Recording, open_recording
@@ -95,7 +96,7 @@ def read_sync(path: Path, calibration: Calibration, arm: Arm) -> Sync:
         if of and known and of != known:
             raise Refusal(
                 f"{device}-of-another-serial",
-                f"{path} is of {device} {of}",
+                f"{shown_path(path)} is of {device} {of}",
                 f"the other files are of {device} {known}",
                 "Give the files that belong together",
             )
@@ -159,7 +160,7 @@ class _Reading:
         if len(self._stamps_ns) + len(frames) > MOST_FRAMES:
             raise Refusal(
                 "recording-too-long",
-                f"{self._recording.path} holds more than {MOST_FRAMES} frames",
+                f"{shown_path(self._recording.path)} holds more than {MOST_FRAMES} frames",
                 "a pass of half a minute is enough",
                 "Record one pass over a plane",
             )

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from app.files.documents import read_text
+from app.files.names import shown_path
 from app.metrology.refusal import Refusal
 
 
@@ -21,7 +22,7 @@ class Row:
 
     @property
     def place(self) -> str:
-        return f"{self.path} line {self.line}"
+        return f"{shown_path(self.path)} line {self.line}"
 
     def text(self, column: str) -> str:
         """A cell that must not be empty."""
@@ -89,9 +90,13 @@ def read_table(path: Path, required: Iterable[str]) -> Table:
             _check_length(path, lines.line_num, cells, columns)
             rows.append(Row(path, lines.line_num, dict(zip(columns, cells, strict=True))))
     except csv.Error as error:
-        raise Refusal("table-malformed", f"{path} line {lines.line_num}", str(error)) from error
+        raise Refusal(
+            "table-malformed", f"{shown_path(path)} line {lines.line_num}", str(error)
+        ) from error
     if not columns:
-        raise Refusal("table-empty", str(path), "it is empty; a line of column names is expected")
+        raise Refusal(
+            "table-empty", shown_path(path), "it is empty; a line of column names is expected"
+        )
     return Table(path, columns, tuple(rows))
 
 
@@ -109,20 +114,22 @@ def _check_columns(path: Path, columns: tuple[str, ...], required: Iterable[str]
     if missing and any(";" in name or "\t" in name for name in columns):
         raise Refusal(
             "table-separator",
-            str(path),
+            shown_path(path),
             "its columns are not separated by commas",
             "Save it with commas between the columns and a point in the numbers",
         )
     if missing:
         raise Refusal(
             "columns-missing",
-            f"{path}: no column {', '.join(missing)}",
+            f"{shown_path(path)}: no column {', '.join(missing)}",
             f"the first line names {', '.join(columns)}",
             f"It must name {', '.join(required)}",
         )
     twice = sorted({name for name in columns if name and columns.count(name) > 1})
     if twice:
-        raise Refusal("columns-twice", f"{path}: column {', '.join(twice)} stands there twice")
+        raise Refusal(
+            "columns-twice", f"{shown_path(path)}: column {', '.join(twice)} stands there twice"
+        )
 
 
 def _check_length(path: Path, line: int, cells: list[str], columns: tuple[str, ...]) -> None:
@@ -132,4 +139,4 @@ def _check_length(path: Path, line: int, cells: list[str], columns: tuple[str, .
     remedy = "Complete or delete the row"
     if len(cells) > len(columns):
         remedy = "Numbers need a decimal point, not a comma; names no comma at all"
-    raise Refusal("row-length", f"{path} line {line}: {len(cells)} cells", why, remedy)
+    raise Refusal("row-length", f"{shown_path(path)} line {line}: {len(cells)} cells", why, remedy)

@@ -17,6 +17,7 @@ from app.files.calibration import read_calibration
 from app.files.documents import Document, NotNegative, Number, Part
 from app.files.gauge import GaugeFile, Shape, read_gauge
 from app.files.gauge_cloud import Fit, measure_recording
+from app.files.names import shown_path
 from app.files.progress import Progress, no_progress
 from app.files.session import ARM, read_contacts
 from app.files.verification import GAUGE, TOUCHES, read_verification
@@ -105,7 +106,7 @@ def study_verification(
                 progress((c * len(record.clouds) + r) / total, f"{cloud.name}, {source.name}")
                 row.append(measure_recording(folder / cloud.recording, calibration, arm, gauge).fit)
         except Refusal as refusal:
-            left_out.append(f"{source.name}: {refusal.what.replace(f'{folder}/', '')}.")
+            left_out.append(f"{source.name}: {refusal.what.replace(f'{shown_path(folder)}/', '')}.")
             continue
         used.append((source, arm))
         fits.append(row)

@@ -1,13 +1,12 @@
 """What the commands of every guided session share: jobs, and the hand."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from typing import Any
 
 from app.guide.session import GuidedSession
 from app.metrology.refusal import Refusal
 from app.station.jobs import Job, Progress
 
-Args = Mapping[str, object]
 AT_ANY_REV = ("stop_hand",)
 """Stopping must not wait for a fresh view."""
 

@@ -3,8 +3,9 @@
 from collections.abc import Callable
 
 from app.guide import taking, works
+from app.guide.arguments import Args
 from app.guide.buttons import ButtonName, Press
-from app.guide.commanding import AT_ANY_REV, Args, start_hand, start_job, stop_hand
+from app.guide.commanding import AT_ANY_REV, start_hand, start_job, stop_hand
 from app.guide.confirming import CONFIRMATIONS, confirm
 from app.guide.guide import Guide
 from app.guide.hand_work import hand_work
@@ -23,8 +24,8 @@ def command(guide: Guide, name: str, args: Args, rev: int, key: str) -> FlowView
     with guide.lock:
         if guide.knows_key(key):
             return guide.refresh()
-        guide.refuse_unless_possible(name, args, None if name in AT_ANY_REV else rev)
-        _act(guide, name, args, key)
+        rev_seen = None if name in AT_ANY_REV else rev
+        _act(guide, name, guide.refuse_unless_possible(name, args, rev_seen), key)
         return guide.refresh()
 
 
@@ -63,8 +64,8 @@ def press(guide: Guide, event: Press) -> bool:
                 source = "hand" if by_hand else "button"
                 taking.take_point(guide, source, event.stamp_ns, None)
             else:
-                guide.refuse_unless_possible(name, args, None, by_hand and name == "undo")
-                _act(guide, name, args, None)
+                undoing = by_hand and name == "undo"
+                _act(guide, name, guide.refuse_unless_possible(name, args, None, undoing), None)
         except Refusal as refusal:
             guide.decline(refusal)
         guide.refresh()

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Literal
 
+from app.files.moments import moment_of
 from app.station.findings import Finding, Quality, signed
 
 CheckName = Literal["calibration", "verification", "tip", "arm"]
@@ -106,6 +107,9 @@ def _calibration(known: Known, now: datetime, limits: DueLimits) -> Validity:
     found = known.calibration
     if found is None:
         return line("missing", "There is no calibration in use yet.", None, "Calibrate")
+    if found.result == "failed":
+        text = f"It cannot be read: {found.text}"
+        return line("failed", text, found.at or None, "Calibrate again")
     old = age_days(found.at, now)
     if old > limits.calibration_days:
         text = f"It is {ago(old)} old; after {limits.calibration_days:g} days it is due."
@@ -203,6 +207,8 @@ def next_of(lines: Sequence[Validity], calibrating: bool, verifying: bool, block
     if calibration.state == "missing":
         text = "Calibrate the sensor on the arm: touch the object, then take a few pictures."
         return Next("Calibrate", "calibrate", text)
+    if calibration.state == "failed":
+        return Next("Calibrate again", "calibrate", calibration.text)
     if calibration.state == "due":
         return Next("Calibrate again", "calibrate", f"The calibration is due. {calibration.text}")
     if blocked:
@@ -217,7 +223,7 @@ def next_of(lines: Sequence[Validity], calibrating: bool, verifying: bool, block
 
 def age_days(at: str, now: datetime) -> float:
     """How long ago; never negative."""
-    return max((now - datetime.fromisoformat(at)).total_seconds() / SECONDS_A_DAY, 0.0)
+    return max((now - moment_of(at)).total_seconds() / SECONDS_A_DAY, 0.0)
 
 
 def ago(days: float) -> str:

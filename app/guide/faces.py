@@ -1,6 +1,7 @@
 """The faces that are touched, of a block and of a board alike. Pure."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -12,7 +13,9 @@ from app.metrology.arm import Arm, tip_centres
 from app.metrology.chessboard.board import Chessboard
 from app.metrology.crenellated import FACES
 from app.metrology.frames import Floats
+from app.metrology.joint_plausibility import outside_limits
 from app.metrology.objects import CalibrationObject
+from app.station.findings import Finding
 
 SAME_PLACE_MM = 0.3
 
@@ -36,9 +39,27 @@ def touch_report(
     Args:
         target_um: how well the place of a block is wanted, k = 1.
     """
-    if isinstance(item, Chessboard):
-        return board_touching.board_report(contacts, arm, item)
-    return touching.block_report(contacts, arm, item, target_um)
+    report = (
+        board_touching.board_report(contacts, arm, item)
+        if isinstance(item, Chessboard)
+        else touching.block_report(contacts, arm, item, target_um)
+    )
+    return _with_impossible(report, contacts, arm)
+
+
+def _with_impossible(report: TouchReport, contacts: Sequence[Contact], arm: Arm) -> TouchReport:
+    """Names the points whose joints lie outside their limits: of before this was noticed."""
+    suspects, findings = [], []
+    for contact in contacts:
+        wrong = outside_limits(contact.q_rad, arm)
+        if wrong is not None:
+            suspects.append(contact.index)
+            text = f"Point {contact.index + 1} cannot be true: {wrong.what}; {wrong.why}."
+            findings.append(Finding("bad", text, "Remove it, and touch there again."))
+    if not suspects:
+        return report
+    others = [index for index in report.suspects if index not in suspects]
+    return replace(report, suspects=(*suspects, *others), findings=(*findings, *report.findings))
 
 
 def face_progress(

@@ -10,6 +10,7 @@ import numpy as np
 from app.files.calibrate import AnySeen
 from app.guide.advice import Advice, remaining
 from app.guide.advice import from_payload as advice_from
+from app.guide.arguments import CALIBRATION
 from app.guide.calibration_flow import view_of
 from app.guide.hand import Hand
 from app.guide.journal import Calibrations, Journal
@@ -38,7 +39,7 @@ from app.station.scan_state import ScanState
 from app.station.scene import Scene
 
 KIND = "calibration"
-FLOW = Flow(KIND, "flow", CalibrationState(), after, view_of, why_not)
+FLOW = Flow(KIND, "flow", CalibrationState(), after, view_of, why_not, CALIBRATION)
 
 
 class StaleCommand(Exception):
@@ -93,7 +94,7 @@ class Guide(GuidedSession[CalibrationState, Live, FlowView]):
         self._outcome: tuple[Mapping[str, object] | None, Outcome | None] = (None, None)
         self._captured: dict[int, tuple[Mapping[str, object], Outcome]] = {}
         self._advised: tuple[Mapping[str, object] | None, Advice | None] = (None, None)
-        self._bring_station_in_line()
+        self.resume()
 
     @property
     def sheets(self) -> Sheets:
@@ -208,7 +209,7 @@ class Guide(GuidedSession[CalibrationState, Live, FlowView]):
     def repeat(self, key: str | None) -> None:
         """Closes the session if it is open, and begins the next with the same set-up."""
         with self.lock:
-            if not self.state.ended:
+            if self.running:
                 self.append("repeated", {})
             library = self.sheets.library(True)
             known = all(library.has(name, self.state.choices.get(name, "")) for name in FIELDS)
@@ -235,8 +236,8 @@ class Guide(GuidedSession[CalibrationState, Live, FlowView]):
         """Writes a row, and brings state, folder and station in line with it."""
         assert kind in KINDS, kind
         with self.lock:
-            row = self._journal.append(self.state.session_id, kind, payload, key)
-            self.state = after(self.state, row)
+            session_id = self.state.session_id
+            self.keep(lambda check: self._journal.append(session_id, kind, payload, key, check))
             self._trouble = None
             if kind in ENDS:
                 self._journal.end_session(self.state.session_id)
@@ -256,19 +257,21 @@ class Guide(GuidedSession[CalibrationState, Live, FlowView]):
             name = f"Calibration {datetime.now(UTC):%Y-%m-%d %H:%M} UTC"
             file = self.folder.calibration
             self.folder.keep_acceptance(name, result, self.signing)
-            row = self.calibrations.accept(self.state.session_id, name, file, figures, key)
-            self.state = after(self.state, row)
+            session_id = self.state.session_id
+            self.keep(
+                lambda check: self.calibrations.accept(session_id, name, file, figures, key, check)
+            )
             self.station.bus.event("accepted", f"{name} is in use.", "good")
             self._settle()
 
     def _settle(self) -> None:
-        self._bring_station_in_line()
+        self.bring_in_line()
         self.changed.notify_all()
         self.refresh()
         if self.state.ended in ("accepted", "abandoned"):
             self._on_closed()
 
-    def _bring_station_in_line(self) -> None:
+    def bring_in_line(self) -> None:
         """The rig, the preview and the 3D view work with what the session chose."""
         state, station = self.state, self.station
         if not self.running:

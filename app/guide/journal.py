@@ -23,6 +23,10 @@ class Row(Protocol):
     def payload(self) -> Mapping[str, object]: ...
 
 
+Check = Callable[[Row], None]
+"""Is given a row before it is committed; what it raises undoes the row."""
+
+
 class Session(Protocol):
     """One guided session, open until ``ended_at`` is set."""
 
@@ -41,7 +45,12 @@ class Journal(Protocol):
     def end_session(self, session_id: str) -> None: ...
     def latest_session(self, kind: str) -> Session | None: ...
     def append(
-        self, session_id: str, kind: str, payload: Mapping[str, object], key: str | None = None
+        self,
+        session_id: str,
+        kind: str,
+        payload: Mapping[str, object],
+        key: str | None,
+        check: Check,
     ) -> Row: ...
     def knows_key(self, key: str) -> bool: ...
     def rows(self, session_id: str) -> Sequence[Row]: ...
@@ -73,4 +82,5 @@ class Calibrations(Protocol):
         file: Path,
         figures: Mapping[str, object],
         key: str | None,
+        check: Check,
     ) -> Row: ...

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Generic, TypeVar
 
 from app.files.arm import read_arm
+from app.files.names import check_name
 from app.files.objects import read_object
 from app.files.sensor import SensorSheet, read_sensor
 from app.metrology.arm import Arm
@@ -61,6 +62,7 @@ def _entries(
     entries: dict[str, Entry[Sheet]] = {}
     for path in sorted(folder.glob("*.json")):
         try:
+            check_name(path)
             entries[path.stem] = Entry(path.stem, path, read(path))
         except Refusal as refusal:
             findings.append(Finding("attention", refusal.line, "Correct or remove the file."))

@@ -7,6 +7,7 @@ from app.guide.faces import faces_of
 from app.guide.live import Live
 from app.guide.state import STEPS, CalibrationState
 from app.guide.touching import WRONG_FACE_MM
+from app.station.findings import Finding
 
 Args = Mapping[str, object]
 Rule = Callable[[CalibrationState, Live, Args], str]
@@ -44,7 +45,7 @@ def why_not(state: CalibrationState, live: Live, name: str, args: Args) -> str:
         return "" if live.hand_running else "The hand is not moving."
     if live.busy is not None:
         return f"Wait: {live.busy.text[0].lower()}{live.busy.text[1:]}."
-    if state.ended and name != "repeat":
+    if (state.ended or not state.session_id) and name != "repeat":
         return "This calibration is closed. Start a new one."
     if name in ONLY_IN and state.step not in ONLY_IN[name]:
         return f"This belongs to another step; the calibration stands at '{state.step}'."
@@ -89,7 +90,32 @@ def _setup(state: CalibrationState, live: Live, args: Args) -> str:
             f"{chosen.sensor.name} has {size[0]} × {size[1]} pixels. "
             "Choose the sensor that is connected."
         )
-    return ""
+    return _others(live)
+
+
+def _others(live: Live) -> str:
+    return " ".join(f"{found.text} {found.remedy}" for found in other_devices(live)[:1])
+
+
+def other_devices(live: Live) -> list[Finding]:
+    """Connected devices that are not those of the chosen datasheets: nothing could be scanned
+    with what is calibrated so. One that says no serial number cannot contradict."""
+    chosen = live.chosen
+    pairs = (("arm", live.arm, chosen.arm), ("sensor", live.sensor, chosen.sensor))
+    return [
+        Finding(
+            "bad",
+            f"The connected {name} has the serial number {there.serial_number}, "
+            f"the chosen datasheet is for {sheet.serial_number}.",
+            f"Choose the datasheet of this {name}, or connect the other {name}.",
+        )
+        for name, there, sheet in pairs
+        if there is not None
+        and sheet is not None
+        and there.serial_number
+        and sheet.serial_number
+        and there.serial_number != sheet.serial_number
+    ]
 
 
 def _face(state: CalibrationState, live: Live, args: Args) -> str:
@@ -176,6 +202,8 @@ def _accept(state: CalibrationState, live: Live, args: Args) -> str:
     seen = live.seen
     if seen is None or seen.result is None or state.outcome is None:
         return "Something changed since this was solved. Solve again."
+    if others := _others(live):
+        return others
     result = seen.result
     if result.verdict != "bad":
         return ""

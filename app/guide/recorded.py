@@ -24,8 +24,7 @@ def recorded(
     Raises:
         Refusal: the session was never solved, or its files cannot be read any more.
     """
-    state = fold(journal.rows(session_id), CalibrationState(), after)
-    solved = from_payload(state.solved.outcome) if state.solved else None
+    state, solved = _solved(journal, session_id)
     chosen = folder.sheets()
     if solved is None or solved.result is None or chosen.arm is None or chosen.object is None:
         raise Refusal(
@@ -43,6 +42,15 @@ def recorded(
         poses=recorded_poses(state, _looked_at(state), solved, image_url),
     )
     return picture, list(solved.findings)
+
+
+def _solved(journal: Journal, session_id: str) -> tuple[CalibrationState, Outcome | None]:
+    """How the session ended; without an outcome where its rows cannot be read."""
+    try:
+        state = fold(journal.rows(session_id), CalibrationState(), after)
+        return state, from_payload(state.solved.outcome) if state.solved else None
+    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError):
+        return CalibrationState(), None
 
 
 def _looked_at(state: CalibrationState) -> dict[int, Outcome]:

@@ -1,5 +1,6 @@
 """What every guided session of a station has: its journal, the state folded from it, its view."""
 
+import logging
 import secrets
 import threading
 from abc import ABC, abstractmethod
@@ -9,8 +10,9 @@ from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from typing import Any, ClassVar, Generic, Protocol, TypeVar
 
+from app.guide.arguments import Args, ArgumentTable, checked
 from app.guide.hand import Hand
-from app.guide.journal import Journal, Row, fold
+from app.guide.journal import Check, Journal, Row, fold
 from app.guide.view import Busy
 from app.guide.wording import sentence
 from app.metrology.refusal import Refusal
@@ -49,6 +51,7 @@ class SessionLive(Protocol):
     def busy(self) -> Busy | None: ...
 
 
+log = logging.getLogger(__name__)
 STALE = "stale-view"
 State = TypeVar("State", bound=SessionState)
 Live = TypeVar("Live", bound=SessionLive)
@@ -70,6 +73,8 @@ class Flow(Generic[State, Live, View]):
     view_of: Callable[[State, Live], View]
     why_not: Callable[[State, Live, str, Mapping[str, object]], str]
     """Why a command cannot be done; empty when it can."""
+    arguments: ArgumentTable
+    """What the commands take."""
 
 
 def new_session_id() -> str:
@@ -92,9 +97,66 @@ class GuidedSession(ABC, Generic[State, Live, View]):
         self._journal, self._flow = journal, flow
         self._trouble: Finding | None = None
         self._published: View | None = None
-        session = journal.latest_session(flow.kind)
-        rows = [] if session is None else journal.rows(session.id)
-        self.state = fold(rows, flow.empty, flow.after)
+        self.aside = ""
+        """Why the last session is not gone on with: it cannot be read. Empty where it can."""
+        self.state = self._last_state()
+
+    def _last_state(self) -> State:
+        """Where the latest session stands; as before the first where it cannot be read.
+
+        Raises:
+            Refusal: the database itself is damaged.
+        """
+        session = self._journal.latest_session(self._flow.kind)
+        if session is None:
+            return self._flow.empty
+        try:
+            return fold(self._journal.rows(session.id), self._flow.empty, self._flow.after)
+        except Refusal:
+            raise
+        except Exception as error:  # whatever stands there, the rest is served
+            self._set_aside(session.id, error)
+            return self._flow.empty
+
+    def resume(self) -> None:
+        """Brings the station in line with the session; one that cannot be shown is set aside."""
+        try:
+            self.bring_in_line()
+            self.view()
+        except Exception as error:  # as above
+            self._set_aside(self.state.session_id, error)
+            self.state = self._flow.empty
+            self.bring_in_line()
+
+    def bring_in_line(self) -> None:
+        """The station works with what the session chose."""
+
+    def _set_aside(self, session_id: str, error: Exception) -> None:
+        log.warning("session %s cannot be gone on with", session_id, exc_info=error)
+        self.aside = f"The session {session_id} cannot be read, and is set aside: {error}."
+
+    def keep(self, write: Callable[[Check], object]) -> None:
+        """Has a row written, which is folded before it is committed; the state follows.
+
+        Raises:
+            Refusal: it cannot be folded, and is not kept.
+        """
+        states: list[State] = []
+
+        def check(row: Row) -> None:
+            try:
+                states.append(self._flow.after(self.state, row))
+            except Exception as error:
+                log.exception("a row %s cannot be folded", row.kind)
+                raise Refusal(
+                    "not-readable",
+                    "This was not kept",
+                    "the session could not be read with it",
+                    "Send the support bundle",
+                ) from error
+
+        write(check)
+        self.state = states[-1]
 
     @property
     def running(self) -> bool:
@@ -129,17 +191,22 @@ class GuidedSession(ABC, Generic[State, Live, View]):
         )
 
     def refuse_unless_possible(
-        self, name: str, args: Mapping[str, object], rev: int | None, by_hand: bool = False
-    ) -> None:
+        self, name: str, args: Args, rev: int | None, by_hand: bool = False
+    ) -> Args:
         """Before every command: of a browser with its view's revision, of the hand as its own.
 
+        Returns:
+            The arguments, each of its type.
+
         Raises:
-            Refusal: it cannot be done now, or was given on an old view.
+            Refusal: it cannot be done now, was given on an old view, or has wrong arguments.
         """
         if rev is not None and rev != self.rev:
             raise self.stale()
-        if reason := self.why_not(name, args, by_hand):
+        typed = checked(self._flow.arguments, name, args)
+        if reason := self.why_not(name, typed, by_hand):
             raise Refusal("not-now", reason)
+        return typed
 
     def stale(self) -> Exception:
         """What is raised where a command was given on an old view."""

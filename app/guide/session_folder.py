@@ -1,4 +1,4 @@
-"""A guided session's folder, as FORMATS.md has it, so that it can be rebuilt without us."""
+"""The folder of a guided session (docs/formats.md), which can be rebuilt from its files alone."""
 
 from collections.abc import Sequence
 from datetime import UTC, datetime
@@ -8,11 +8,12 @@ import numpy as np
 
 from app.files.acceptance import ACCEPTANCE, Acceptance, ComparisonPart
 from app.files.arm import read_arm
-from app.files.atomic import write_atomically
+from app.files.atomic import ensure_folder, write_atomically
 from app.files.documents import sha256_of
 from app.files.failures import files_refused
 from app.files.images import write_png
 from app.files.objects import read_object
+from app.files.opening import read_bounded
 from app.files.sensor import read_sensor
 from app.files.session import (
     ARM,
@@ -48,14 +49,14 @@ class SessionFolder:
     def keep_sheets(self, library: Library, state: CalibrationState) -> None:
         """Copies the chosen arm, object and sensor, which the session uses from now on."""
         with files_refused(self.path):
-            (self.path / PICTURES).mkdir(parents=True, exist_ok=True)
+            ensure_folder(self.path / PICTURES)
             sources = (
                 (library.arms[state.choices["arm"]].path, ARM),
                 (library.objects[state.choices["object"]].path, OBJECT),
                 (library.sensors[state.choices["sensor"]].path, SENSOR),
             )
             for source, name in sources:
-                write_atomically(self.path / name, source.read_bytes())
+                write_atomically(self.path / name, read_bounded(source))
 
     def sheets(self) -> Chosen:
         """The session's own copies; None for what cannot be read any more."""

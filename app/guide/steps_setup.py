@@ -2,12 +2,13 @@
 
 from app.guide.body import Body, geometry, offer
 from app.guide.live import Live
+from app.guide.permissions import other_devices
 from app.guide.state import CalibrationState
 from app.guide.view import Choice, ChoiceOption, ChoicesPicture, DeviceLine, DevicesPicture
 from app.metrology.chessboard.board import Chessboard
 from app.metrology.objects import CalibrationObject
 from app.station.device_state import DeviceState
-from app.station.findings import Finding, Quality
+from app.station.findings import Quality
 
 QUALITY: dict[str, Quality] = {
     "connected": "good",
@@ -47,7 +48,7 @@ def setup_step(state: CalibrationState, live: Live) -> Body:
         picture=ChoicesPicture(_choices(state, live), geometry(item) if item else None),
         actions=[offer(state, live, "confirm_setup", "These are in use", primary=True)],
         findings=[
-            *_serials(live),
+            *other_devices(live),
             *([live.tip] if live.tip is not None else []),
             *live.library.findings,
         ],
@@ -110,25 +111,3 @@ def _board_detail(board: Chessboard) -> str:
         f"serial number {board.serial_number}, chessboard, {columns} × {rows} inner corners, "
         f"squares of {board.square_mm:g} mm"
     )
-
-
-def _serials(live: Live) -> list[Finding]:
-    """Devices whose serial number is not that of the chosen sheet."""
-    chosen = live.chosen
-    pairs = (
-        ("arm", live.arm and live.arm.serial_number, chosen.arm and chosen.arm.serial_number),
-        (
-            "sensor",
-            live.sensor and live.sensor.serial_number,
-            chosen.sensor and chosen.sensor.serial_number,
-        ),
-    )
-    return [
-        Finding(
-            "attention",
-            f"The connected {name} says serial number {there}, the chosen one has {sheet}.",
-            f"Choose the {name} that is connected, unless it is known to report another number.",
-        )
-        for name, there, sheet in pairs
-        if there and sheet and there != sheet
-    ]

@@ -90,6 +90,20 @@ def build(
     return output
 
 
+def build_plain(code: Path, output: Path) -> Path:
+    """Compiles one C file for this machine to a shared object that exports what it says.
+
+    Raises:
+        BuildError: no compiler is here, or it failed; the message holds its output.
+    """
+    compiler, zig = _compiler(Target.here())
+    with tempfile.TemporaryDirectory(prefix="crenel-build-") as folder:
+        environment = (_zig_caches(Path(folder)) if zig else {}) | os.environ
+        command = (*compiler, *FLAGS, "-shared", str(code), "-o", str(output), "-ldl")
+        _run_all([command], environment)
+    return output
+
+
 def wheel_tag(target: Target | None = None) -> str:
     """Of a wheel that holds the libraries: any Python 3, one platform."""
     target = target or Target.here()

@@ -6,6 +6,7 @@ from app.files.arm import ArmFile
 from app.files.arm_covariance import IdentificationPart, ParameterPart
 from app.files.arm_identification import ARM, IDENTIFIED, read_arm_session
 from app.files.calibration import Input
+from app.files.names import shown_path
 from app.metrology.arm_model.observations import Observations
 from app.metrology.refusal import Refusal
 from app.report.content import (
@@ -47,7 +48,7 @@ def identification_report(folder: Path) -> Report:
     if found is None:
         raise Refusal(
             "not-identified",
-            f"{folder / IDENTIFIED} says nothing of an identification",
+            f"{shown_path(folder / IDENTIFIED)} says nothing of an identification",
             "it is an arm as its papers have it",
             f"Identify the arm of the folder's {ARM} again",
         )

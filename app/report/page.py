@@ -22,6 +22,7 @@ from app.report.language import Say
 from app.report.policy import POLICY
 from app.report.svg import svg
 from app.report.words import tied
+from app.strings.isolated import with_isolated
 from app.strings.sentences import sentences_of
 
 MARKS = {"good": "Good", "attention": "Attention", "bad": "Bad", "neutral": "Note"}
@@ -130,7 +131,7 @@ def page(report: Report) -> bytes:
 
 def escape(text: str) -> str:
     """A text as it may stand in the page."""
-    return html.escape(tied(text))
+    return html.escape(with_isolated(tied(text)))
 
 
 def made_by() -> str:

@@ -41,6 +41,7 @@ from app.report.language import Say
 from app.report.page import MARKS, made_by
 from app.report.paper_figure import BOLD, PLAIN, Drawing
 from app.report.words import tied
+from app.strings.isolated import TURNING
 from app.strings.sentences import sentences_of
 
 MARGIN = 16 * mm
@@ -110,9 +111,10 @@ def _fonts() -> frozenset[int]:
 
 
 def _shown(text: str) -> str:
-    """The text with a box for each character that the face does not have."""
+    """The text with a box for each character that the face does not have, or that turns it."""
     known = _fonts()
-    return "".join(c if ord(c) in known else " " if c.isspace() else "□" for c in text)
+    shown = TURNING.sub("□", text)
+    return "".join(c if ord(c) in known else " " if c.isspace() else "□" for c in shown)
 
 
 def _style(size: float, colour: str, bold: bool, right: bool) -> ParagraphStyle:

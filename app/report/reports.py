@@ -4,6 +4,7 @@ from pathlib import Path
 
 from app.files.arm_check import ARM_CHECK
 from app.files.arm_identification import IDENTIFIED
+from app.files.names import shown_path
 from app.files.tip_check import TIP_CHECK
 from app.files.verification import VERIFICATION
 from app.metrology.refusal import Refusal
@@ -46,7 +47,7 @@ def report_of(folder: Path) -> Report:
     there = "it holds no record of one" if folder.is_dir() else "there is no such folder"
     raise Refusal(
         "no-record",
-        str(folder),
+        shown_path(folder),
         there,
         f"Name the folder of a calibration, a check or a verification: it has one of "
         f"{', '.join(name for name, _ in KINDS)}",

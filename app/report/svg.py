@@ -4,6 +4,7 @@ import base64
 from html import escape
 
 from app.report.figure import Dot, Figure, Item, Photograph, Shape
+from app.strings.isolated import with_isolated
 
 
 def svg(figure: Figure) -> str:
@@ -26,7 +27,7 @@ def _item(item: Item) -> str:
         return f'<image {place} href="data:image/jpeg;base64,{data}"/>'
     weight = ' font-weight="600"' if item.bold else ""
     look = f'font-size="{item.size:g}" fill="{item.colour}" text-anchor="{item.anchor}"{weight}'
-    return f'<text x="{x:.2f}" y="{y:.2f}" {look}>{escape(item.text)}</text>'
+    return f'<text x="{x:.2f}" y="{y:.2f}" {look}>{escape(with_isolated(item.text))}</text>'
 
 
 def _shape(shape: Shape) -> str:

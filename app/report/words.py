@@ -1,7 +1,9 @@
 """How reports print numbers, names and times."""
 
 import re
-from datetime import UTC, datetime
+from datetime import UTC
+
+from app.files.moments import moment_of
 
 _UNITS = re.compile(r"(?<=\d) (?=(?:µm|mm|px|nm|%|°C|°)(?:\W|$))")
 _SIGNS = re.compile(r"(?<=\S) ([×Ø]) (?=\d)")
@@ -20,10 +22,9 @@ def moment(text: str | None) -> str:
     if not text:
         return UNKNOWN
     try:
-        when = datetime.fromisoformat(text)
+        when = moment_of(text).astimezone(UTC)
     except ValueError:
         return text
-    when = when.replace(tzinfo=UTC) if when.tzinfo is None else when.astimezone(UTC)
     return f"{when:%Y-%m-%d %H:%M} UTC"
 
 

@@ -1,15 +1,18 @@
 """The arm of the rig: its joints now, at a stamp, and averaged while it is still."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from app.metrology.arm import Arm, flange_poses, tip_centres
 from app.metrology.frames import Floats, vector_from_rotation
+from app.metrology.joint_plausibility import JointJudge
 from app.metrology.joint_stamps import Stamps
 from app.metrology.refusal import Refusal
 from app.station.bus import Bus
 from app.station.device_state import DeviceState, device_state
+from app.station.findings import capital
 from app.station.joints import JointMean, JointRing, JointWindow, mean_of
 from app.station.reader import READ_TIMEOUT_S, DeviceReader
 from app.station.stillness import UNKNOWN, WINDOW_S, Stillness, stillness
@@ -20,6 +23,8 @@ from hardware.interfaces import ArmDriver, ArmInfo, ButtonEvent, JointSample
 LATE_S = 0.5
 # An arm this far from where it stood, at its flange, stands elsewhere: some pixels off.
 ELSEWHERE_MM, ELSEWHERE_RAD = 0.5, 0.003
+# An arm that sent what cannot be true is not believed for so long.
+DOUBTED_S = 1.0
 
 
 class ArmSide:
@@ -29,6 +34,8 @@ class ArmSide:
         self._bus = bus
         self._chosen: Arm | None = None
         self._ring: JointRing | None = None
+        self._judge: JointJudge[JointSample] | None = None
+        self._judged_serial = ""
         self._newest: JointSample | None = None
         self.on_button: Callable[[ButtonEvent], None] | None = None
         self.reader: DeviceReader[ArmDriver, ArmInfo] = DeviceReader(
@@ -45,12 +52,42 @@ class ArmSide:
         """True while joint samples come."""
         return self.reader.fresh
 
+    @property
+    def kept_back(self) -> int:
+        """Readings since this arm first connected that could not be true."""
+        return 0 if self._judge is None else self._judge.kept_back
+
+    @property
+    def newest_kept_back(self) -> Refusal | None:
+        """What is said of the newest of them; None where there are none."""
+        newest = None if self._judge is None else self._judge.newest
+        return None if newest is None else newest.refusal
+
+    @property
+    def kept_back_ago_s(self) -> float | None:
+        """Since the newest of them."""
+        newest = None if self._judge is None else self._judge.newest
+        return None if newest is None else (now_ns() - newest.stamp_ns) / 1e9
+
+    def doubt(self) -> Refusal | None:
+        """Why the arm's readings are not believed just now; None while they are plausible."""
+        newest = self._judge.newest if self._judge is not None else None
+        if newest is None or now_ns() - newest.stamp_ns > DOUBTED_S * 1e9:
+            return None
+        return newest.refusal
+
     def link(self) -> DeviceState:
-        return device_state("Arm", self.reader.link(), self.info)
+        """An arm whose readings cannot be true is as good as lost, and says why."""
+        state, doubt = device_state("Arm", self.reader.link(), self.info), self.doubt()
+        if doubt is None or state.state != "connected":
+            return state
+        return replace(state, state="lost", text=capital(doubt.line))
 
     def set_model(self, arm: Arm | None) -> None:
-        """The kinematics by which stillness and the tip's place are judged."""
+        """The kinematics by which readings, stillness and the tip's place are judged."""
         self._chosen = arm
+        if self._judge is not None:
+            self._judge.set_arm(arm)
 
     def latest(self) -> JointSample | None:
         """The newest sample, None while the arm is not fresh."""
@@ -86,6 +123,8 @@ class ArmSide:
         last_ns = ring.last_stamp_ns() if ring else None
         if ring is None or arm is None or last_ns is None or not self.fresh:
             return UNKNOWN
+        if (doubt := self.doubt()) is not None:
+            return replace(UNKNOWN, text=capital(doubt.line))
         first_ns = last_ns - int(WINDOW_S * 1e9)
         window = ring.between(first_ns, last_ns)
         return stillness(arm, window) if ring.covers(window, first_ns, last_ns) else UNKNOWN
@@ -112,8 +151,12 @@ class ArmSide:
         before.
 
         Raises:
-            Refusal: ``arm-lost``, ``no-arm-model``, ``no-joints``, or ``arm-moving``.
+            Refusal: ``arm-lost``, ``no-arm-model``, ``joint-implausible``, ``no-joints``,
+                or ``arm-moving``.
         """
+        doubt = self.doubt() if until_ns is None else None
+        if doubt is not None:
+            raise doubt
         last_ns = until_ns
         if last_ns is None:
             newest = self.latest()
@@ -139,6 +182,9 @@ class ArmSide:
                 f"no arm model with {ring.joint_count} joints is chosen",
                 remedy="choose the arm first",
             )
+        wrong = self._judge.between(first_ns, last_ns) if self._judge is not None else None
+        if wrong is not None:
+            raise wrong.refusal
         window = ring.between(first_ns, last_ns)
         moved = stillness(arm, window) if ring.covers(window, first_ns, last_ns) else UNKNOWN
         if moved is UNKNOWN:
@@ -162,17 +208,30 @@ class ArmSide:
         # one ring over reconnections: a recording goes on where it was
         if self._ring is None or self._ring.joint_count != info.joint_count:
             self._ring = JointRing(info.joint_count, info.rate_hz)
+            self._judge = None
+        if self._judge is None or self._judged_serial != info.serial_number:
+            self._judge = JointJudge(info.joint_count, info.rate_hz, self._chosen)
+            self._judged_serial = info.serial_number
 
     def _read(self, driver: ArmDriver) -> int:
         records = driver.read(READ_TIMEOUT_S)
         samples = [record for record in records if isinstance(record, JointSample)]
-        if samples and self._ring is not None:
-            self._ring.extend(samples)
-            self._newest = samples[-1]
+        if samples:
+            self._take(samples)
         for record in records:
             if isinstance(record, ButtonEvent):
                 self._bus.call(self._press, record)
         return len(samples)
+
+    def _take(self, samples: Sequence[JointSample]) -> None:
+        """Keeps what can be true: nothing else of the arm is seen by anybody."""
+        ring, judge = self._ring, self._judge
+        if ring is None or judge is None:
+            return
+        good = judge.passed(samples)
+        ring.extend(good, judge.judged_ns)
+        if good:
+            self._newest = good[-1]
 
     def _press(self, event: ButtonEvent) -> None:
         if self.on_button is not None:

@@ -6,8 +6,9 @@ Checks take plain values and are free of clocks and devices.
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from app.metrology.refusal import Refusal
 from app.station.device_state import DeviceState
-from app.station.findings import Quality, figures, signed
+from app.station.findings import Quality, capital, figures, signed
 from app.station.host import Memory
 from app.station.losses import Losses
 from app.station.temperature import Temperature
@@ -18,6 +19,7 @@ DISK_ATTENTION_GB, DISK_BAD_GB = 10.0, 1.0
 MEMORY_OWN_BYTES, MEMORY_FREE_BYTES = 3_000_000_000, 500_000_000
 STALLS_BAD_S = 2.0
 BACKUP_DAYS = 7.0
+READINGS_BAD_S = 600.0
 TEMPERATURE_CHANGE_C = 2.0
 ORDER: dict[Quality, int] = {"bad": 0, "attention": 1, "neutral": 2, "good": 3}
 
@@ -97,6 +99,26 @@ def losses(title: str, lately: Losses) -> HealthItem:
     )
 
 
+def readings(kept_back: int, newest: Refusal | None, ago_s: float | None) -> HealthItem:
+    """Whether what the arm's encoders say can be true.
+
+    Args:
+        ago_s: since the newest reading that could not.
+    """
+    why = "Nothing is taken from a reading that cannot be true: no contact, no pose, no points."
+    if newest is None or ago_s is None:
+        what = "Every reading of the joints could be true."
+        return HealthItem("readings", "Readings of the arm", "good", what, why, "")
+    return HealthItem(
+        "readings",
+        "Readings of the arm",
+        "bad" if ago_s < READINGS_BAD_S else "attention",
+        f"{kept_back} could not be true, the last {ago_s:.0f} s ago: {newest.what}.",
+        why,
+        f"{capital(newest.remedy)}.",
+    )
+
+
 def clock(jumps: int, last_jump_s: float, ahead_days: float) -> HealthItem:
     """Whether the wall clock can be believed.
 
@@ -145,13 +167,13 @@ def disk(free_gb: float, megabytes_s: float | None) -> HealthItem:
     )
 
 
-def folder(path: str, trouble: str) -> HealthItem:
+def folder(trouble: str) -> HealthItem:
     """Whether records can be written."""
     return HealthItem(
         "folder",
         "Data folder",
         "bad" if trouble else "good",
-        f"{path} cannot be written: {trouble}." if trouble else f"{path} can be written.",
+        f"It cannot be written: {trouble}." if trouble else "It can be written.",
         "Recordings, calibrations and the journal are kept there.",
         "Check the folder's owner and whether its disk is mounted." if trouble else "",
     )
@@ -168,6 +190,32 @@ def database(size_mb: float, trouble: str) -> HealthItem:
         "Stop the station, keep a copy of the data folder, and start from the last backup."
         if trouble
         else "",
+    )
+
+
+def records(aside: Sequence[str]) -> HealthItem:
+    """Whether all that was kept can be read; ``aside``: a sentence for each that cannot."""
+    more = f" And {len(aside) - 3} more." if len(aside) > 3 else ""
+    return HealthItem(
+        "records",
+        "Records",
+        "bad" if aside else "good",
+        f"{' '.join(aside[:3])}{more}" if aside else "All that was kept can be read.",
+        "What cannot be read is set aside as it is; everything else is served.",
+        "Put the file back from the last backup, or leave it and go on." if aside else "",
+    )
+
+
+def recordings(damaged: Sequence[str]) -> HealthItem:
+    """Whether what was recorded is there as it was recorded."""
+    more = f", and {len(damaged) - 1} more" if len(damaged) > 1 else ""
+    return HealthItem(
+        "recordings",
+        "Recordings",
+        "bad" if damaged else "good",
+        f"{damaged[0]}{more}." if damaged else "All are there, as they were recorded.",
+        "A scan can be made again of its recording, and a verification be shown to be right.",
+        "Bring it back from the last backup, or delete it under Records." if damaged else "",
     )
 
 

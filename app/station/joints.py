@@ -1,6 +1,7 @@
 """The last seconds of the arm's joint samples, and the pose at a stamp."""
 
 import threading
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -48,10 +49,14 @@ class JointRing:
         self._stamps: Stamps = np.zeros(KEPT_SAMPLES, dtype=np.int64)
         self._q: Floats = np.zeros((KEPT_SAMPLES, joint_count))
         self._count = 0
+        self._judged_ns: int | None = None
         self._grown = threading.Condition()
 
-    def extend(self, samples: list[JointSample]) -> None:
-        """Appends samples, oldest first."""
+    def extend(self, samples: Sequence[JointSample], judged_ns: int | None = None) -> None:
+        """Appends samples, oldest first.
+
+        ``judged_ns``: up to where no more will come, though some may have been left out.
+        """
         with self._grown:
             for sample in samples:
                 if self._count and sample.stamp_ns <= self._last_stamp():
@@ -59,6 +64,7 @@ class JointRing:
                 self._stamps[self._count % KEPT_SAMPLES] = sample.stamp_ns
                 self._q[self._count % KEPT_SAMPLES] = sample.joints_rad
                 self._count += 1
+            self._judged_ns = judged_ns
             self._grown.notify_all()
 
     def between(self, first_ns: int, last_ns: int) -> JointWindow:
@@ -76,10 +82,10 @@ class JointRing:
         return longest_ns <= max(self.gap_limit_ns, (last_ns - first_ns) // 5)
 
     def wait_past(self, stamp_ns: int, timeout_s: float) -> bool:
-        """Waits for a sample at or after a stamp."""
+        """Waits for a sample at or after a stamp; True too where those there were left out."""
         with self._grown:
             return self._grown.wait_for(
-                lambda: self._count > 0 and self._last_stamp() >= stamp_ns, timeout_s
+                lambda: self._count > 0 and self._reaches_ns() >= stamp_ns, timeout_s
             )
 
     def at(self, stamp_ns: int, wait_s: float = 0.0) -> Floats | None:
@@ -104,6 +110,9 @@ class JointRing:
 
     def _oldest(self) -> int:
         return max(0, self._count - KEPT_SAMPLES)
+
+    def _reaches_ns(self) -> int:
+        return max(self._last_stamp(), self._judged_ns or 0)
 
     def _last_stamp(self) -> int:
         return int(self._stamps[(self._count - 1) % KEPT_SAMPLES])

@@ -17,8 +17,10 @@ from itertools import islice
 from pathlib import Path
 from typing import Literal
 
+from app.files.names import printable
+from app.files.opening import check_ordinary, read_bounded
 from app.metrology.refusal import Refusal
-from app.station.log_text import NUMBER, Repeats, printable
+from app.station.log_text import NUMBER, Repeats
 
 FOLDER, FILE = "logs", "station.jsonl"
 FILE_BYTES, FILES = 2_000_000, 5
@@ -65,6 +67,7 @@ class LogBook:
         try:
             self.folder.mkdir(mode=0o700, parents=True, exist_ok=True)
             self.folder.chmod(0o700)  # names and addresses are in them
+            check_ordinary(self.folder / FILE)
             file = _File(
                 self.folder / FILE, maxBytes=FILE_BYTES, backupCount=FILES - 1, encoding="utf-8"
             )
@@ -125,7 +128,7 @@ class LogBook:
     def _newest_first(self, words: list[str]) -> Iterator[LogLine]:
         for path in self.files():
             try:
-                raw = path.read_text("utf-8", "replace").split("\n")
+                raw = read_bounded(path).decode("utf-8", "replace").split("\n")
             except OSError:  # rotated away meanwhile
                 continue
             for text in reversed(raw):

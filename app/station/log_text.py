@@ -20,21 +20,6 @@ NUMBER = re.compile(r"\d+")
 LONGEST_KIND = 80
 
 
-def printable(text: str, kept: str = "") -> str:
-    """The text with all that is no letter, sign or space as its number, save what is kept."""
-    if text.isprintable():
-        return text
-    return "".join(
-        sign if sign.isprintable() or sign in kept else _escaped(ord(sign)) for sign in text
-    )
-
-
-def _escaped(code: int) -> str:
-    if code < 0x100:
-        return f"\\x{code:02x}"
-    return f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"
-
-
 _Key = tuple[str, int, str]
 """The file and line that says it, and what."""
 

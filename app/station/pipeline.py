@@ -7,7 +7,7 @@ import queue
 import threading
 import time
 from collections import deque
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from app.files.cloud_points import Points
 from app.files.clouds import CloudWriter, cloud_writer, packed
 from app.files.failures import refusal_of
-from app.files.recording import ARM_DELAY, EXTRACTION
+from app.files.recording import ARM_DELAY, EXTRACTION, SCAN_CALIBRATION
 from app.files.scan_settings import AUTOMATIC, ScanSettings
 from app.metrology.arm import Arm, flange_poses
 from app.metrology.camera import Camera
@@ -32,6 +32,7 @@ from app.station.arm_side import LATE_S, ArmSide
 from app.station.extraction import extraction_by
 from app.station.pace import Pace
 from app.station.recorder import Recorder, StripeFrame
+from app.station.scan_folders import CLOUD, RECORDING
 from app.station.sensor_side import SensorSide
 from hardware.interfaces import Frame
 
@@ -95,14 +96,17 @@ class ScanPipeline:
         folder: Path,
         show: Show,
         settings: ScanSettings = AUTOMATIC,
+        about: Mapping[str, str] | None = None,
     ) -> None:
+        """``about``: what the recording says of the scan beside its devices and calibration."""
+        self._about = dict(about or {})
         self.counts = Counts()
         self.pace = Pace(arm, settings.blur_limit_mm)
         self.failure: Refusal | None = None
         self._arm = arm
         self._sensor = sensor
         self._calibration = calibration
-        self._cloud_path = folder / "cloud.ply"
+        self._cloud_path = folder / CLOUD
         self._show = show
         self._made: deque[tuple[float, int]] = deque()
         self._distance = (-math.inf, 0.0)
@@ -110,11 +114,12 @@ class ScanPipeline:
         self._stripes: queue.Queue[list[StripeFrame] | None] = queue.Queue(POINTS_QUEUE)
         self._ended = False
         self._lost_before = sensor.reader.link().lost
+        self._kept_back_before = arm.kept_back
         self._settings = settings
         self._extraction = extraction_by(settings, calibration.stripe_axis)
         self._delay_ns = settings.delay_ns(calibration.arm_serial, calibration.sensor_serial)
         joint_names = tuple(joint.name for joint in calibration.arm.joints)
-        self._recorder = Recorder(folder / "scan.mcap", joint_names, self._told(), arm)
+        self._recorder = Recorder(folder / RECORDING, joint_names, self._told(), arm)
         self._tap = sensor.frames.tap(_waiting(sensor))
         self._threads = [
             threading.Thread(target=self._take_all, name="scan-take", daemon=True),
@@ -133,6 +138,12 @@ class ScanPipeline:
     def lost_frames(self) -> int:
         """Frames that the sensor lost, and those that found no room here."""
         return self._tap.dropped + self._sensor.reader.link().lost - self._lost_before
+
+    @property
+    def implausible(self) -> tuple[int, Refusal | None]:
+        """How many of the arm's readings could not be true, and what is said of the newest."""
+        count = self._arm.kept_back - self._kept_back_before
+        return count, self._arm.newest_kept_back if count > 0 else None
 
     @property
     def backlog(self) -> float:
@@ -171,6 +182,8 @@ class ScanPipeline:
     def _told(self) -> dict[str, str]:
         """What the recording says of the station."""
         return {
+            **self._about,
+            SCAN_CALIBRATION: self._calibration.id,
             "arm_serial": self._calibration.arm_serial,
             "sensor_serial": self._calibration.sensor_serial,
             ARM_DELAY: str(self._delay_ns),

@@ -23,7 +23,9 @@ QUEUE_BATCHES = 64
 QUEUE_PICTURES = 16
 POLL_S = 0.05
 # What a killed process may lose.
-FLUSH_S = 0.5
+FLUSH_S = 0.25
+# What a power failure may lose beside.
+SYNC_S = 0.75
 # Joints are recorded from a little before the scan, so that its first frame has them around it.
 LEAD_NS = 200_000_000
 
@@ -61,6 +63,10 @@ class Recorder:
         self._writer = RecordingWriter(path, joint_names, station)
         self._thread = threading.Thread(target=self._run, name="scan-recorder", daemon=True)
         self._thread.start()
+        # a disk that takes long over it holds up no frames
+        self._ended = threading.Event()
+        self._syncer = threading.Thread(target=self._sync, name="scan-sync", daemon=True)
+        self._syncer.start()
 
     @property
     def backlog(self) -> float:
@@ -101,6 +107,12 @@ class Recorder:
             except queue.Full:
                 continue
         self._thread.join()
+        self._ended.set()
+        self._syncer.join()
+
+    def _sync(self) -> None:
+        while not self._ended.wait(SYNC_S):
+            self._writer.sync()
 
     def _run(self) -> None:
         try:

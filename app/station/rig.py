@@ -111,7 +111,7 @@ class Rig:
 
     def _publish(self) -> None:
         said: dict[str, LinkState] = {}
-        published_s = 0.0
+        published_s, doubted = 0.0, False
         while not self._stopping.wait(LOOK_S):
             before = dict(said)
             for title, link in (
@@ -120,10 +120,18 @@ class Rig:
             ):
                 self._tell(title, said.get(title), link)
                 said[title] = link.state
+            doubted = self._tell_doubt(doubted)
             now_s = time.monotonic()
             if said != before or now_s - published_s >= PUBLISH_S:
                 self._bus.publish("devices", self.devices())
                 published_s = now_s
+
+    def _tell_doubt(self, before: bool) -> bool:
+        """Says once when the arm's readings cannot be true any more."""
+        doubt = self.arm.doubt()
+        if doubt is not None and not before:
+            self._bus.event(doubt.code, doubt.line, "bad")
+        return doubt is not None
 
     def _tell(self, title: str, before: LinkState | None, link: Link) -> None:
         """Says once when a device was lost, and when it came back."""

@@ -5,9 +5,12 @@ import shutil
 from datetime import datetime
 from pathlib import Path
 
+from app.files.atomic import ensure_folder, make_folder
 from app.files.failures import files_refused, refusal_of
+from app.files.names import shown_path
 from app.metrology.refusal import Refusal
 
+RECORDING, CLOUD = "scan.mcap", "cloud.ply"
 # A scan does not start with less, and stops before the disk is so full that it
 # could not complete its files.
 START_FREE_BYTES = 500_000_000
@@ -35,13 +38,13 @@ class ScanFolders:
         with files_refused(self._folder):
             for name in names:
                 with contextlib.suppress(FileExistsError):
-                    (self._folder / name).mkdir()
+                    make_folder(self._folder / name)
                     return self._folder / name
-        raise Refusal("folder-taken", f"no free name for a scan in {self._folder}")
+        raise Refusal("folder-taken", f"no free name for a scan in {shown_path(self._folder)}")
 
     def _no_room(self, needed: int) -> Refusal | None:
         try:
-            self._folder.mkdir(parents=True, exist_ok=True)
+            ensure_folder(self._folder)
             free = shutil.disk_usage(self._folder).free
         except OSError as error:
             return refusal_of(error, self._folder)
@@ -49,14 +52,22 @@ class ScanFolders:
             return None
         return Refusal(
             "disk-full",
-            f"only {free / 1e9:.2f} GB are free on the disk of {self._folder}",
+            f"only {free / 1e9:.2f} GB are free on the disk of {shown_path(self._folder)}",
             f"a scan needs {needed / 1e9:.1f} GB",
             "free some space",
         )
 
 
+def size_of(folder: Path) -> int:
+    """Bytes of the recording in a scan's folder; 0 where there is none."""
+    try:
+        return (folder / RECORDING).stat().st_size
+    except OSError:
+        return 0
+
+
 def made(folder: Path) -> Path:
     """A new folder where the caller wants it; raises ``Refusal`` where it cannot be made."""
     with files_refused(folder):
-        folder.mkdir(parents=True)
+        make_folder(folder)
     return folder

@@ -50,6 +50,9 @@ class ScanResult:
     seconds: float
     calibration_id: str
     lost_frames: int = 0
+    interrupted: str = ""
+    """Why it ended before the operator ended it; empty where it did not."""
+    recording_bytes: int = 0
 
 
 @dataclass(frozen=True)

@@ -1,7 +1,7 @@
 """Why a scan cannot start, and what the operator should know while it runs."""
 
 from app.metrology.refusal import Refusal
-from app.station.findings import Finding
+from app.station.findings import Finding, capital
 from app.station.pipeline import ScanCalibration, ScanPipeline
 from app.station.rig import Rig
 
@@ -23,10 +23,21 @@ def blocked(calibration: ScanCalibration | None, rig: Rig) -> Refusal | None:
     return _arm_blocked(calibration, rig) or _sensor_blocked(calibration, rig)
 
 
+def cut_short(trouble: Refusal | None) -> str:
+    """Why a scan ended before the operator ended it; empty where it did not."""
+    if trouble is None:
+        return ""
+    if trouble.code == "disk-full":
+        return "The disk was full during this scan."
+    return f"This scan was cut short: {trouble.why or trouble.what}."
+
+
 def _arm_blocked(calibration: ScanCalibration, rig: Rig) -> Refusal | None:
     info = rig.arm.info
     if info is None or not rig.arm.fresh:
         return _lost("arm", rig.arm.link().text)
+    if (doubt := rig.arm.doubt()) is not None:
+        return doubt
     if info.joint_count != calibration.arm.joint_count:
         return Refusal(
             "wrong-arm",
@@ -86,6 +97,9 @@ def _live(pipeline: ScanPipeline, rig: Rig) -> list[Finding]:
     found = []
     if not rig.arm.fresh:
         found.append(Finding("bad", rig.arm.link().text, "The scan goes on when it is back."))
+    elif (doubt := rig.arm.doubt()) is not None:
+        text = f"Pictures are left out: {doubt.what}"
+        found.append(Finding("bad", text, f"{capital(doubt.remedy)}."))
     if not rig.sensor.fresh:
         found.append(Finding("bad", rig.sensor.link().text, "The scan goes on when it is back."))
     elif not rig.sensor.laser_on:
@@ -155,6 +169,15 @@ def _counted(pipeline: ScanPipeline) -> list[Finding]:
                 "attention",
                 f"{pipeline.lost_frames} of {arrived} pictures were lost",
                 "Check the sensor's cable, or close other programs.",
+            )
+        )
+    kept_back, newest = pipeline.implausible
+    if kept_back and newest is not None:
+        found.append(
+            Finding(
+                "attention",
+                f"{kept_back} readings of the arm could not be true; the last: {newest.what}",
+                f"Nothing was made of them. {capital(newest.remedy)}.",
             )
         )
     if counts.frames_without_joints > SAY_SHARE * counts.frames:

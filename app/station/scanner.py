@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
 
+from app.files.recording import SCAN_NAME, SCAN_STARTED
 from app.files.scan_settings import AUTOMATIC, ScanSettings
 from app.metrology.refusal import Refusal
 from app.station.bus import Bus
@@ -14,9 +15,9 @@ from app.station.distance import Distance, distance_of
 from app.station.findings import capital
 from app.station.pipeline import ScanCalibration, ScanPipeline
 from app.station.rig import Rig
-from app.station.scan_folders import ScanFolders, made
+from app.station.scan_folders import ScanFolders, made, size_of
 from app.station.scan_state import NOTHING, ScanLoad, ScanResult, ScanState, State
-from app.station.scan_words import blocked, findings_of
+from app.station.scan_words import blocked, cut_short, findings_of
 from app.station.scene import Scene
 
 # The drawn arm moves ten times a second, the numbers change five times.
@@ -46,7 +47,7 @@ class _Running:
 class Scanner:
     """Runs one scan at a time; every method may be called from any thread.
 
-    ``on_finished`` is called on the event loop with every scan that ended, also
+    ``on_finished`` is called, before the word "saved", with every scan that ended, also
     one that a full disk ended.
     """
 
@@ -58,6 +59,8 @@ class Scanner:
         self._folders = ScanFolders(scans_dir)
         self._lock = threading.RLock()
         self._calibration: ScanCalibration | None = None
+        self._look: Callable[[], Refusal | None] = lambda: None
+        self._trouble: Refusal | None = None
         self._settings = AUTOMATIC
         self._scan: _Running | None = None
         self._published: ScanState | None = None
@@ -71,10 +74,20 @@ class Scanner:
         self._watcher.join(5.0)
         self.stop()
 
-    def set_calibration(self, calibration: ScanCalibration | None) -> None:
-        """The calibration to scan with; a running scan keeps the one it started with."""
+    def set_calibration(
+        self,
+        calibration: ScanCalibration | None,
+        trouble: Refusal | None = None,
+        look: Callable[[], Refusal | None] = lambda: None,
+    ) -> None:
+        """The calibration to scan with; a running scan keeps the one it started with.
+
+        Args:
+            trouble: why the one in use cannot be read, where there is one.
+            look: tells why its files cannot be read any more; None while they can.
+        """
         with self._lock:
-            self._calibration = calibration
+            self._calibration, self._trouble, self._look = calibration, trouble, look
         if calibration is None:
             self._scene.clear_sensor()
         else:
@@ -86,6 +99,13 @@ class Scanner:
                 calibration.depth_range_mm,
             )
         self._publish()
+
+    @property
+    def trouble(self) -> Refusal | None:
+        """Why the calibration in use cannot be read, or not any more."""
+        with self._lock:
+            trouble, look = self._trouble, self._look
+        return trouble or look()
 
     def distance(self) -> Distance | None:
         """Of the stripe from the camera, against the calibrated range; None without a scan."""
@@ -123,7 +143,7 @@ class Scanner:
                 return Refusal(
                     "busy", "a scan is running already", remedy="stop it before the next"
                 )
-            return blocked(self._calibration, self._rig)
+            return self.trouble or blocked(self._calibration, self._rig)
 
     def start(self, name: str, into: Path | None = None) -> str:
         """Starts a scan and switches the laser on; its id.
@@ -144,6 +164,8 @@ class Scanner:
             started = datetime.now(UTC)
             folder = self._folders.new(started) if into is None else made(into)
             scan_id = folder.name if into is None else f"{into.parent.name}-{into.name}"
+            name = name.strip() or f"Scan {started:%Y-%m-%d %H:%M}"
+            started_at = started.isoformat(timespec="seconds")
             self._scene.begin(scan_id)
             info = self._rig.sensor.info
             if info is not None and info.has_laser_switch:
@@ -158,15 +180,16 @@ class Scanner:
                     folder,
                     self._scene.add_points,
                     self._settings,
+                    {SCAN_NAME: name, SCAN_STARTED: started_at},
                 )
             except Refusal:
                 self._rig.sensor.laser_off()
                 raise
             self._scan = _Running(
                 scan_id,
-                name.strip() or f"Scan {started:%Y-%m-%d %H:%M}",
+                name,
                 folder,
-                started.isoformat(timespec="seconds"),
+                started_at,
                 time.monotonic(),
                 calibration,
                 pipeline,
@@ -184,17 +207,19 @@ class Scanner:
             scan.ended_s = time.monotonic()
         self._rig.sensor.laser_off()
         self._publish()
-        scan.pipeline.stop()
-        result = self._result(scan)
-        with self._lock:
-            scan.stopping = False
+        try:
+            scan.pipeline.stop()
+            result = self._result(scan)
+            if self.on_finished is not None:
+                self.on_finished(result)
+        finally:
+            with self._lock:
+                scan.stopping = False
         if scan.pipeline.trouble is not None:
             self._bus.event("scan-failed", scan.pipeline.trouble.line, "bad")
         else:
             self._bus.event("scan-saved", f"{result.name}: {result.points} points saved", "good")
         self._publish()
-        if self.on_finished is not None:
-            self._bus.call(self.on_finished, result)
         return result
 
     def forget(self, scan_id: str) -> None:
@@ -253,6 +278,8 @@ class Scanner:
             scan.seconds,
             scan.calibration.id,
             scan.pipeline.lost_frames,
+            cut_short(scan.pipeline.trouble),
+            size_of(scan.folder),
         )
 
     def _watch(self) -> None:

@@ -1,15 +1,22 @@
 """Who did what: an append-only log."""
 
+import logging
+import threading
+from collections import deque
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import islice
 from sqlite3 import Row
 
 from app.files.moments import utc_now
-from app.store.database import Database
+from app.metrology.refusal import Refusal
+from app.store.database import NOT_KEPT, Database
+
+log = logging.getLogger(__name__)
 
 Say = Callable[[str], str]
 LONGEST = 200
+MOST_WAITING = 1000
 ALL = -1
 """As SQLite has no limit."""
 
@@ -30,18 +37,31 @@ class AuditEntry:
 
 
 class AuditLog:
-    """Rows stay as they were written."""
+    """Rows stay as they were written. Those that a full disk does not take wait in memory,
+    so that it keeps nobody from signing in or from Stop; a start loses them.
+    """
 
     def __init__(self, database: Database) -> None:
         self._database = database
+        self._lock = threading.Lock()
+        self._waiting: deque[tuple[str, ...]] = deque(maxlen=MOST_WAITING)
 
     def note(self, who: str, address: str, act: str, outcome: str = "done") -> None:
         """Appends an entry."""
-        with self._database.writing() as connection:
-            connection.execute(
-                "INSERT INTO audit (at, who, address, act, outcome) VALUES (?, ?, ?, ?, ?)",
-                (utc_now(), who, address, act[:LONGEST], outcome[:LONGEST]),
-            )
+        with self._lock:
+            self._waiting.append((utc_now(), who, address, act[:LONGEST], outcome[:LONGEST]))
+            try:
+                with self._database.writing() as connection:
+                    connection.executemany(
+                        "INSERT INTO audit (at, who, address, act, outcome) VALUES (?, ?, ?, ?, ?)",
+                        self._waiting,
+                    )
+            except Refusal as refusal:
+                if refusal.code != NOT_KEPT:
+                    raise
+                log.warning("not in the audit log yet: %s: %s", act[:LONGEST], refusal.why)
+            else:
+                self._waiting.clear()
 
     def newest(self, count: int, words: str = "", say: Say = str) -> list[AuditEntry]:
         """The last entries that have all the words, newest first.

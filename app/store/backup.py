@@ -2,10 +2,13 @@
 
 The database is copied by SQLite's own means, which give one consistent moment whatever is
 written meanwhile; the files follow, so that every file which that moment knows of is there.
+Each file is compared with what was read by its hash, and is on the disk before the copy takes
+its name.
 The copy is a data folder itself: a station starts from it with ``--data``.
 """
 
 import errno
+import hashlib
 import json
 import os
 import shutil
@@ -15,9 +18,12 @@ from dataclasses import asdict, dataclass
 from datetime import UTC, datetime
 from pathlib import Path
 
-from app.files.atomic import write_atomically
+from app.files.atomic import sync_file, sync_folder, write_atomically
+from app.files.documents import sha256_of
 from app.files.failures import files_refused, refusal_of
-from app.files.moments import utc_now
+from app.files.moments import is_moment, utc_now
+from app.files.names import printable, shown_path
+from app.files.opening import open_file, read_bounded
 from app.files.software import SOFTWARE
 from app.metrology.refusal import Refusal
 
@@ -26,7 +32,9 @@ NOTE = "backup.json"
 """In a backup: what it is of. In a data folder: where its last backup is."""
 LAST = "last_backup.json"
 LEFT_OUT = {"station.lock", LAST, "backups", "logs", ".compiled"}
+PARTS = ".*.backup.part"
 DATABASE_PARTS = {DATABASE, f"{DATABASE}-wal", f"{DATABASE}-shm"}
+PIECE_BYTES = 1 << 20
 ROOM_BYTES = 200_000_000
 """Left free on the disk of the copy."""
 
@@ -55,10 +63,11 @@ def backup(
     """
     data, output = data.resolve(), output.absolute()
     _check(data, output)
-    part = output.with_name(f".{output.name}.part")
+    part = output.with_name(f".{output.name}.backup.part")
     with files_refused(output):
         output.parent.mkdir(parents=True, exist_ok=True)
-        shutil.rmtree(part, ignore_errors=True)
+        for left in output.parent.glob(PARTS):  # of processes that were killed
+            shutil.rmtree(left, ignore_errors=True)
         part.mkdir(mode=0o700)
     try:
         with files_refused(output):
@@ -66,6 +75,7 @@ def backup(
             if output.is_dir():
                 output.rmdir()
             part.rename(output)
+            sync_folder(output.parent)
     except BaseException:
         shutil.rmtree(part, ignore_errors=True)
         raise
@@ -76,10 +86,16 @@ def backup(
 def last_backup(data: Path) -> BackupMade | None:
     """The last backup of a data folder that is still where it was put."""
     try:
-        made = BackupMade(**json.loads((data / LAST).read_text()))
-    except (OSError, ValueError, TypeError):
+        made = BackupMade(**json.loads(read_bounded(data / LAST)))
+        there = is_moment(made.at) and (Path(made.folder) / NOTE).is_file()
+    except (OSError, ValueError, TypeError, RecursionError):
         return None
-    return made if (Path(made.folder) / NOTE).is_file() else None
+    return made if there else None
+
+
+def shown_backup(folder: Path | str) -> str:
+    """How messages name a backup, or the folder that has them: by what it lies in alone."""
+    return printable("/".join(Path(folder).parts[-2:]))
 
 
 def stamped_name() -> str:
@@ -129,7 +145,7 @@ def _copy(
         raise Refusal(
             "disk-full",
             f"The backup needs {total / 1e9:.2f} GB",
-            f"{free / 1e9:.2f} GB are free on the disk of {output}",
+            f"{free / 1e9:.2f} GB are free on the disk of {shown_path(output)}",
             "Free some space, or choose another disk",
         )
     done = 0
@@ -137,7 +153,7 @@ def _copy(
         target = part / path.relative_to(data)
         target.parent.mkdir(parents=True, exist_ok=True)
         try:
-            shutil.copy2(path, target)
+            _copy_file(path, target)
         except FileNotFoundError:
             continue  # deleted since it was listed
         done += size
@@ -146,7 +162,34 @@ def _copy(
     made = BackupMade(str(output), at, len(files) + 1, total)
     note = {**asdict(made), "of": str(data), "version": SOFTWARE.version}
     write_atomically(part / NOTE, _json(note))
+    for folder, _, _ in os.walk(part):
+        sync_folder(Path(folder))
     return made
+
+
+def _copy_file(source: Path, target: Path) -> None:
+    """Copies a file as it is now, synced.
+
+    Raises:
+        Refusal: the copy holds something else than was read.
+    """
+    read = hashlib.sha256()
+    with open_file(source) as reading, open(target, "xb") as writing:
+        while piece := reading.read(PIECE_BYTES):
+            read.update(piece)
+            writing.write(piece)
+        writing.flush()
+        os.fsync(writing.fileno())
+        # else the comparison would read the memory that was just written
+        os.posix_fadvise(writing.fileno(), 0, 0, os.POSIX_FADV_DONTNEED)
+    shutil.copystat(source, target)
+    if sha256_of(target) != read.hexdigest():
+        raise Refusal(
+            "backup-differs",
+            f"The copy is not what was read from {shown_path(source)}",
+            "the disk of the backup does not keep what is written to it",
+            "Make the backup on another disk",
+        )
 
 
 def _copy_database(source: Path, target: Path) -> None:
@@ -164,10 +207,11 @@ def _copy_database(source: Path, target: Path) -> None:
             raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC)) from error
         found = str(error)
     os.chmod(target, 0o600)
+    sync_file(target)
     if found != "ok":
         raise Refusal(
             "database-unreadable",
-            f"{source} cannot be copied",
+            f"{shown_path(source)} cannot be copied",
             found,
             "Keep the data folder as it is, and start from an earlier backup",
         )

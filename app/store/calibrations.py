@@ -2,13 +2,17 @@
 
 import json
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import asdict, dataclass
 from pathlib import Path
+from sqlite3 import Row
 from typing import Any, Literal
 
-from app.files.moments import utc_now
+from pydantic import TypeAdapter
+
+from app.files.moments import moment_of, utc_now
 from app.store.database import Database
-from app.store.journal import JournalRow, append_row
+from app.store.journal import Check, JournalRow, append_row, unchecked
 
 COLUMNS = "id, session_id, name, file, accepted_at, figures, active"
 
@@ -38,6 +42,18 @@ class CalibrationRecord:
     active: bool
 
 
+FIGURES = TypeAdapter(Figures)
+
+
+@dataclass(frozen=True, slots=True)
+class UnreadableCalibration:
+    """One whose figures cannot be read."""
+
+    id: str
+    name: str
+    active: bool
+
+
 class CalibrationStore:
     """The calibrations that an operator accepted. Files are kept relative to ``folder``."""
 
@@ -52,6 +68,7 @@ class CalibrationStore:
         file: Path,
         figures: Mapping[str, Any],
         key: str | None,
+        check: Check = unchecked,
     ) -> JournalRow:
         """Makes a session's calibration the active one, and closes the session.
 
@@ -61,7 +78,7 @@ class CalibrationStore:
         """
         kept = Figures(**figures)
         with self._database.writing() as connection:
-            row = append_row(connection, session_id, "accepted", {"name": name}, key)
+            row = append_row(connection, session_id, "accepted", {"name": name}, key, check)
             connection.execute("UPDATE calibration SET active = 0 WHERE active = 1")
             connection.execute(
                 f"INSERT INTO calibration ({COLUMNS}) VALUES (?, ?, ?, ?, ?, ?, 1)",
@@ -80,7 +97,8 @@ class CalibrationStore:
         return row
 
     def active(self) -> CalibrationRecord | None:
-        """The calibration in use; None before the first was accepted."""
+        """The calibration in use; None before the first was accepted, or where its row cannot be
+        read."""
         return self._one("WHERE active = 1")
 
     def get(self, calibration_id: str) -> CalibrationRecord | None:
@@ -88,10 +106,10 @@ class CalibrationStore:
 
     def newest(self) -> CalibrationRecord | None:
         """The last that was accepted, in use or not."""
-        return self._one("ORDER BY accepted_at DESC, rowid DESC LIMIT 1")
+        return self._one("ORDER BY accepted_at DESC, rowid DESC")
 
     def all(self) -> list[CalibrationRecord]:
-        """Every accepted calibration, newest first."""
+        """Every accepted calibration that can be read, newest first."""
         return self._read("ORDER BY accepted_at DESC, rowid DESC")
 
     def _one(self, clause: str, *values: str) -> CalibrationRecord | None:
@@ -99,15 +117,30 @@ class CalibrationStore:
         return found[0] if found else None
 
     def _read(self, clause: str, *values: str) -> list[CalibrationRecord]:
+        found = []
+        for row in self._database.read(f"SELECT {COLUMNS} FROM calibration {clause}", *values):
+            with suppress(ValueError):
+                found.append(self._record(row))
+        return found
+
+    def _record(self, row: Row) -> CalibrationRecord:
+        """Raises ``ValueError`` for figures or a moment that cannot be read."""
+        moment_of(row["accepted_at"])
+        return CalibrationRecord(
+            row["id"],
+            row["session_id"],
+            row["name"],
+            self._folder / row["file"],
+            row["accepted_at"],
+            FIGURES.validate_json(row["figures"]),
+            bool(row["active"]),
+        )
+
+    def unreadable(self) -> list[UnreadableCalibration]:
+        """Those whose row cannot be read."""
+        kept = {record.id for record in self.all()}
         return [
-            CalibrationRecord(
-                row["id"],
-                row["session_id"],
-                row["name"],
-                self._folder / row["file"],
-                row["accepted_at"],
-                Figures(**json.loads(row["figures"])),
-                bool(row["active"]),
-            )
-            for row in self._database.read(f"SELECT {COLUMNS} FROM calibration {clause}", *values)
+            UnreadableCalibration(row["id"], row["name"], bool(row["active"]))
+            for row in self._database.read("SELECT id, name, active FROM calibration")
+            if row["id"] not in kept
         ]

@@ -4,134 +4,29 @@ Every commit is on the disk before the call returns (WAL with full synchronisati
 so that a killed server, or a mains failure, loses nothing that was acknowledged.
 """
 
+import errno
+import shutil
 import sqlite3
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
+from app.files.names import shown_path
+from app.files.opening import check_ordinary
 from app.metrology.refusal import Refusal
+from app.store.schemas import SCHEMA_VERSION, SCHEMAS, columns_made, columns_of
 
-FIRST = """
-CREATE TABLE session (
-    id TEXT PRIMARY KEY,
-    kind TEXT NOT NULL,
-    started_at TEXT NOT NULL,
-    ended_at TEXT
-) STRICT;
-
-CREATE TABLE journal (
-    number INTEGER PRIMARY KEY AUTOINCREMENT,
-    session_id TEXT NOT NULL REFERENCES session (id),
-    at TEXT NOT NULL,
-    kind TEXT NOT NULL,
-    payload TEXT NOT NULL,
-    command_key TEXT UNIQUE
-) STRICT;
-CREATE INDEX journal_of_a_session ON journal (session_id, number);
-CREATE TRIGGER journal_rows_stay BEFORE DELETE ON journal
-    BEGIN SELECT RAISE(ABORT, 'the journal is append-only'); END;
-CREATE TRIGGER journal_rows_keep BEFORE UPDATE ON journal
-    BEGIN SELECT RAISE(ABORT, 'the journal is append-only'); END;
-
-CREATE TABLE calibration (
-    id TEXT PRIMARY KEY,
-    session_id TEXT NOT NULL REFERENCES session (id),
-    name TEXT NOT NULL,
-    file TEXT NOT NULL,
-    accepted_at TEXT NOT NULL,
-    figures TEXT NOT NULL,
-    active INTEGER NOT NULL CHECK (active IN (0, 1))
-) STRICT;
-CREATE UNIQUE INDEX one_active_calibration ON calibration (active) WHERE active = 1;
-
-CREATE TABLE scan (
-    id TEXT PRIMARY KEY,
-    name TEXT NOT NULL,
-    folder TEXT NOT NULL,
-    started_at TEXT NOT NULL,
-    points INTEGER NOT NULL,
-    frames INTEGER NOT NULL,
-    seconds REAL NOT NULL,
-    calibration_id TEXT NOT NULL
-) STRICT;
-"""
-ACCESS = """
-CREATE TABLE account (
-    name TEXT PRIMARY KEY COLLATE NOCASE,
-    role TEXT NOT NULL CHECK (role IN ('viewer', 'operator', 'admin')),
-    password TEXT NOT NULL,
-    made_at TEXT NOT NULL
-) STRICT;
-
-CREATE TABLE sign_in (
-    token TEXT PRIMARY KEY,
-    account TEXT NOT NULL COLLATE NOCASE REFERENCES account (name) ON DELETE CASCADE,
-    device TEXT NOT NULL,
-    begun_at TEXT NOT NULL,
-    seen_at TEXT NOT NULL
-) STRICT;
-
-CREATE TABLE wall_link (
-    id TEXT PRIMARY KEY,
-    token TEXT NOT NULL UNIQUE,
-    name TEXT NOT NULL,
-    made_by TEXT NOT NULL,
-    made_at TEXT NOT NULL
-) STRICT;
-
-CREATE TABLE audit (
-    number INTEGER PRIMARY KEY AUTOINCREMENT,
-    at TEXT NOT NULL,
-    who TEXT NOT NULL,
-    address TEXT NOT NULL,
-    act TEXT NOT NULL,
-    outcome TEXT NOT NULL
-) STRICT;
-CREATE TRIGGER audit_rows_stay BEFORE DELETE ON audit
-    BEGIN SELECT RAISE(ABORT, 'the audit log is append-only'); END;
-CREATE TRIGGER audit_rows_keep BEFORE UPDATE ON audit
-    BEGIN SELECT RAISE(ABORT, 'the audit log is append-only'); END;
-"""
-SUPERVISION = """
-CREATE TABLE scraper (
-    id TEXT PRIMARY KEY,
-    token TEXT NOT NULL UNIQUE,
-    name TEXT NOT NULL,
-    made_by TEXT NOT NULL,
-    made_at TEXT NOT NULL
-) STRICT;
-"""
-VERIFICATIONS = """
-CREATE TABLE verification (
-    id TEXT PRIMARY KEY REFERENCES session (id),
-    calibration_id TEXT NOT NULL REFERENCES calibration (id),
-    folder TEXT NOT NULL,
-    accepted_at TEXT NOT NULL,
-    figures TEXT NOT NULL
-) STRICT;
-CREATE INDEX verification_of_a_calibration ON verification (calibration_id, accepted_at);
-
-CREATE TABLE temperature (
-    number INTEGER PRIMARY KEY AUTOINCREMENT,
-    at TEXT NOT NULL,
-    celsius REAL NOT NULL,
-    source TEXT NOT NULL
-) STRICT;
-CREATE INDEX temperature_in_time ON temperature (at);
-"""
-KNOWN_BROWSERS = """
-CREATE TABLE known_browser (
-    token TEXT NOT NULL,
-    account TEXT NOT NULL COLLATE NOCASE REFERENCES account (name) ON DELETE CASCADE,
-    made_at TEXT NOT NULL,
-    PRIMARY KEY (token, account)
-) STRICT;
-"""
-SCHEMAS = (FIRST, ACCESS, SUPERVISION, VERIFICATIONS, KNOWN_BROWSERS)
-"""What each version of the database adds to the one before."""
-SCHEMA_VERSION = len(SCHEMAS)
 NOT_KEPT = "not-kept"
+NO_OBJECT = """
+SELECT number FROM journal
+WHERE CASE WHEN json_valid(payload) THEN json_type(payload) <> 'object' ELSE 1 END
+ORDER BY number
+"""
+FULL = (errno.ENOSPC, errno.EDQUOT)
+LEAST_FREE_BYTES = 1 << 17
+"""What SQLite needs beside its file while it is open, and some more."""
 
 
 class Database:
@@ -146,6 +41,7 @@ class Database:
         self._path = path.absolute()
         self._lock = threading.RLock()
         try:
+            check_ordinary(self._path)
             self._path.touch(mode=0o600)
             self._path.chmod(0o600)  # passwords' hashes are nobody else's; its journals follow it
             self._connection = sqlite3.connect(path, check_same_thread=False, isolation_level=None)
@@ -153,6 +49,7 @@ class Database:
             raise _unreadable(path, error) from error
         try:
             self._connection.row_factory = sqlite3.Row
+            self._connection.text_factory = _text
             self._connection.execute("PRAGMA journal_mode = WAL")
             self._connection.execute("PRAGMA synchronous = FULL")
             self._connection.execute("PRAGMA foreign_keys = ON")
@@ -172,7 +69,7 @@ class Database:
             raise Refusal(
                 "database-foreign",
                 f"{path} is another program's database",
-                remedy="Give the station a data folder of its own with --data",
+                remedy="Give the station a data folder of its own",
             )
         if version > SCHEMA_VERSION:
             raise Refusal(
@@ -185,6 +82,15 @@ class Database:
             added = " ".join(SCHEMAS[version:])
             self._connection.executescript(
                 f"BEGIN; {added} PRAGMA user_version = {SCHEMA_VERSION}; COMMIT;"
+            )
+        missing = sorted(columns_made() - columns_of(self._connection))
+        if missing:
+            table, column = missing[0]
+            raise Refusal(
+                "database-unreadable",
+                f"{shown_path(path)} cannot be read as a station's database",
+                f"its table {table} has no {column}",
+                "Put the last backup in its place, or move it away to begin anew",
             )
 
     @contextmanager
@@ -202,6 +108,12 @@ class Database:
             except sqlite3.OperationalError as error:
                 self._undo()
                 raise _not_kept(error) from error
+            except sqlite3.IntegrityError:
+                self._undo()
+                raise
+            except sqlite3.DatabaseError as error:
+                self._undo()
+                raise _unreadable(self._path, error) from error
             except BaseException:
                 self._undo()
                 raise
@@ -211,34 +123,93 @@ class Database:
             self._connection.execute("ROLLBACK")
 
     def read(self, query: str, *values: str | int | float | None) -> list[sqlite3.Row]:
-        """All rows of a query."""
+        """All rows of a query.
+
+        Raises:
+            Refusal: ``database-unreadable``, where a page of the file is damaged or a
+                table is gone; or why its disk does not give it.
+        """
         with self._lock:
-            return self._connection.execute(query, values).fetchall()
+            try:
+                return self._connection.execute(query, values).fetchall()
+            except sqlite3.DatabaseError as error:
+                raise _unreadable(self._path, error) from error
 
     def check(self) -> str:
         """What is wrong with the file; empty where nothing is. On a connection of its own."""
         try:
-            looking = sqlite3.connect(f"{self._path.as_uri()}?mode=ro", uri=True)
-            try:
-                found = str(looking.execute("PRAGMA quick_check(1)").fetchone()[0])
-            finally:
-                looking.close()
+            found = str(self._look("PRAGMA quick_check(1)")[0][0])
         except sqlite3.DatabaseError as error:
             found = str(error)
         return "" if found == "ok" else found
+
+    def unreadable_rows(self) -> list[int]:
+        """Numbers of the journal's rows that are no JSON objects. On a connection of its own."""
+        try:
+            return [int(row[0]) for row in self._look(NO_OBJECT)]
+        except sqlite3.DatabaseError:  # ``check`` tells that the file is damaged
+            return []
+
+    def _look(self, query: str) -> list[tuple[Any, ...]]:
+        looking = sqlite3.connect(f"{self._path.as_uri()}?mode=ro", uri=True)
+        try:
+            return looking.execute(query).fetchall()
+        finally:
+            looking.close()
 
     def close(self) -> None:
         with self._lock:
             self._connection.close()
 
 
+def _text(raw: bytes) -> str:
+    """A text as it is shown, also where a damaged page has made it no UTF-8."""
+    return raw.decode("utf-8", "replace")
+
+
 def _unreadable(path: Path, error: Exception) -> Refusal:
+    """Why a database cannot be opened: its disk is told from its content."""
+    code = (getattr(error, "sqlite_errorcode", None) or 0) & 0xFF
+    if _is_full(path.parent, error, code):
+        return Refusal(
+            "disk-full",
+            f"The disk of {shown_path(path.parent)} is full",
+            "the station's database cannot be opened there; it is not damaged",
+            "Free some space, and start again",
+        )
+    if code == sqlite3.SQLITE_IOERR or getattr(error, "errno", None) == errno.EIO:
+        return Refusal(
+            "disk-failing",
+            f"The disk of {shown_path(path.parent)} does not read or write as it should",
+            str(error),
+            "Look at the system's log and at the disk; keep the data folder as it is",
+        )
+    forbidden = (sqlite3.SQLITE_CANTOPEN, sqlite3.SQLITE_READONLY, sqlite3.SQLITE_PERM)
+    if not path.is_dir() and (code in forbidden or isinstance(error, OSError)):
+        return Refusal(
+            "database-forbidden",
+            f"{shown_path(path)} cannot be opened for writing",
+            str(getattr(error, "strerror", None) or error),
+            "Look at its owner and permissions, and at whether its disk is mounted read-only",
+        )
     return Refusal(
         "database-unreadable",
-        f"{path} cannot be read as a station's database",
+        f"{shown_path(path)} cannot be read as a station's database",
         str(getattr(error, "strerror", None) or error),
         "Put the last backup in its place, or move it away to begin anew",
     )
+
+
+def _is_full(folder: Path, error: Exception, code: int) -> bool:
+    """SQLite says of a full disk now that it is full, now that reading or writing failed."""
+    if code == sqlite3.SQLITE_FULL or getattr(error, "errno", None) in FULL:
+        return True
+    if code not in (sqlite3.SQLITE_IOERR, sqlite3.SQLITE_CANTOPEN):
+        return False
+    try:
+        return shutil.disk_usage(folder).free < LEAST_FREE_BYTES
+    except OSError:
+        return False
 
 
 def _not_kept(error: sqlite3.OperationalError) -> Refusal:

@@ -2,11 +2,16 @@
 
 import json
 import sqlite3
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 
 from app.files.moments import utc_now
+from app.metrology.refusal import Refusal
 from app.store.database import Database
+
+NOT_READABLE = "not-readable"
+ROWS = "SELECT number, session_id, at, kind, payload FROM journal"
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,6 +34,14 @@ class JournalRow:
     at: str
     kind: str
     payload: Mapping[str, object]
+
+
+Check = Callable[[JournalRow], None]
+"""Is given a row before it is committed; what it raises undoes the row."""
+
+
+def unchecked(row: JournalRow) -> None:
+    """Takes any row."""
 
 
 class JournalStore:
@@ -65,77 +78,89 @@ class JournalStore:
         return SessionRecord(*rows[0]) if rows else None
 
     def append(
-        self, session_id: str, kind: str, payload: Mapping[str, object], key: str | None = None
+        self,
+        session_id: str,
+        kind: str,
+        payload: Mapping[str, object],
+        key: str | None = None,
+        check: Check = unchecked,
     ) -> JournalRow:
         """Writes one row; it is on the disk when this returns.
 
         Raises:
+            Refusal: it cannot be written as JSON.
             sqlite3.IntegrityError: the idempotency ``key`` was used before.
         """
         with self._database.writing() as connection:
-            return append_row(connection, session_id, kind, payload, key)
+            return append_row(connection, session_id, kind, payload, key, check)
 
     def knows_key(self, key: str) -> bool:
         """Whether a command with this idempotency key has acted already."""
         return bool(self._database.read("SELECT 1 FROM journal WHERE command_key = ?", key))
 
     def rows(self, session_id: str) -> Sequence[JournalRow]:
-        """All rows of a session, oldest first."""
+        """All rows of a session, oldest first.
+
+        Raises:
+            ValueError: one of them cannot be read.
+        """
         return [
-            JournalRow(
-                row["number"], session_id, row["at"], row["kind"], json.loads(row["payload"])
-            )
+            _row(row)
             for row in self._database.read(
-                "SELECT number, at, kind, payload FROM journal WHERE session_id = ?"
-                " ORDER BY number",
-                session_id,
+                f"{ROWS} WHERE session_id = ? ORDER BY number", session_id
             )
         ]
 
     def history(self, session_kind: str, kind: str) -> Sequence[JournalRow]:
-        """The rows of one kind in all sessions of a kind, oldest first."""
+        """The readable rows of one kind in all sessions of a kind, oldest first."""
         return self._of_kind("ORDER BY number", session_kind, kind)
 
     def latest(self, session_kind: str, kind: str) -> JournalRow | None:
-        """The newest row of one kind in all sessions of a kind."""
-        found = self._of_kind("ORDER BY number DESC LIMIT 1", session_kind, kind)
-        return found[0] if found else None
+        """The newest readable row of one kind in all sessions of a kind."""
+        # all of them are looked at only where the newest is damaged
+        for clause in ("ORDER BY number DESC LIMIT 1", "ORDER BY number DESC"):
+            found = self._of_kind(clause, session_kind, kind)
+            if found:
+                return found[0]
+        return None
 
     def _of_kind(self, clause: str, session_kind: str, kind: str) -> list[JournalRow]:
-        return [
-            JournalRow(
-                row["number"], row["session_id"], row["at"], kind, json.loads(row["payload"])
-            )
-            for row in self._database.read(
-                "SELECT number, session_id, at, payload FROM journal"
-                " JOIN session ON session.id = journal.session_id"
-                f" WHERE session.kind = ? AND journal.kind = ? {clause}",
+        return _readable(
+            self._database.read(
+                f"{ROWS} WHERE session_id IN (SELECT id FROM session WHERE kind = ?)"
+                f" AND kind = ? {clause}",
                 session_kind,
                 kind,
             )
-        ]
+        )
 
     def newest(self, count: int) -> Sequence[JournalRow]:
-        """The last rows of all sessions, oldest first."""
-        rows = self._database.read(
-            "SELECT number, session_id, at, kind, payload FROM journal"
-            " ORDER BY number DESC LIMIT ?",
-            count,
-        )
-        return [
-            JournalRow(
-                row["number"],
-                row["session_id"],
-                row["at"],
-                row["kind"],
-                json.loads(row["payload"]),
-            )
-            for row in reversed(rows)
-        ]
+        """The last readable rows of all sessions, oldest first."""
+        rows = self._database.read(f"{ROWS} ORDER BY number DESC LIMIT ?", count)
+        return _readable(rows[::-1])
 
     def last_number(self) -> int:
         """Number of the newest row of all sessions; 0 before the first."""
         return int(self._database.read("SELECT COALESCE(MAX(number), 0) FROM journal")[0][0])
+
+
+def _row(row: sqlite3.Row) -> JournalRow:
+    """Raises ``ValueError`` for one that is no JSON object."""
+    try:
+        payload = json.loads(row["payload"])
+    except (ValueError, RecursionError):
+        payload = None
+    if not isinstance(payload, dict):
+        raise ValueError(f"row {row['number']} is no JSON object")
+    return JournalRow(row["number"], row["session_id"], row["at"], row["kind"], payload)
+
+
+def _readable(rows: Sequence[sqlite3.Row]) -> list[JournalRow]:
+    found = []
+    for row in rows:
+        with suppress(ValueError):
+            found.append(_row(row))
+    return found
 
 
 def append_row(
@@ -144,13 +169,19 @@ def append_row(
     kind: str,
     payload: Mapping[str, object],
     key: str | None,
+    check: Check,
 ) -> JournalRow:
-    """Appends within a transaction that the caller has open."""
+    """Appends within a transaction that the caller has open, which ends where ``check`` raises."""
     at = utc_now()
-    text = json.dumps(payload, allow_nan=False)
+    try:
+        text = json.dumps(payload, allow_nan=False)
+    except (TypeError, ValueError) as error:
+        raise Refusal(NOT_READABLE, "This was not kept", f"it is no JSON: {error}") from error
     cursor = connection.execute(
         "INSERT INTO journal (session_id, at, kind, payload, command_key) VALUES (?, ?, ?, ?, ?)",
         (session_id, at, kind, text, key),
     )
     assert cursor.lastrowid is not None
-    return JournalRow(cursor.lastrowid, session_id, at, kind, json.loads(text))
+    row = JournalRow(cursor.lastrowid, session_id, at, kind, json.loads(text))
+    check(row)
+    return row

@@ -1,5 +1,6 @@
 """One server a data folder: the lock that a second one meets."""
 
+import contextlib
 import fcntl
 import os
 from pathlib import Path
@@ -32,8 +33,9 @@ class FolderLock:
                 f"The data folder {folder} is in use by another Crenel server (process {holder})",
                 remedy="Stop that server, or give this one a data folder of its own with --data",
             ) from None
-        os.ftruncate(self._file, 0)
-        os.pwrite(self._file, f"{os.getpid()}\n".encode(), 0)
+        with contextlib.suppress(OSError):  # a full disk: only the holder's number is missing
+            os.ftruncate(self._file, 0)
+            os.pwrite(self._file, f"{os.getpid()}\n".encode(), 0)
 
     def release(self) -> None:
         """Lets another server have the folder; idempotent."""

@@ -1,9 +1,14 @@
 """Finished scans."""
 
+import logging
+import threading
 from dataclasses import dataclass
 from pathlib import Path
 
-from app.store.database import Database
+from app.metrology.refusal import Refusal
+from app.store.database import NOT_KEPT, Database
+
+log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,20 +23,57 @@ class ScanRecord:
     frames: int
     seconds: float
     calibration_id: str
+    interrupted: str = ""
+    """Why it ended before the operator ended it; empty where it did not."""
+    recording_bytes: int | None = None
+    """Of its recording once that was completed; None for scans of earlier versions."""
 
 
 class ScanStore:
-    """The scans that were recorded. Folders are kept relative to the data folder."""
+    """The scans that were recorded. Folders are kept relative to the data folder.
+
+    Where the disk does not take a scan's row, the scan is listed from memory until it does;
+    its recording is kept in any case, and listed by the next start.
+    """
 
     def __init__(self, database: Database, folder: Path) -> None:
         self._database = database
         self._folder = folder
+        self._lock = threading.Lock()
+        self._waiting: dict[str, ScanRecord] = {}
 
     def add(self, scan: ScanRecord) -> None:
+        """Lists a scan; raises ``Refusal`` only where it is not the disk that does not take it."""
+        try:
+            self._insert(scan)
+        except Refusal as refusal:
+            if refusal.code != NOT_KEPT:
+                raise
+            log.warning("scan %s waits to be listed: %s", scan.id, refusal.why)
+            with self._lock:
+                self._waiting[scan.id] = scan
+
+    def add_waiting(self) -> None:
+        """Lists what waits for the disk; raises ``Refusal`` where it is still full."""
+        with self._lock:
+            for scan in list(self._waiting.values()):
+                self._insert(scan)
+                del self._waiting[scan.id]
+
+    def complete(self, scan_id: str, points: int, frames: int, seconds: float) -> None:
+        """What a scan was found to hold when its cloud was made of its recording."""
+        with self._database.writing() as connection:
+            connection.execute(
+                "UPDATE scan SET points = ?, frames = ?, seconds = ? WHERE id = ?",
+                (points, frames, seconds, scan_id),
+            )
+
+    def _insert(self, scan: ScanRecord) -> None:
         with self._database.writing() as connection:
             connection.execute(
                 "INSERT INTO scan (id, name, folder, started_at, points, frames, seconds,"
-                " calibration_id) VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
+                " calibration_id, interrupted, recording_bytes)"
+                " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
                 (
                     scan.id,
                     scan.name,
@@ -41,6 +83,8 @@ class ScanStore:
                     scan.frames,
                     scan.seconds,
                     scan.calibration_id,
+                    scan.interrupted,
+                    scan.recording_bytes,
                 ),
             )
 
@@ -51,21 +95,32 @@ class ScanStore:
 
     def delete(self, scan_id: str) -> None:
         """Takes a scan from the list; its folder is the caller's affair."""
+        with self._lock:
+            self._waiting.pop(scan_id, None)
         with self._database.writing() as connection:
             connection.execute("DELETE FROM scan WHERE id = ?", (scan_id,))
 
     def get(self, scan_id: str) -> ScanRecord | None:
+        with self._lock:
+            if scan_id in self._waiting:
+                return self._waiting[scan_id]
         found = self._read("WHERE id = ?", scan_id)
         return found[0] if found else None
 
     def newest(self) -> ScanRecord | None:
-        """The last that was begun."""
+        """The last that was begun and is kept."""
         found = self._read("ORDER BY started_at DESC, rowid DESC LIMIT 1")
         return found[0] if found else None
 
     def all(self) -> list[ScanRecord]:
         """Every scan, newest first."""
-        return self._read("ORDER BY started_at DESC, rowid DESC")
+        with self._lock:
+            waiting = list(self._waiting.values())
+        return waiting[::-1] + self._read("ORDER BY started_at DESC, rowid DESC")
+
+    def interrupted(self) -> list[ScanRecord]:
+        """The scans that ended before their operators ended them."""
+        return self._read("WHERE interrupted != ''")
 
     def _read(self, clause: str, *values: str) -> list[ScanRecord]:
         return [
@@ -78,6 +133,8 @@ class ScanStore:
                 row["frames"],
                 row["seconds"],
                 row["calibration_id"],
+                row["interrupted"],
+                row["recording_bytes"],
             )
             for row in self._database.read(f"SELECT * FROM scan {clause}", *values)
         ]

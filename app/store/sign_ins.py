@@ -13,10 +13,10 @@ import sqlite3
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
 
-from app.files.moments import utc_now
+from app.files.moments import is_moment, moment_of, utc_now
 from app.metrology.refusal import Refusal
 from app.store.accounts import Role
-from app.store.database import Database
+from app.store.database import NOT_KEPT, Database
 
 log = logging.getLogger(__name__)
 IDLE = timedelta(hours=14)
@@ -55,17 +55,25 @@ class SignInStore:
 
     def __init__(self, database: Database) -> None:
         self._database = database
+        self._unkept: dict[str, tuple[str, str]] = {}
+        """Of browsers that were signed in while the disk was full: account and since when."""
 
     def begin(self, account: str, device: str) -> str:
         """Signs a browser in; its cookie, which is told this once."""
         token = secrets.token_urlsafe(TOKEN_BYTES)
         now = utc_now()
-        with self._database.writing() as connection:
-            connection.execute(
-                "INSERT INTO sign_in (token, account, device, begun_at, seen_at)"
-                " VALUES (?, ?, ?, ?, ?)",
-                (_digest(token), account, device[:200], now, now),
-            )
+        try:
+            with self._database.writing() as connection:
+                connection.execute(
+                    "INSERT INTO sign_in (token, account, device, begun_at, seen_at)"
+                    " VALUES (?, ?, ?, ?, ?)",
+                    (_digest(token), account, device[:200], now, now),
+                )
+        except Refusal as refusal:  # a full disk keeps nobody out; the next start does
+            if refusal.code != NOT_KEPT:
+                raise
+            log.warning("a sign-in is kept in memory alone: %s", refusal.why)
+            self._unkept[_digest(token)] = account, now
         return token
 
     def visitor(self, token: str) -> Visitor | None:
@@ -78,15 +86,29 @@ class SignInStore:
         )
         if rows:
             return self._person(digest, rows[0])
+        if digest in self._unkept:
+            return self._unkept_person(digest)
         links = self._database.read("SELECT * FROM wall_link WHERE token = ?", digest)
         if links:
             return Visitor(digest[:ID_DIGITS], links[0]["name"], Role.viewer, wall=True)
         return None
 
+    def _unkept_person(self, digest: str) -> Visitor | None:
+        account, begun_at = self._unkept[digest]
+        rows = self._database.read("SELECT name, role FROM account WHERE name = ?", account)
+        late = datetime.now(UTC) - datetime.fromisoformat(begun_at) > IDLE
+        if late or not rows:
+            self._unkept.pop(digest, None)
+            return None
+        return Visitor(digest[:ID_DIGITS], rows[0]["name"], Role[rows[0]["role"]], wall=False)
+
     def _person(self, digest: str, row: sqlite3.Row) -> Visitor | None:
         now = datetime.now(UTC)
-        idle = now - datetime.fromisoformat(row["seen_at"])
-        if idle > IDLE or now - datetime.fromisoformat(row["begun_at"]) > LONGEST:
+        if not (is_moment(row["seen_at"]) and is_moment(row["begun_at"])):
+            self._end("token = ?", digest)  # of a damaged page
+            return None
+        idle = now - moment_of(row["seen_at"])
+        if idle > IDLE or now - moment_of(row["begun_at"]) > LONGEST:
             self._end("token = ?", digest)
             return None
         if abs(idle) > SEEN_EVERY:  # or the clock was set back
@@ -101,10 +123,14 @@ class SignInStore:
 
     def end(self, token: str) -> None:
         """Signs one browser out."""
+        self._unkept.pop(_digest(token), None)
         self._end("token = ?", _digest(token))
 
     def end_all(self, account: str) -> None:
         """Signs a person out everywhere."""
+        for digest, (name, _) in list(self._unkept.items()):
+            if name.casefold() == account.casefold():
+                self._unkept.pop(digest, None)
         self._end("account = ?", account)
 
     def know(self, token: str, account: str) -> str:
@@ -112,11 +138,16 @@ class SignInStore:
         query = "SELECT 1 FROM known_browser WHERE token = ?"
         if not self._database.read(query, _digest(token)):
             token = secrets.token_urlsafe(TOKEN_BYTES)
-        with self._database.writing() as connection:
-            connection.execute(
-                "INSERT OR IGNORE INTO known_browser (token, account, made_at) VALUES (?, ?, ?)",
-                (_digest(token), account, utc_now()),
-            )
+        try:
+            with self._database.writing() as connection:
+                connection.execute(
+                    "INSERT OR IGNORE INTO known_browser (token, account, made_at)"
+                    " VALUES (?, ?, ?)",
+                    (_digest(token), account, utc_now()),
+                )
+        except Refusal as refusal:  # it is known from the next time on
+            if refusal.code != NOT_KEPT:
+                raise
         return token
 
     def knows(self, token: str, account: str) -> bool:

@@ -2,11 +2,15 @@
 
 from pathlib import Path
 
+from app.files.atomic import ensure_folder
+from app.files.failures import refusal_of
+from app.files.names import name_from, name_whole
 from app.metrology.refusal import Refusal
 from app.store.accounts import AccountStore
 from app.store.audit import AuditLog
+from app.store.backup import DATABASE, last_backup
 from app.store.calibrations import CalibrationStore
-from app.store.database import Database
+from app.store.database import FULL, Database
 from app.store.journal import JournalStore
 from app.store.lock import FolderLock
 from app.store.scan_settings import SettingsStore
@@ -16,7 +20,9 @@ from app.store.sign_ins import SignInStore
 from app.store.temperatures import TemperatureStore
 from app.store.verifications import VerificationStore
 
-FOLDERS = ("arms", "objects", "sensors", "gauges", "sessions", "scans", "verifications")
+KEPT = ("sessions", "scans", "verifications")
+"""Folders that the database knows the content of."""
+FOLDERS = ("arms", "objects", "sensors", "gauges", *KEPT)
 
 
 class Store:
@@ -31,20 +37,30 @@ class Store:
         self.folder = folder.absolute()
         try:
             for name in FOLDERS:
-                (self.folder / name).mkdir(parents=True, exist_ok=True)
+                ensure_folder(self.folder / name)
             self._lock = FolderLock(self.folder)
         except OSError as error:
+            if error.errno in FULL:
+                raise Refusal(
+                    "disk-full",
+                    f"The disk of the data folder {folder} is full",
+                    error.strerror or str(error),
+                    "Free some space, and start again",
+                ) from error
+            found = refusal_of(error)
             raise Refusal(
                 "data-folder-unwritable",
                 f"The data folder {folder} cannot be used",
-                error.strerror or str(error),
+                f"{found.what}: {found.why}",
                 "Give a folder that this user may write with --data",
             ) from error
         try:
-            self._database = Database(self.folder / "station.db")
+            self._check_database_there()
+            self._database = Database(self.folder / DATABASE)
         except BaseException:
             self._lock.release()
             raise
+        name_from(self.folder)
         self.journal = JournalStore(self._database)
         self.calibrations = CalibrationStore(self._database, self.folder)
         self.verifications = VerificationStore(self._database, self.folder)
@@ -56,11 +72,32 @@ class Store:
         self.audit = AuditLog(self._database)
         self.scrapers = ScraperStore(self._database)
 
+    def _check_database_there(self) -> None:
+        """Raises ``Refusal`` where folders are full and the database is missing or empty."""
+        database = self.folder / DATABASE
+        if database.exists() and (not database.is_file() or database.stat().st_size):
+            return
+        full = [name for name in KEPT if any((self.folder / name).iterdir())]
+        if full:
+            last = last_backup(self.folder)
+            at = f" from {last.folder}" if last is not None else " from the last backup"
+            raise Refusal(
+                "database-missing",
+                f"{database} is {'empty' if database.exists() else 'not there'}",
+                f"{' and '.join(full)} beside it are not empty",
+                f"Put {DATABASE}{at} in its place, or start on another folder with --data",
+            )
+
     def check(self) -> str:
         """What is wrong with the database; empty where nothing is. It may take seconds."""
         return self._database.check()
+
+    def unreadable_rows(self) -> list[int]:
+        """Numbers of the journal's rows that cannot be read. It may take seconds."""
+        return self._database.unreadable_rows()
 
     def close(self) -> None:
         """Closes the database and lets another server have the folder; idempotent."""
         self._database.close()
         self._lock.release()
+        name_whole(self.folder)

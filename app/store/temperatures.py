@@ -1,9 +1,9 @@
 """What the temperature at the station was, whenever somebody or something told it."""
 
 from dataclasses import dataclass
-from datetime import datetime, timedelta
+from datetime import timedelta
 
-from app.files.moments import utc_now
+from app.files.moments import is_moment, moment_of, utc_now
 from app.store.database import Database
 
 NEAR = timedelta(hours=3)
@@ -38,8 +38,8 @@ class TemperatureStore:
         """The reading nearest to a time (ISO 8601), if one is near enough."""
         before = self._read("at <= ? ORDER BY at DESC LIMIT 1", at)
         after = self._read("at > ? ORDER BY at LIMIT 1", at)
-        moment = datetime.fromisoformat(at)
-        found = [(abs(datetime.fromisoformat(r.at) - moment), r) for r in before + after]
+        moment, readings = moment_of(at), before + after
+        found = [(abs(moment_of(r.at) - moment), r) for r in readings if is_moment(r.at)]
         best = min(found, key=lambda pair: pair[0], default=None)
         return best[1] if best is not None and best[0] <= NEAR else None
 

@@ -2,13 +2,17 @@
 
 import json
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import asdict, dataclass
 from pathlib import Path
+from sqlite3 import Row
 from typing import Any, Literal
 
-from app.files.moments import utc_now
+from pydantic import TypeAdapter
+
+from app.files.moments import moment_of, utc_now
 from app.store.database import Database
-from app.store.journal import JournalRow, append_row
+from app.store.journal import Check, JournalRow, append_row, unchecked
 
 COLUMNS = "id, calibration_id, folder, accepted_at, figures"
 
@@ -38,6 +42,9 @@ class VerificationRecord:
     figures: VerificationFigures
 
 
+FIGURES = TypeAdapter(VerificationFigures)
+
+
 class VerificationStore:
     """The verifications that an operator accepted. Folders are kept relative to ``folder``."""
 
@@ -52,6 +59,7 @@ class VerificationStore:
         folder: Path,
         figures: Mapping[str, Any],
         key: str | None,
+        check: Check = unchecked,
     ) -> JournalRow:
         """Keeps a session's verification and closes the session, in one transaction.
 
@@ -60,7 +68,8 @@ class VerificationStore:
         """
         kept = VerificationFigures(**figures)
         with self._database.writing() as connection:
-            row = append_row(connection, session_id, "accepted", {"result": kept.result}, key)
+            told = {"result": kept.result}
+            row = append_row(connection, session_id, "accepted", told, key, check)
             connection.execute(
                 f"INSERT INTO verification ({COLUMNS}) VALUES (?, ?, ?, ?, ?)",
                 (
@@ -83,28 +92,43 @@ class VerificationStore:
     def newest_of(self, calibration_id: str) -> VerificationRecord | None:
         """The last of a calibration's verifications."""
         found = self._read(
-            "WHERE calibration_id = ? ORDER BY accepted_at DESC, rowid DESC LIMIT 1",
+            "WHERE calibration_id = ? ORDER BY accepted_at DESC, rowid DESC",
             calibration_id,
         )
         return found[0] if found else None
 
     def newest(self) -> VerificationRecord | None:
         """The last of all."""
-        found = self._read("ORDER BY accepted_at DESC, rowid DESC LIMIT 1")
+        found = self._read("ORDER BY accepted_at DESC, rowid DESC")
         return found[0] if found else None
 
     def all(self) -> list[VerificationRecord]:
-        """Every accepted verification, newest first."""
+        """Every accepted verification that can be read, newest first."""
         return self._read("ORDER BY accepted_at DESC, rowid DESC")
 
     def _read(self, clause: str, *values: str) -> list[VerificationRecord]:
+        found = []
+        for row in self._database.read(f"SELECT {COLUMNS} FROM verification {clause}", *values):
+            with suppress(ValueError):
+                found.append(self._record(row))
+        return found
+
+    def _record(self, row: Row) -> VerificationRecord:
+        """Raises ``ValueError`` for figures or a moment that cannot be read."""
+        moment_of(row["accepted_at"])
+        return VerificationRecord(
+            row["id"],
+            row["calibration_id"],
+            self._folder / row["folder"],
+            row["accepted_at"],
+            FIGURES.validate_json(row["figures"]),
+        )
+
+    def unreadable(self) -> list[str]:
+        """Ids of those whose row cannot be read."""
+        kept = {record.id for record in self.all()}
         return [
-            VerificationRecord(
-                row["id"],
-                row["calibration_id"],
-                self._folder / row["folder"],
-                row["accepted_at"],
-                VerificationFigures(**json.loads(row["figures"])),
-            )
-            for row in self._database.read(f"SELECT {COLUMNS} FROM verification {clause}", *values)
+            row["id"]
+            for row in self._database.read("SELECT id FROM verification ORDER BY rowid")
+            if row["id"] not in kept
         ]

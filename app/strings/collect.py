@@ -202,6 +202,8 @@ def name_of(value: ast.expr) -> str:
             return value.id
         case ast.Attribute():
             return value.attr
+        case ast.Call(func=ast.Name(id="shown_path" | "shown_backup")):
+            return name_of(value.args[0])
         case ast.Call(func=ast.Name(id="len" | "abs" | "round" | "max" | "min" | "sum" | "float")):
             return name_of(value.args[0]) if value.args else "value"
         case ast.Call():

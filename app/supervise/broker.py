@@ -11,15 +11,16 @@ from dataclasses import dataclass
 import aiomqtt
 
 from app.metrology.refusal import Refusal
+from app.supervise.bounded_client import BoundedClient
 from app.supervise.broker_settings import BrokerSettings
 from app.supervise.fleet import Fleet
+from app.supervise.inbox import Heard, Inbox
 from app.supervise.messages import (
     BEAT_S,
     Payload,
     Presence,
     StationEvent,
     StationReport,
-    parts_of,
     topic,
 )
 
@@ -29,6 +30,8 @@ KEEPALIVE_S = 2
 ANSWER_S = 3.0
 FIRST_BACK_OFF_S, LONGEST_BACK_OFF_S = 0.5, 15.0
 EVENTS_WAITING = 100
+LOOK_S, LOOK_BYTES = 0.1, 1_000_000
+"""Of what has come so much is looked at, so often; the rest waits, or is overtaken."""
 
 
 @dataclass(frozen=True)
@@ -112,20 +115,22 @@ class Broker:
         if settings.tls or settings.ca_file is not None:
             tls = ssl.create_default_context(cafile=settings.ca_file)
         lost = self._presence("lost")
-        async with aiomqtt.Client(
+        inbox = Inbox(settings.prefix, self.fleet.unread, self._is_known)
+        async with BoundedClient(
             settings.host,
             settings.port,
-            username=settings.user,
+            inbox.put,
+            user=settings.user,
             password=await asyncio.to_thread(settings.password),
             identifier=f"crenel-{self._station}-{self._instance}",
             will=aiomqtt.Will(self._topic("presence"), lost.model_dump_json(), 1, True),
-            keepalive=KEEPALIVE_S,
-            timeout=ANSWER_S,
-            tls_context=tls,
+            keepalive_s=KEEPALIVE_S,
+            answer_s=ANSWER_S,
+            tls=tls,
         ) as client:
             await self._send(client, "presence", self._presence("online"), retain=True)
-            for kind in ("presence", "report", "event"):
-                await client.subscribe(f"{settings.prefix}/+/{kind}", qos=1)
+            for kind, qos in (("presence", 1), ("report", 0), ("event", 1)):
+                await client.subscribe(f"{settings.prefix}/+/{kind}", qos=qos)
             _end_if_cancelled()
             self._state = BrokerState(True, "", time.monotonic(), 0)
             self.fleet.broker(True)
@@ -133,7 +138,8 @@ class Broker:
             tasks = [
                 asyncio.create_task(self._tell(client)),
                 asyncio.create_task(self._tell_events(client)),
-                asyncio.create_task(self._hear(client)),
+                asyncio.create_task(self._hear(client, inbox)),
+                asyncio.create_task(_until_lost(client)),
             ]
             try:
                 done, _ = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
@@ -160,19 +166,27 @@ class Broker:
         while True:
             await self._send(client, "event", await self._events.get(), retain=False)
 
-    async def _hear(self, client: aiomqtt.Client) -> None:
-        async for message in client.messages:
-            found = parts_of(self._settings.prefix, message.topic.value)
-            payload = message.payload
-            if found is None or not isinstance(payload, bytes):
-                continue
-            station, kind = found
-            if station == self._station:
-                if self._hear_own(kind, payload, message.retain):
-                    await self._send(client, "presence", self._presence("online"), retain=True)
-            else:
-                self.fleet.take(station, kind, payload, message.retain)
-                self.on_heard()
+    async def _hear(self, client: aiomqtt.Client, inbox: Inbox) -> None:
+        """Bounded in what it reads at a time: much that comes holds up nothing else."""
+        while True:
+            await inbox.wait()
+            left_bytes = LOOK_BYTES
+            while left_bytes > 0 and (heard := inbox.take()):
+                for one in heard:
+                    left_bytes -= len(one.payload)
+                    await self._fold(client, one)
+                await asyncio.sleep(0)
+            self.on_heard()
+            await asyncio.sleep(LOOK_S)
+
+    async def _fold(self, client: aiomqtt.Client, heard: Heard) -> None:
+        if heard.station != self._station:
+            self.fleet.take(heard.station, heard.kind, heard.payload, heard.retained)
+        elif self._hear_own(heard.kind, heard.payload, heard.retained):
+            await self._send(client, "presence", self._presence("online"), retain=True)
+
+    def _is_known(self, station: str) -> bool:
+        return station == self._station or self.fleet.knows(station)
 
     def _hear_own(self, kind: str, payload: bytes, retained: bool) -> bool:
         """Whether the presence is to be told again: an earlier connection's will came late.
@@ -214,6 +228,12 @@ def _end_if_cancelled() -> None:
     task = asyncio.current_task()
     if task is not None and task.cancelling():
         raise asyncio.CancelledError
+
+
+async def _until_lost(client: aiomqtt.Client) -> None:
+    """Raises once the connection is lost."""
+    async for _ in client.messages:
+        pass
 
 
 async def _ended(tasks: list[asyncio.Task[None]]) -> None:

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from pathlib import Path
 
+from app.files.opening import read_bounded
 from app.metrology.refusal import Refusal
 
 
@@ -29,7 +30,7 @@ class BrokerSettings:
         if self.password_file is None:
             return None
         try:
-            return self.password_file.read_text().rstrip("\r\n")
+            return read_bounded(self.password_file).decode().rstrip("\r\n")
         except (OSError, UnicodeDecodeError) as error:
             raise Refusal(
                 "mqtt-password",

@@ -1,5 +1,6 @@
 """The stations that are heard of, and which of them is lost."""
 
+import math
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -7,13 +8,15 @@ from typing import Literal
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 
-from app.supervise.messages import KINDS, Presence, StationEvent, StationReport
+from app.supervise.messages import EVENTS_KEPT, KINDS, Presence, StationEvent, StationReport
+from app.supervise.unread import Unread
 
 LOST_AFTER_S = 3.5
 """Without a report: three beats missed, so that one late message is no alarm."""
-EVENTS_KEPT = 6
 MOST_STATIONS = 200
 """Whatever may be on the broker."""
+STANDING_S = 60.0
+"""A station that was heard for so long is kept before those that just came."""
 
 State = Literal["live", "lost", "off", "waiting", "unknown"]
 
@@ -30,7 +33,10 @@ class StationShown(BaseModel):
     silent_s: float | None
     """Since its last report; null before the first."""
     report: StationReport | None
+    """With the worst of its alarms alone."""
+    alarms: int
     events: tuple[StationEvent, ...]
+    """The newest, if any."""
 
 
 @dataclass
@@ -38,6 +44,8 @@ class _Station:
     name: str
     known_s: float
     """Since when it is waited for."""
+    first_s: float | None = None
+    """When its first report came."""
     heard_s: float | None = None
     said: Literal["online", "off", "lost"] = "online"
     instance: str = ""
@@ -56,8 +64,7 @@ class Fleet:
         self._clock = clock
         self._stations: dict[str, _Station] = {}
         self._broker_since: float | None = None
-        self.invalid = 0
-        """Messages that were no payload of these."""
+        self.unread = Unread(clock)
 
     def broker(self, connected: bool) -> None:
         """The connection to the broker was made, or lost."""
@@ -72,16 +79,35 @@ class Fleet:
         try:
             message = KINDS[kind].model_validate_json(payload)
         except ValidationError:
-            self.invalid += 1
+            self.unread.add("strange")
             return
         if getattr(message, "station", None) != station:
-            self.invalid += 1
+            self.unread.add("strange")
             return
-        if station not in self._stations and len(self._stations) >= MOST_STATIONS:
-            self.invalid += 1
+        if station not in self._stations and not self._has_room(retained):
+            self.unread.add("crowded")
             return
         known = self._stations.setdefault(station, _Station(station, self._clock()))
         self._fold(known, message, retained)
+
+    def knows(self, station: str) -> bool:
+        return station in self._stations
+
+    def _has_room(self, retained: bool) -> bool:
+        """Whether one more may come; for it the one that is silent longest goes.
+
+        None goes that still sends, so that however many are invented hide none that was there
+        before; and what the broker kept of somebody is no reason to forget another.
+        """
+        if len(self._stations) < MOST_STATIONS:
+            return True
+        if retained:
+            return False
+        id_, silent = min(self._stations.items(), key=lambda item: _standing(item[1]))
+        if silent.heard_s is not None and self._clock() - silent.heard_s <= LOST_AFTER_S:
+            return False
+        del self._stations[id_]
+        return True
 
     def _fold(self, known: _Station, message: BaseModel, retained: bool) -> None:
         if isinstance(message, Presence):
@@ -96,13 +122,14 @@ class Fleet:
             known.name, known.report = message.name, message
             if not retained:
                 known.heard_s = self._clock()
+                known.first_s = known.heard_s if known.first_s is None else known.first_s
                 known.said, known.instance = "online", message.instance
         elif isinstance(message, StationEvent) and not retained:
             known.events = [*known.events, message][-EVENTS_KEPT:]
 
     def shown(self) -> tuple[StationShown, ...]:
-        """All stations as of now, by name."""
-        stations = sorted(self._stations.items(), key=lambda item: (item[1].name.lower(), item[0]))
+        """All as of now by name, those that were heard for a while before those that just came."""
+        stations = sorted(self._stations.items(), key=lambda item: (*_place(item[1]), item[0]))
         return tuple(self._shown(id_, known) for id_, known in stations)
 
     def _shown(self, id_: str, known: _Station) -> StationShown:
@@ -112,8 +139,9 @@ class Fleet:
             name=known.name,
             state=self._state(known, silent_s),
             silent_s=silent_s,
-            report=known.report,
-            events=tuple(reversed(known.events)),
+            report=_brief(known.report),
+            alarms=len(known.report.alarms) if known.report else 0,
+            events=tuple(known.events[-1:]),
         )
 
     def _state(self, known: _Station, silent_s: float | None) -> State:
@@ -127,3 +155,23 @@ class Fleet:
         if silent_s is None or silent_s > LOST_AFTER_S:
             return "waiting" if waited_s <= LOST_AFTER_S else "lost"
         return "live"
+
+
+def _standing(known: _Station) -> tuple[bool, float]:
+    """Small for those that are to be forgotten first: briefly heard, then long silent."""
+    if known.first_s is None or known.heard_s is None:
+        return False, -math.inf
+    return known.heard_s - known.first_s >= STANDING_S, known.heard_s
+
+
+def _place(known: _Station) -> tuple[int, str]:
+    """In the list: those that were heard for a while, then those heard at all, then the rest."""
+    standing, heard_s = _standing(known)
+    return -(standing + (heard_s > -math.inf)), known.name.lower()
+
+
+def _brief(report: StationReport | None) -> StationReport | None:
+    if report is None or len(report.alarms) < 2:
+        return report
+    worst = min(report.alarms, key=lambda alarm: alarm.quality != "bad")
+    return report.model_copy(update={"alarms": (worst,)})

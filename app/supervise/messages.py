@@ -1,7 +1,7 @@
 """What stations tell one another over MQTT: the payloads, and the topics they go to.
 
 Every payload is one JSON object. ``crenel mqtt-schema`` prints the JSON schema of them,
-and docker/SUPERVISION.md tells the rest.
+and docker/SUPERVISION.md describes the rest.
 """
 
 import re
@@ -9,19 +9,34 @@ import secrets
 import unicodedata
 from typing import Annotated, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, TypeAdapter
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, TypeAdapter
 
 from app.station.findings import Quality
 
 BEAT_S = 1.0
 """A station publishes its report at least so often, changed or not."""
 LONGEST_ID = 40
+EVENTS_KEPT = 6
+"""Of one station, by whoever watches."""
+ID = re.compile(r"[a-z0-9-]{1,40}")
+MOST_DEVICES, MOST_ALARMS = 4, 12
+"""Of one report; more are left out."""
+MOST = 2**53
+"""Of what is counted or measured: the largest number that every reader has exactly."""
+
+
+def _first(number: int) -> BeforeValidator:
+    """Takes the first of a list, and leaves all else as it is."""
+    return BeforeValidator(
+        lambda value: value[:number] if isinstance(value, (list, tuple)) else value
+    )
+
 
 Text = Annotated[str, Field(max_length=400)]
 Name = Annotated[str, Field(max_length=80)]
-Count = Annotated[int, Field(ge=0)]
-Amount = Annotated[float, Field(ge=0, allow_inf_nan=False)]
-Reading = Annotated[float, Field(allow_inf_nan=False)]
+Count = Annotated[int, Field(ge=0, le=MOST)]
+Amount = Annotated[float, Field(ge=0, le=MOST, allow_inf_nan=False)]
+Reading = Annotated[float, Field(ge=-MOST, le=MOST, allow_inf_nan=False)]
 Moment = Annotated[str, Field(max_length=40, description="ISO 8601, UTC")]
 Activity = Literal["idle", "calibrating", "verifying", "checking_arm", "scanning", "working"]
 
@@ -101,12 +116,14 @@ class StationReport(Payload):
     )
     at: Moment
     up_s: Amount
-    devices: tuple[DeviceReport, ...]
+    devices: Annotated[
+        tuple[DeviceReport, ...], _first(MOST_DEVICES), Field(max_length=MOST_DEVICES)
+    ]
     laser_on: bool
     activity: ActivityReport
     calibration: CalibrationReport | None
     verification: VerificationReport | None
-    alarms: tuple[Alarm, ...]
+    alarms: Annotated[tuple[Alarm, ...], _first(MOST_ALARMS), Field(max_length=MOST_ALARMS)]
     temperature_c: Reading | None
     disk_free_gb: Amount
     control: Name | None = Field(description="Who has control")
@@ -155,7 +172,7 @@ def parts_of(prefix: str, name: str) -> tuple[str, str] | None:
     if not name.startswith(f"{prefix}/"):
         return None
     station, _, kind = name[len(prefix) + 1 :].partition("/")
-    return (station, kind) if kind in KINDS else None
+    return (station, kind) if kind in KINDS and ID.fullmatch(station) else None
 
 
 def station_id(name: str) -> str:

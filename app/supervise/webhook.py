@@ -14,6 +14,7 @@ import asyncio
 import hashlib
 import hmac
 import logging
+import math
 import ssl
 import time
 from collections.abc import Callable
@@ -25,6 +26,7 @@ import httpx
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from app.files.atomic import atomic_path
+from app.files.opening import read_bounded
 from app.metrology.refusal import Refusal
 from app.supervise.notices import Notice
 
@@ -32,7 +34,9 @@ log = logging.getLogger(__name__)
 FILE = "notifications.json"
 ANSWER_S = 10.0
 PAUSES_S = (1.0, 2.0, 5.0, 15.0, 30.0, 60.0)
+LOOK_S = 0.2
 WAITING = 100
+TRIES_AT_ONCE = 4
 AGAIN = {408, 425, 429}
 
 
@@ -84,7 +88,7 @@ class WebhookStore:
     def read(self) -> WebhookSettings:
         """What was kept; nothing where the file is missing or no such."""
         try:
-            return WebhookSettings.model_validate_json(self._path.read_bytes())
+            return WebhookSettings.model_validate_json(read_bounded(self._path))
         except (OSError, ValidationError):
             return WebhookSettings()
 
@@ -96,12 +100,18 @@ class WebhookStore:
 
 
 class Webhook:
-    """Sends one notice after another on the event loop; whoever offers one never waits."""
+    """Sends notices on the event loop, each apart from the others; whoever offers one never waits.
+
+    One that is not taken is tried again later while the others go on.
+    """
 
     def __init__(self, settings: WebhookSettings, pauses_s: tuple[float, ...] = PAUSES_S) -> None:
         self.settings = settings
         self._pauses_s = pauses_s
-        self._waiting: asyncio.Queue[Notice] = asyncio.Queue(WAITING)
+        self._offered: asyncio.Queue[Notice] = asyncio.Queue(WAITING)
+        self._deliveries: list[asyncio.Task[None]] = []
+        """The oldest first."""
+        self._tries = asyncio.Semaphore(TRIES_AT_ONCE)
         self.sent = self.failed = 0
         """Received there; given up."""
         self.trouble = ""
@@ -110,7 +120,7 @@ class Webhook:
 
     @property
     def waiting(self) -> int:
-        return self._waiting.qsize()
+        return self._offered.qsize() + len(self._deliveries)
 
     def offer(self, notice: Notice) -> None:
         """Sends it if its kind is wanted; where too many wait, the oldest is given up."""
@@ -118,39 +128,78 @@ class Webhook:
             return
         if not (notice.kind == "test" or getattr(self.settings, notice.kind)):
             return
-        if self._waiting.full():
-            self._waiting.get_nowait()
-            self.failed += 1
-        self._waiting.put_nowait(notice)
+        if self.waiting >= WAITING:
+            self._give_up_oldest()
+        self._offered.put_nowait(notice)
+
+    def _give_up_oldest(self) -> None:
+        if self._deliveries:
+            self._deliveries.pop(0).cancel()
+        else:
+            self._offered.get_nowait()
+        self.failed += 1
 
     async def run(self) -> None:
         """Until cancelled."""
         trusted = await asyncio.to_thread(_trusted)
-        async with httpx.AsyncClient(
-            timeout=ANSWER_S, trust_env=False, follow_redirects=False, verify=trusted
-        ) as client:
+        async with (
+            httpx.AsyncClient(
+                timeout=ANSWER_S, trust_env=False, follow_redirects=False, verify=trusted
+            ) as client,
+            asyncio.TaskGroup() as group,
+        ):
             while True:
-                notice = await self._waiting.get()
-                if await self._deliver(client, notice):
-                    self.sent, self.trouble = self.sent + 1, ""
-                else:
-                    self.failed += 1
-                    log.warning("a notification was given up: %s", self.trouble)
-                self.on_change()
+                notice = await self._offered.get()
+                self._deliveries.append(group.create_task(self._send(client, notice)))
+
+    async def _send(self, client: httpx.AsyncClient, notice: Notice) -> None:
+        """Delivers the notice, and counts it as sent or failed as soon as it no longer waits."""
+        delivery = asyncio.current_task()
+        try:
+            delivered = await self._deliver(client, notice)
+        finally:
+            self._deliveries = [other for other in self._deliveries if other is not delivery]
+        if delivered:
+            self.sent, self.trouble = self.sent + 1, ""
+        else:
+            self.failed += 1
+            log.warning("a notification was given up: %s", self.trouble)
+        self.on_change()
 
     async def _deliver(self, client: httpx.AsyncClient, notice: Notice) -> bool:
         for pause_s in (*self._pauses_s, None):
-            settings = self.settings
-            if not settings.url:
-                return False
-            again, self.trouble = await self._try(client, settings, notice)
+            async with self._tries:
+                settings = self.settings
+                if not settings.url:
+                    return False
+                again, self.trouble = await self._try_present(client, notice)
             if not self.trouble:
                 return True
             self.on_change()
             if not again or pause_s is None:
                 return False
-            await asyncio.sleep(pause_s)
+            await self._corrected(settings, pause_s)
         return False
+
+    async def _try_present(self, client: httpx.AsyncClient, notice: Notice) -> tuple[bool, str]:
+        """One try; another in its place where the settings are corrected meanwhile."""
+        while True:
+            settings = self.settings
+            trying = asyncio.ensure_future(self._try(client, settings, notice))
+            corrected = asyncio.ensure_future(self._corrected(settings))
+            try:
+                await asyncio.wait((trying, corrected), return_when=asyncio.FIRST_COMPLETED)
+                if trying.done():
+                    return trying.result()
+            finally:
+                trying.cancel()
+                corrected.cancel()
+
+    async def _corrected(self, settings: WebhookSettings, pause_s: float = math.inf) -> None:
+        """Waits until other settings are in force, for a pause at most."""
+        until_s = time.monotonic() + pause_s
+        while self.settings is settings and (left_s := until_s - time.monotonic()) > 0:
+            await asyncio.sleep(min(left_s, LOOK_S))
 
     async def _try(
         self, client: httpx.AsyncClient, settings: WebhookSettings, notice: Notice

@@ -80,7 +80,8 @@ class _Folder(Source):
             self._next = 0
         path = self._files[self._next]
         self._next += 1
-        raw = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
+        # a pipe or a device would be read for ever
+        raw = cv2.imread(str(path), cv2.IMREAD_UNCHANGED) if path.is_file() else None
         if raw is None:
             raise DeviceError(f"The picture {path} cannot be read", "Is it there, and whole?")
         image = to_grey(raw, raw.shape[0]) if raw.dtype in (np.uint8, np.uint16) else None

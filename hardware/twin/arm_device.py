@@ -90,6 +90,7 @@ class ArmDevice:
         self._stopping = threading.Event()
         self._thread: threading.Thread | None = None
         self._skip = 0
+        self._stands: int | None = None
 
     def start(self) -> None:
         self._stopping.clear()
@@ -146,8 +147,21 @@ class ArmDevice:
         for stamp, row in zip(stamps_ns.tolist(), counts.tolist(), strict=True):
             device_us = int((stamp - self._born_ns) * (1 + self._encoders.drift) / 1000)
             self._sequence += 1
+            self._lie(row)
             made = sample_packet(self._sequence, device_us, self._bits_at(stamp), row)
             self._dispatch(made, stamp)
+
+    def _lie(self, counts: list[int]) -> None:
+        """Makes of the encoders' counts what lying ones say."""
+        faults, frozen = self._faults, self._faults.frozen_joint
+        if frozen is None:
+            self._stands = None
+        else:
+            self._stands = counts[frozen] if self._stands is None else self._stands
+            counts[frozen] = self._stands
+        if faults.odd_joint is not None and self._sequence % faults.odd_every == 0:
+            per_rad = self._encoders.counts_per_revolution / (2 * np.pi)
+            counts[faults.odd_joint] += round(faults.odd_rad * per_rad)
 
     def _dispatch(self, made: bytes, stamp_ns: int) -> None:
         """Lets a sample go, or what the faults leave of it."""

@@ -2,7 +2,7 @@
 
 The tip sits in seats about the volume while the arm swings around it, touches
 calibrated spheres from every side, and sits on both ends of ball bars (a plan like
-B89.4.22's). The folder is what an operator would bring (FORMATS); the arm as truly
+B89.4.22's). The folder is what an operator would bring (docs/formats.md); the arm as truly
 built is returned, for those who check.
 """
 

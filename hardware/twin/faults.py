@@ -20,6 +20,12 @@ class Faults:
     """The arm goes on measuring, and sends nothing."""
     unplugged: bool = False
     """The arm's line is gone; it comes back at the same address."""
+    frozen_joint: int | None = None
+    """Its encoder says what it said when this was set, again and again."""
+    odd_joint: int | None = None
+    """Its encoder is off by ``odd_rad`` in one of every ``odd_every`` samples."""
+    odd_rad: float = 0.0
+    odd_every: int = 1
     camera_lost: bool = False
     frame_drop_rate: float = 0.0
     """Frames taken and never delivered."""

@@ -1,7 +1,7 @@
 """Whole calibration sessions with their truth, rendered into a folder.
 
 ``render_session`` makes another block, arm and sensor for every seed: the folder is
-what an operator would bring (FORMATS), ``truth.json`` beside it is what only nature
+what an operator would bring (docs/formats.md), ``truth.json`` beside it is what only nature
 knows.
 """
 

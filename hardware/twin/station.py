@@ -7,6 +7,7 @@ Its arm speaks real bytes at ``arm_url``, its sensor is a driver like any other,
 from dataclasses import dataclass, field
 
 import numpy as np
+from numpy.typing import NDArray
 
 from hardware.interfaces import Button, SensorInfo
 from hardware.twin.arm_device import ArmDevice, Encoders
@@ -187,6 +188,10 @@ class Twin:
         """``T_arm_sensor`` (4, 4) as it truly is at a moment."""
         T = flange_pose(self._rig.arm, self._motion.at(stamp_ns)) @ self._rig.T_flange_sensor
         return np.asarray(T)
+
+    def joints(self, stamps_ns: NDArray[np.int64]) -> Floats:
+        """(N, n) encoder angles as they truly were at moments (N,) of the last seconds."""
+        return self._motion.at_all(stamps_ns)
 
     def papers(self) -> dict[str, Paper]:
         """What the operator is given, by file name."""

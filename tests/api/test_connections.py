@@ -9,7 +9,7 @@ import httpx
 import pytest
 
 from app import connections
-from app.connections import LARGEST_HEAD
+from app.connections import LARGEST_HEAD, LONGEST_URL, MOST_HEADERS
 from tests.api.conftest import Server
 
 HEAD = b"GET /api/session HTTP/1.1\r\nHost: localhost\r\n"
@@ -39,19 +39,25 @@ def answer_to(server: Server, *parts: bytes) -> bytes:
         HEAD + b"X: " + b"v" * LARGEST_HEAD,
         HEAD + b"".join(b"X-%d: v\r\n" % number for number in range(10_000)),
         b"GET /" + b"a" * (LARGEST_HEAD + 1000),
+        b"GET /" + b"a" * 2 * LONGEST_URL + b" HTTP/1.1\r\nHost: localhost\r\n\r\n",
+        HEAD + b"X:\r\n" * 5 * MOST_HEADERS + b"\r\n",
         b"POST /api/nothing HTTP/1.1\r\nHost: localhost\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n"
         + b"".join(b"T-%d: %s\r\n" % (number, b"v" * 1000) for number in range(100)),
     ],
-    ids=["one", "many", "address", "trailers"],
+    ids=["one", "many", "address", "whole address", "whole many", "trailers"],
 )
-def test_headers_are_taken_up_to_64_kb(server: Server, much: bytes) -> None:
+def test_headers_are_taken_up_to_32_kb(server: Server, much: bytes) -> None:
     answer = answer_to(server, much)
     assert answer.startswith(b"HTTP/1.1 431") or b"HTTP/1.1 404" in answer or answer == b"closed"
     assert b"200 OK" not in answer
 
 
-def test_headers_of_60_kb_are_answered(server: Server) -> None:
-    assert answer_to(server, HEAD, b"X: " + b"v" * 60_000, b"\r\n\r\n").startswith(b"HTTP/1.1 200")
+def test_what_begins_with_nothing_is_answered(server: Server) -> None:
+    assert answer_to(server, b"\r\n", HEAD + b"\r\n").startswith(b"HTTP/1.1 200")
+
+
+def test_headers_of_30_kb_are_answered(server: Server) -> None:
+    assert answer_to(server, HEAD, b"X: " + b"v" * 30_000, b"\r\n\r\n").startswith(b"HTTP/1.1 200")
 
 
 def test_requests_that_wait_for_no_answer_are_few(server: Server) -> None:
@@ -59,6 +65,16 @@ def test_requests_that_wait_for_no_answer_are_few(server: Server) -> None:
         for _ in range(1000):
             own.sendall((HEAD + b"\r\n") * 100)
         pytest.fail("a connection may not go on asking")
+
+
+@pytest.mark.parametrize("header", [b"Sec-WebSocket-Key", b"Origin", b"Sec-WebSocket-Protocol"])
+def test_a_handshake_with_other_characters_is_refused(
+    server: Server, caplog: pytest.LogCaptureFixture, header: bytes
+) -> None:
+    asked = HEAD.replace(b"session", b"live") + b"Upgrade: websocket\r\nConnection: Upgrade\r\n"
+    answer = answer_to(server, asked + header + b": \xff\r\n\r\n")
+    assert answer.startswith(b"HTTP/1.1 400")
+    assert not [one for one in caplog.records if one.levelname == "ERROR"]
 
 
 def test_what_comes_before_a_live_connection_is_let_in_ends_it(
@@ -90,6 +106,26 @@ def test_a_crowd_that_asks_nothing_leaves_its_places_to_others(
             assert time.monotonic() < deadline, len(left)
             time.sleep(0.1)
         assert left, "a few may wait"
+
+
+def test_a_crowd_does_not_take_the_place_of_whoever_is_signed_in(
+    server: Server, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(connections, "MOST_OF_ONE", 20)
+    monkeypatch.setattr(connections, "MOST_AT_ONCE", 60)
+    cookies = "; ".join(f"{name}={value}" for name, value in server.http.cookies.items())
+    stop = (
+        f"POST /api/stop HTTP/1.1\r\nHost: localhost:{server.port}\r\nCookie: {cookies}\r\n"
+        "Content-Length: 0\r\n\r\n"
+    ).encode()
+    with connected(server) as own, contextlib.ExitStack() as crowd:
+        for _ in range(10):
+            for number in range(40):
+                one = crowd.enter_context(connected(server))
+                with contextlib.suppress(ConnectionError):
+                    one.sendall(HEAD + b"\r\n" if number % 2 else b"")
+            own.sendall(stop)
+            assert own.recv(1000).startswith(b"HTTP/1.1 204")
 
 
 def is_open(connection: socket.socket) -> bool:

@@ -2,12 +2,15 @@
 
 from pathlib import Path
 
+import pytest
+
 from app.demonstration import put_papers
 from app.files.arm import read_arm
 from app.files.objects import read_object
 from app.files.sensor import read_sensor
 from app.metrology.chessboard.board import Chessboard
 from app.metrology.crenellated import Crenellated
+from app.metrology.refusal import Refusal
 from hardware.twin.station import Twin, TwinConfig
 
 
@@ -25,3 +28,14 @@ def test_block_and_board_stand_side_by_side(tmp_path: Path) -> None:
     assert read_sensor(tmp_path / "sensors/simulated.json").width_px == 640
     gauges = {path.name for path in (tmp_path / "gauges").iterdir()}
     assert gauges == {"plate.nominal.json", "sphere.nominal.json"}
+
+
+def test_a_folder_that_cannot_be_written_is_refused_with_the_option_for_another(
+    tmp_path: Path,
+) -> None:
+    (tmp_path / "file").touch()
+    twin = Twin(TwinConfig(width_px=640, height_px=512))
+    with pytest.raises(Refusal) as refused:
+        put_papers(twin, tmp_path / "file" / "data")
+    assert refused.value.code == "data-folder-unwritable"
+    assert "--data" in refused.value.remedy

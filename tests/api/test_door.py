@@ -15,6 +15,7 @@ from app import serving
 from app.api import guard, reports, static_files
 from app.api.guard import LARGEST_BODY, Guard
 from app.metrology.refusal import Refusal
+from app.store.database import Database
 from tests.api.conftest import Server
 
 
@@ -164,9 +165,11 @@ def test_what_is_ones_own_stays_in_no_browser(server: Server) -> None:
         assert server.http.get(path).headers["cache-control"] == "no-store"
 
 
-def fill(server: Server) -> None:
+def fill(database: Database) -> None:
+    rows = "INSERT INTO audit (at, who, address, act, outcome) VALUES ('', ?, '', '', '')"
     for _ in range(100):
-        server.context.store.audit.note("x" * 4000, "", "", "")
+        with database.writing() as connection:
+            connection.execute(rows, ("x" * 4000,))
 
 
 def test_a_full_disk_is_told_and_keeps_nobody_from_stop(server: Server) -> None:
@@ -179,7 +182,7 @@ def test_a_full_disk_is_told_and_keeps_nobody_from_stop(server: Server) -> None:
     database.read(f"PRAGMA max_page_count = {pages}")
     try:
         with pytest.raises(Refusal, match="full"):
-            fill(server)
+            fill(database)
         assert server.http.post("/api/stop").status_code == 204
         assert server.http.post("/api/laser/off").status_code == 200
         answer = server.http.post("/api/walls", json={"name": "w" * 60})

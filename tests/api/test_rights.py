@@ -117,7 +117,11 @@ def test_a_live_connection_is_for_those_who_may_look(
 def test_a_message_is_obeyed_or_ends_the_connection(
     server: Server, tokens: dict[str, str], kind: str, who: str
 ) -> None:
-    rest = {"preview": ', "on": false', "preview_ack": ', "seq": 1'}.get(kind, "")
+    rest = {
+        "preview": ', "on": false',
+        "preview_ack": ', "seq": 1',
+        "stations": ', "on": false',
+    }.get(kind, "")
     with connect(server.live, additional_headers=cookie(server, tokens[who])) as socket:
         socket.send(f'{{"type": "{kind}"{rest}}}')
         if kind in MESSAGES and who in MAY[MESSAGES[kind]]:

@@ -197,7 +197,11 @@ def test_a_picture_has_the_fields_of_its_variant(kind: str) -> None:
 def test_a_live_request_is_what_the_browser_sends() -> None:
     text = source()
     union = text[text.index("export type LiveRequest") :]
-    for shape, kind in ((schema.PreviewRequest, "preview"), (schema.PreviewAck, "preview_ack")):
+    for shape, kind in (
+        (schema.PreviewRequest, "preview"),
+        (schema.PreviewAck, "preview_ack"),
+        (schema.StationsRequest, "stations"),
+    ):
         start = union.index(f'{{ type: "{kind}"')
         assert_same(shape, body_from(union, start + 1))
 

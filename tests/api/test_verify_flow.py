@@ -245,7 +245,7 @@ def test_a_broken_paper_is_named_beside_the_others(desk: Desk) -> None:
         desk.do("back")
         view = desk.wait(lambda view: any("broken" in f["text"] for f in view["findings"]))
         finding = next(f for f in view["findings"] if "broken" in f["text"])
-        assert finding["text"].startswith("broken.nominal.json")
+        assert finding["text"].startswith("gauges/broken.nominal.json")
         assert "radius_mm" in finding["text"]
         assert [gauge["id"] for gauge in view["gauges"]] == ["plate", "sphere"]
     finally:

@@ -54,6 +54,8 @@ def as_role(server: Server, role: Role) -> httpx.Client:
 def topics(server: Server, wanted: set[str]) -> dict[str, object]:
     found: dict[str, object] = {}
     with connect(server.live, additional_headers=server.cookie) as socket:
+        if "stations" in wanted:
+            socket.send(json.dumps({"type": "stations", "on": True}))
         while set(found) != wanted:
             message = json.loads(socket.recv(PATIENCE_S))
             if message["type"] == "topic" and message["name"] in wanted:
@@ -320,15 +322,20 @@ def test_what_comes_due_is_told_once(server: Server, receiver: Receiver) -> None
 
 
 def test_a_backup_of_the_running_station_is_a_station(server: Server) -> None:
+    kept = {"url": "", "secret": "", "done": True, "fault": True, "due": True}
+    server.http.post("/api/notifications", json=kept).raise_for_status()
     began = server.http.post("/api/backup")
     assert began.status_code == 200, began.text
     until(lambda: server.http.get("/api/health").json()["backup"]["share"] is None)
     state = server.http.get("/api/health").json()["backup"]
     assert state["trouble"] == ""
-    copy = Store(Path(state["last"]["folder"]))
+    last = server.context.watch.backups.last
+    assert last is not None
+    assert last.folder.endswith(state["last"]["folder"])
+    copy = Store(Path(last.folder))
     assert copy.check() == ""
-    kept = {account.name for account in copy.accounts.all()}
-    assert kept == {account.name for account in server.context.store.accounts.all()}
+    names = {account.name for account in copy.accounts.all()}
+    assert names == {account.name for account in server.context.store.accounts.all()}
     assert copy.journal.last_number() <= server.context.store.journal.last_number()
     assert (copy.folder / "arms/simulated.json").is_file()
     assert (copy.folder / "notifications.json").is_file()

@@ -1,4 +1,4 @@
-"""How good a calibration is, and how long it takes: the README's tables.
+"""How good a calibration is, and how long it takes: tables of docs/accuracy.md.
 
     python -m tests.bench.accuracy [SAMPLES] [--sessions 20]
 

@@ -1,6 +1,6 @@
 """Devices that fail in every step of the flow come back, and nothing that was taken is lost."""
 
-from app.bench.faults import FAILURES, run, table
+from app.bench.faults.devices import FAILURES, run, table
 
 STEPS = ("devices", "setup", "touch", "capture", "review", "scan")
 

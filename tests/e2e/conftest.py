@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, sync_playwright
+from playwright.sync_api import Browser, Page, sync_playwright
 
 ROOT = Path(__file__).resolve().parents[2]
 START_UP_S = 300
@@ -132,3 +132,22 @@ def pictures() -> Path:
     folder = ROOT / "test-output" / "e2e"
     folder.mkdir(parents=True, exist_ok=True)
     return folder
+
+
+def wait_in_page(page: Page, condition: str, argument: object = None) -> None:
+    """Wait until a function of JavaScript is true in the page; for 30 s at most.
+
+    ``page.wait_for_function`` evaluates text again at each look, which the station's policy for
+    content forbids as soon as the first look is not enough.
+    """
+    page.evaluate(
+        f"""async argument => {{
+          const condition = {condition};
+          const end = Date.now() + 30000;
+          while (!condition(argument)) {{
+            if (Date.now() > end) throw new Error("not true within 30 s");
+            await new Promise(resolve => setTimeout(resolve, 20));
+          }}
+        }}""",
+        argument,
+    )

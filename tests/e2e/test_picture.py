@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, Page, expect
 
-from tests.e2e.conftest import Demo
+from tests.e2e.conftest import Demo, wait_in_page
 
 ROUNDS = 2
 DRAWN = """
@@ -51,7 +51,7 @@ def station(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Demo]:
 
 def first_after(page: Page, moment_ms: float) -> float:
     """When the first picture was drawn after a moment."""
-    page.wait_for_function("moment => window.drawn.some(at => at > moment)", arg=moment_ms)
+    wait_in_page(page, "moment => window.drawn.some(at => at > moment)", moment_ms)
     return float(page.evaluate("moment => window.drawn.find(at => at > moment)", moment_ms))
 
 

@@ -20,7 +20,7 @@ from playwright.sync_api import Browser, Page, expect
 from app.files.recording import StripeRecord, open_recording
 from app.store.store import Store
 from app.supervise.messages import schema
-from tests.e2e.conftest import ROOT, Demo
+from tests.e2e.conftest import ROOT, Demo, wait_in_page
 from tests.supervise.mosquitto import BINARY, Mosquitto
 
 TOLD = """
@@ -149,7 +149,7 @@ def test_a_browser_is_told_once_it_was_asked_to(admin: Page) -> None:
     expect(admin.get_by_role("button", name="Notify here no more")).to_be_visible()
     assert ask(admin, "scan/start") == 200
     assert ask(admin, "scan/stop") == 200
-    admin.wait_for_function("told.length > 0", timeout=15_000)
+    wait_in_page(admin, "() => told.length > 0")
     (words,) = admin.evaluate("told")
     assert words.startswith("Demonstration: done. ")
     assert words.endswith("points saved")

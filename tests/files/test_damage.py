@@ -1,5 +1,7 @@
 """Whatever happens to the bytes of a file, reading it ends well or in a refusal."""
 
+import struct
+import zlib
 from contextlib import suppress
 from pathlib import Path
 
@@ -106,3 +108,28 @@ def test_a_length_that_no_machine_could_hold(tmp_path: Path, recording: bytes) -
         path.write_bytes(recording[:at] + b"\x80" + recording[at:])
         with suppress(Refusal):
             rebuild(path, little_calibration(), ARM, tmp_path / "cloud.ply")
+
+
+def test_a_text_cloud_that_announces_more_than_any_disk_holds(tmp_path: Path) -> None:
+    path = tmp_path / "cloud.ply"
+    head = ["ply", "format ascii 1.0", "element other 1000000000000000000", "property float a"]
+    head += ["element vertex 1", *(f"property float {axis}" for axis in "xyz"), "end_header"]
+    path.write_text("\n".join([*head, "1", "2"]) + "\n")
+    with pytest.raises(Refusal, match="0 of 1 points"):
+        read_cloud(path)
+
+
+def test_a_picture_larger_than_can_be_read(tmp_path: Path) -> None:
+    """A whole PNG of 60,000 x 60,000 black pixels, which takes no room in the file."""
+
+    def chunk(kind: bytes, body: bytes) -> bytes:
+        return (
+            struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+        )
+
+    header = struct.pack(">IIBBBBB", 60_000, 60_000, 8, 0, 0, 0, 0)
+    body = chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(b"")) + chunk(b"IEND", b"")
+    path = tmp_path / "huge.png"
+    path.write_bytes(b"\x89PNG\r\n\x1a\n" + body)
+    with pytest.raises(Refusal, match=r"huge\.png"):
+        read_grey(path)

@@ -130,6 +130,20 @@ def test_a_lost_joint_reading_is_left_out(tmp_path: Path) -> None:
     np.testing.assert_allclose(points, expected([102 * MS]), atol=1e-8)
 
 
+def test_readings_that_cannot_be_true_are_left_out_and_told(tmp_path: Path) -> None:
+    """Of recordings from before they were judged as they came."""
+    with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
+        joints_every(writer, 0, 100 * MS, 4 * MS)
+        writer.joints(102 * MS, q_at(102 * MS) + np.array([6 * np.pi, 0, 0, 0, 0, 0]))
+        joints_every(writer, 104 * MS, 200 * MS, 4 * MS)
+        record_stripe(writer, 102 * MS)
+    result, points = rebuilt(tmp_path)
+    assert len(result.warnings) == 1
+    assert "1 joint samples left out that cannot be true, the first 0.102 s" in result.warnings[0]
+    assert "joint J1 reads" in result.warnings[0]
+    np.testing.assert_allclose(points, expected([102 * MS]), atol=1e-8)
+
+
 def test_joints_go_by_name(tmp_path: Path) -> None:
     with RecordingWriter(tmp_path / "scan.mcap", NAMES[::-1]) as writer:
         for stamp in range(0, 100 * MS, 4 * MS):

@@ -172,8 +172,10 @@ def test_another_arm_or_sensor_than_chosen_is_told_before_it_matters(
     assert "640" in action(view_of(state, small), "confirm_setup").why_not
     other = replace(live, sensor=replace(live.sensor, serial_number="S-9"))
     view = view_of(state, other)
-    assert action(view, "confirm_setup").enabled
+    assert "S-9" in action(view, "confirm_setup").why_not
     assert any("S-9" in finding.text for finding in view.findings)
+    silent = replace(live, sensor=replace(live.sensor, serial_number=""))
+    assert action(view_of(state, silent), "confirm_setup").enabled
     nothing = live_of(state, None, None)
     assert "Choose the arm" in action(view_of(state, nothing), "confirm_setup").why_not
 
@@ -238,8 +240,11 @@ def test_a_bad_calibration_cannot_be_accepted(
     assert isinstance(view.picture, ResultPicture)
     assert action(view, "accept").why_not == "It should not be used: the findings say why."
     assert action(view, "repeat").primary
-    view = view_of(state, live_of(state, arm, block, seen=outcome("attention")))
-    assert action(view, "accept").enabled
+    live = live_of(state, arm, block, seen=outcome("attention"))
+    assert action(view_of(state, live), "accept").enabled
+    assert live.arm is not None
+    exchanged = replace(live, arm=replace(live.arm, serial_number="A-9"))
+    assert "A-9" in action(view_of(state, exchanged), "accept").why_not
 
 
 def test_a_pose_set_aside_in_the_review_makes_the_result_of_before(

@@ -1,5 +1,7 @@
 """The touch step: places that lie on the object, and points judged as they come."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -116,6 +118,17 @@ def test_a_point_off_its_face_is_named_an_outlier(arm: Arm, block: Crenellated) 
     assert report.findings[0].quality == "attention"
     assert "µm" in report.findings[0].text
     assert report.points[13].residual_um == pytest.approx(200.0, abs=15.0)
+
+
+def test_a_point_with_an_impossible_joint_can_be_removed(arm: Arm, block: Crenellated) -> None:
+    """Its place may be right: the joint is turns on."""
+    contacts = session(arm, block, ("crest", "front", "left"), 5).counted
+    q_rad = (contacts[3].q_rad[0] + 6 * np.pi, *contacts[3].q_rad[1:])
+    wrong = replace(contacts[3], q_rad=q_rad)
+    report = touch_report([*contacts[:3], wrong, *contacts[4:]], arm, block, 15.0)
+    assert report.suspects[0] == 3
+    assert "Point 4 cannot be true: joint" in report.findings[0].text
+    assert report.alignment is not None
 
 
 def test_the_same_place_twice_is_noticed(arm: Arm, block: Crenellated) -> None:

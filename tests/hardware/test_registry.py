@@ -2,7 +2,9 @@
 
 import sys
 import tomllib
+from collections.abc import Callable
 from pathlib import Path
+from textwrap import dedent
 
 import pytest
 
@@ -97,10 +99,22 @@ def test_two_packages_with_one_name_are_refused(site: Path) -> None:
         registry.sensor_driver("folder", {"path": "x"})
 
 
-def test_the_guide_for_driver_authors_works_as_written(site: Path) -> None:
+def guide_in_the_package() -> str:
     assert hardware.__doc__ is not None
     lines = hardware.__doc__.split("::\n\n", 1)[1].split("\n2. ")[0].splitlines()
-    code = "\n".join(line[7:] for line in lines)
+    return "\n".join(line[7:] for line in lines)
+
+
+def guide_in_the_documents() -> str:
+    page = (Path(__file__).parents[2] / "docs/drivers.md").read_text(encoding="utf-8")
+    return dedent(page.split("```python\n", 1)[1].split("   ```", 1)[0])
+
+
+@pytest.mark.parametrize("guide", [guide_in_the_package, guide_in_the_documents])
+def test_the_guide_for_driver_authors_works_as_written(
+    site: Path, guide: Callable[[], str]
+) -> None:
+    code = guide()
     (site / "my_package.py").write_text(
         f"class MyArm:\n    def __init__(self, options):\n        self.options = options\n\n{code}"
     )

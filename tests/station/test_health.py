@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from app.metrology.refusal import Refusal
 from app.station import health
 from app.station.host import Memory, WallClock, memory, writable
 from app.station.log_book import FILE, FILE_BYTES, LogBook
@@ -211,3 +212,13 @@ def test_the_worst_comes_first_and_is_what_the_station_is() -> None:
     assert health.clock(1, 9.0, 0.0).quality == "attention"
     assert health.broker("b", False, "refused", 5.0, False).quality == "attention"
     assert health.broker("b", True, "", 5.0, True).quality == "bad"
+
+
+def test_readings_that_cannot_be_true_are_told_with_what_to_do() -> None:
+    assert health.readings(0, None, None).quality == "good"
+    refusal = Refusal("joint-implausible", "joint J1 reads 1083.0°", "why", "check its cable")
+    told = health.readings(3, refusal, 5.0)
+    assert told.quality == "bad"
+    assert told.what == "3 could not be true, the last 5 s ago: joint J1 reads 1083.0°."
+    assert told.remedy == "Check its cable."
+    assert health.readings(3, refusal, 3600.0).quality == "attention"

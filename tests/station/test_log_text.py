@@ -7,9 +7,10 @@ from pathlib import Path
 
 import pytest
 
+from app.files.names import printable
 from app.serving import FirstLine
 from app.station.log_book import FILE, LogBook
-from app.station.log_text import FIRST, FORGOTTEN_S, Repeats, printable
+from app.station.log_text import FIRST, FORGOTTEN_S, Repeats
 
 HOSTILE = "\x1b[31m red \x00\x7f\x9b\u2028 next \u202e back \ud800 end"
 

@@ -118,7 +118,7 @@ def test_a_scan_is_told_to_whoever_listens(scanner: Scanner, bus: Bus) -> None:
         loop = asyncio.get_running_loop()
         bus.attach(loop)
         finished: asyncio.Future[ScanResult] = loop.create_future()
-        scanner.on_finished = finished.set_result
+        scanner.on_finished = lambda result: loop.call_soon_threadsafe(finished.set_result, result)
         states: list[ScanState] = []
         with bus.subscribe(without={"devices"}) as reader:
             await asyncio.to_thread(scanner.start, "told")

@@ -11,7 +11,8 @@ from app.metrology.refusal import Refusal
 from app.station.log_book import LogBook
 from app.store import sign_ins
 from app.store.accounts import Role
-from app.store.database import FIRST, KNOWN_BROWSERS, SCHEMA_VERSION, SCHEMAS, Database
+from app.store.database import Database
+from app.store.schemas import FIRST, KNOWN_BROWSERS, SCHEMA_VERSION, SCHEMAS
 from app.store.store import Store
 from app.strings.sentences import sentences_of
 

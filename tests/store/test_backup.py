@@ -11,7 +11,8 @@ import pytest
 from app.metrology.refusal import Refusal
 from app.store.accounts import Role
 from app.store.backup import LAST, NOTE, backup, last_backup
-from app.store.database import ACCESS, FIRST, Database
+from app.store.database import Database
+from app.store.schemas import ACCESS, FIRST
 from app.store.store import Store
 
 
@@ -113,6 +114,26 @@ def test_a_database_of_the_version_before_gets_the_new_tables(tmp_path: Path) ->
     assert database.read("SELECT name FROM account")[0]["name"] == "Ada"
     assert database.read("SELECT * FROM scraper") == []
     database.close()
+
+
+@pytest.mark.parametrize(
+    ("change", "told"),
+    [
+        ("DROP TABLE verification", "table verification has no"),
+        ("ALTER TABLE scan RENAME COLUMN frames TO other", "table scan has no frames"),
+    ],
+)
+def test_a_database_without_one_of_its_columns_is_refused(
+    tmp_path: Path, change: str, told: str
+) -> None:
+    path = tmp_path / "station.db"
+    Database(path).close()
+    changing = sqlite3.connect(path)
+    changing.execute(change)
+    changing.commit()
+    changing.close()
+    with pytest.raises(Refusal, match=told):
+        Database(path)
 
 
 def test_a_scrapers_token_is_told_once_and_can_be_ended(store: Store) -> None:

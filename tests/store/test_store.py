@@ -72,7 +72,7 @@ def test_the_journal_refuses_to_be_rewritten(tmp_path: Path, statement: str) -> 
 def test_no_number_that_is_not_one_enters_the_journal(tmp_path: Path) -> None:
     store = Store(tmp_path)
     store.journal.begin_session("s1", "calibration")
-    with pytest.raises(ValueError, match="JSON compliant"):
+    with pytest.raises(Refusal, match="JSON compliant"):
         store.journal.append("s1", "point_taken", {"residual": float("nan")})
     assert store.journal.rows("s1") == []
     store.close()

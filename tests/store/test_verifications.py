@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from app.store import temperatures
-from app.store.database import ACCESS, FIRST, SUPERVISION
+from app.store.schemas import ACCESS, FIRST, SUPERVISION
 from app.store.store import Store
 
 CALIBRATED = {

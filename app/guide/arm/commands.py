@@ -2,13 +2,14 @@
 
 from collections.abc import Callable
 
+from app.guide.arguments import Args
 from app.guide.arm import works
 from app.guide.arm.checking import finish_seat
 from app.guide.arm.guide import ArmGuide
 from app.guide.arm.hand_work import hand_work
 from app.guide.arm.view import ArmView
 from app.guide.buttons import Press
-from app.guide.commanding import AT_ANY_REV, Args, start_hand, start_job, stop_hand
+from app.guide.commanding import AT_ANY_REV, start_hand, start_job, stop_hand
 from app.metrology.refusal import Refusal
 
 
@@ -20,8 +21,9 @@ def command(guide: ArmGuide, name: str, args: Args, rev: int, key: str) -> ArmVi
     """
     with guide.lock:
         if not guide.knows_key(key):
-            guide.refuse_unless_possible(name, args, None if name in AT_ANY_REV else rev)
-            ACTS[name](guide, args, key)
+            rev_seen = None if name in AT_ANY_REV else rev
+            typed = guide.refuse_unless_possible(name, args, rev_seen)
+            ACTS[name](guide, typed, key)
         return guide.refresh()
 
 

@@ -7,8 +7,10 @@ from pathlib import Path
 
 from app.files.arm import read_arm
 from app.files.arm_identification import ARM, write_observations
-from app.files.atomic import write_atomically
+from app.files.atomic import ensure_folder, write_atomically
 from app.files.failures import files_refused
+from app.files.opening import read_bounded
+from app.guide.arguments import ARM as ARGUMENTS
 from app.guide.arm.flow import view_of
 from app.guide.arm.live import ArmLive
 from app.guide.arm.past import KIND, ArmJournal, ArmPast
@@ -28,7 +30,7 @@ from app.station.bus import Bus
 from app.station.jobs import Jobs
 from app.station.rig import Rig
 
-FLOW = Flow(KIND, "arm", ArmState(), after, view_of, why_not)
+FLOW = Flow(KIND, "arm", ArmState(), after, view_of, why_not, ARGUMENTS)
 FRESH_S = 2.0
 """Arms that were added to the data folder are seen after this time."""
 
@@ -63,6 +65,7 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
         self._seen_ns = 0
         self._library: tuple[float, Library] | None = None
         self._own: tuple[str, Arm | None] = ("", None)
+        self.resume()
 
     @property
     def folder(self) -> Path:
@@ -177,8 +180,8 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
     def append(self, kind: str, payload: Mapping[str, object], key: str | None = None) -> None:
         """Writes a row, and brings the state in line with it."""
         with self.lock:
-            row = self._journal.append(self.state.session_id, kind, payload, key)
-            self.state = after(self.state, row)
+            session_id = self.state.session_id
+            self.keep(lambda check: self._journal.append(session_id, kind, payload, key, check))
             if kind != POINTS:
                 self._trouble = None
             if kind == "ended":
@@ -266,8 +269,8 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
     def _keep_arm(self) -> None:
         entry = self.library().arms[self.state.arm]
         with files_refused(self.folder):
-            self.folder.mkdir(parents=True, exist_ok=True)
-            write_atomically(self.folder / ARM, entry.path.read_bytes())
+            ensure_folder(self.folder)
+            write_atomically(self.folder / ARM, read_bounded(entry.path))
 
     def keep_seats(self) -> None:
         """Brings the session's tables up to date."""

@@ -1,9 +1,13 @@
 """The checks of earlier arm sessions, and what the next session takes over from them."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Protocol, TypeVar
 
+from pydantic import TypeAdapter, ValidationError
+
+from app.files.moments import moment_of
 from app.guide.arm.state import Artefact, Purpose
 from app.guide.arm.tip import LIMIT_UM
 from app.guide.arm.view import ArmCheckSummary, IdentificationSummary, TipCheckSummary
@@ -20,84 +24,82 @@ class ArmJournal(Journal, Protocol):
     def latest(self, session_kind: str, kind: str) -> Row | None: ...
 
 
+Summary = TypeVar("Summary")
+CHECK = TypeAdapter(ArmCheckSummary)
+TIP = TypeAdapter(TipCheckSummary)
+IDENTIFICATION = TypeAdapter(IdentificationSummary)
+SPHERE = TypeAdapter(Artefact)
+
+
 @dataclass(frozen=True)
 class ArmPast:
-    """All checks that were finished."""
+    """All checks that were finished, and that can be read."""
 
     journal: ArmJournal
 
     def checks(self) -> list[ArmCheckSummary]:
         """Of the arm, newest first."""
-        return [_summary(row) for row in reversed(self.journal.history(KIND, CHECKED))]
+        return self._all(CHECK, CHECKED)
 
     def tip_checks(self) -> list[TipCheckSummary]:
         """Of the tip, newest first."""
-        return [_tip_summary(row) for row in reversed(self.journal.history(KIND, TIP_CHECKED))]
+        return self._all(TIP, TIP_CHECKED)
 
     def identifications(self) -> list[IdentificationSummary]:
         """Of the arm, newest first; of each session the last fit, which its folder holds."""
         last = {row.session_id: row for row in self.journal.history(KIND, SOLVED)}
-        return [_identification(row) for row in sorted(last.values(), key=_when, reverse=True)]
+        return _readable(IDENTIFICATION, sorted(last.values(), key=_when, reverse=True))
 
     def last_check(self) -> ArmCheckSummary | None:
         """The newest of the arm."""
-        row = self.journal.latest(KIND, CHECKED)
-        return None if row is None else _summary(row)
+        return self._last(CHECK, CHECKED)
 
     def last_tip_check(self) -> TipCheckSummary | None:
         """The newest of the tip."""
-        row = self.journal.latest(KIND, TIP_CHECKED)
-        return None if row is None else _tip_summary(row)
+        return self._last(TIP, TIP_CHECKED)
 
     def last_limit_um(self, purpose: Purpose) -> float | None:
         """What the last one for a purpose was judged by; for the first, what is usual."""
-        row = self.journal.latest(KIND, TIP_CHECKED if purpose == "tip" else CHECKED)
-        if row is None:
+        last = self.last_tip_check() if purpose == "tip" else self.last_check()
+        if last is None:
             return LIMIT_UM if purpose == "tip" else None
-        last = row.payload["limit_um"]
-        return last if isinstance(last, float | int) else None
+        return last.limit_um
 
     def last_sphere(self) -> Artefact | None:
         """What the tip was checked on last."""
         row = self.journal.latest(KIND, TIP_CHECKED)
-        if row is None or not isinstance(sphere := row.payload.get("sphere"), Mapping):
+        if row is None or row.payload.get("sphere") is None:
             return None
-        return Artefact(**sphere)
+        try:
+            return SPHERE.validate_python(row.payload["sphere"])
+        except ValidationError:
+            return None
+
+    def _all(self, kind_of: TypeAdapter[Summary], kind: str) -> list[Summary]:
+        return _readable(kind_of, self.journal.history(KIND, kind)[::-1])
+
+    def _last(self, kind_of: TypeAdapter[Summary], kind: str) -> Summary | None:
+        row = self.journal.latest(KIND, kind)
+        found = [] if row is None else _readable(kind_of, [row]) or self._all(kind_of, kind)
+        return found[0] if found else None
+
+
+def _readable(kind_of: TypeAdapter[Summary], rows: Sequence[Row]) -> list[Summary]:
+    """What rows tell; of those that cannot be read nothing."""
+    found = []
+    for row in rows:
+        with suppress(ValueError):  # of which pydantic's is one
+            moment_of(row.at)
+            told = {
+                "arm_name": "",
+                "arm_serial": "",
+                **row.payload,
+                "id": row.session_id,
+                "at": row.at,
+            }
+            found.append(kind_of.validate_python(told))
+    return found
 
 
 def _when(row: Row) -> str:
     return row.at
-
-
-def _identification(row: Row) -> IdentificationSummary:
-    told = row.payload
-    return IdentificationSummary(
-        id=row.session_id,
-        at=row.at,
-        arm_name=str(told.get("arm_name", "")),
-        arm_serial=str(told.get("arm_serial", "")),
-        volume_before_um=float(told["volume_before_um"]),  # type: ignore[arg-type]  # as works.fit
-        volume_after_um=float(told["volume_after_um"]),  # type: ignore[arg-type]  # wrote them
-        size_known=bool(told["size_known"]),
-    )
-
-
-def _tip_summary(row: Row) -> TipCheckSummary:
-    payload = {k: v for k, v in row.payload.items() if k not in ("sphere", "cause")}
-    return TipCheckSummary(
-        id=row.session_id,
-        at=row.at,
-        **payload,  # type: ignore[arg-type]  # as checking.check_the_tip wrote them
-    )
-
-
-def _summary(row: Row) -> ArmCheckSummary:
-    return ArmCheckSummary(
-        id=row.session_id,
-        at=row.at,
-        **{  # type: ignore[arg-type]  # as checking.check_the_arm wrote them
-            name: tuple(value) if isinstance(value, list) else value
-            for name, value in row.payload.items()
-            if name not in ("centre_mm", "encoders_two_sigma_um")
-        },
-    )

@@ -4,7 +4,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 from app.files.arm_identification import IDENTIFIED
-from app.files.atomic import write_atomically
+from app.files.atomic import ensure_folder, write_atomically
 from app.files.failures import files_refused
 from app.files.identify import (
     Signature,
@@ -13,6 +13,7 @@ from app.files.identify import (
     identify_folder,
     parameter_lines,
 )
+from app.files.opening import read_bounded
 from app.guide.arm.guide import ArmGuide
 from app.guide.arm.past import SOLVED
 from app.metrology.arm_model.identification import Identification
@@ -39,12 +40,8 @@ def fit(guide: ArmGuide, progress: Progress) -> None:
             signature=signature,
         )
     except Refusal as refusal:
-        # the folder's path says nothing to an operator
-        what = refusal.what.removeprefix(f"{folder}: ").replace(f"{folder}/", "")
-        guide.append(
-            "fit_refused",
-            {"code": refusal.code, "what": what, "why": refusal.why, "remedy": refusal.remedy},
-        )
+        told = {"what": refusal.what, "why": refusal.why, "remedy": refusal.remedy}
+        guide.append("fit_refused", {"code": refusal.code, **told})
         guide.station.bus.event("refused", refusal.line, "bad")
         return
     named = {"arm_name": sheet.name, "arm_serial": sheet.serial_number}
@@ -58,9 +55,9 @@ def save(guide: ArmGuide, key: str | None) -> None:
     stamp = datetime.now(UTC).strftime("%Y%m%d-%H%M%S")
     kept = aside / f"{guide.state.arm}-{stamp}.json"
     with files_refused(target):
-        kept.parent.mkdir(exist_ok=True)
-        write_atomically(kept, target.read_bytes())
-        write_atomically(target, (guide.folder / IDENTIFIED).read_bytes())
+        ensure_folder(kept.parent)
+        write_atomically(kept, read_bounded(target))
+        write_atomically(target, read_bounded(guide.folder / IDENTIFIED))
     guide.append("saved", {"name": target.name, "replaced": kept.name}, key)
     guide.station.bus.event("accepted", "The identified arm is in use.", "good")
 
@@ -74,7 +71,7 @@ def restore(guide: ArmGuide, key: str | None) -> None:
     target, aside = _places(guide)
     kept = aside / guide.state.replaced
     with files_refused(target):
-        now, identified = target.read_bytes(), (guide.folder / IDENTIFIED).read_bytes()
+        now, identified = read_bounded(target), read_bounded(guide.folder / IDENTIFIED)
     if now != identified:
         raise Refusal(
             "arm-changed",
@@ -82,7 +79,7 @@ def restore(guide: ArmGuide, key: str | None) -> None:
             remedy=f"the arm of before is in arms/{REPLACED}/{kept.name}; put it back by hand",
         )
     with files_refused(kept):
-        write_atomically(target, kept.read_bytes())
+        write_atomically(target, read_bounded(kept))
     guide.append("restored", {"name": target.name}, key)
     guide.station.bus.event("accepted", "The arm is as it was before.", "good")
 

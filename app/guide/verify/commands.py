@@ -3,8 +3,9 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from app.guide.arguments import Args
 from app.guide.buttons import Press
-from app.guide.commanding import AT_ANY_REV, Args, start_hand, start_job, stop_hand
+from app.guide.commanding import AT_ANY_REV, start_hand, start_job, stop_hand
 from app.guide.verify import works
 from app.guide.verify.guide import VerifyGuide
 from app.guide.verify.hand_work import hand_work
@@ -41,8 +42,9 @@ def command(
     """
     with guide.lock:
         if not guide.knows_key(key):
-            guide.refuse_unless_possible(name, args, None if name in AT_ANY_REV else rev)
-            ACTS[name](guide, Told(args, key, operator, temperatures))
+            rev_seen = None if name in AT_ANY_REV else rev
+            typed = guide.refuse_unless_possible(name, args, rev_seen)
+            ACTS[name](guide, Told(typed, key, operator, temperatures))
         return guide.refresh()
 
 

@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from app.files.gauge import GaugeFile, read_gauge
+from app.files.names import check_name
 from app.guide.verify.live import Gauges
 from app.metrology.refusal import Refusal
 from app.station.findings import Finding
@@ -16,10 +17,10 @@ def read_gauges(folder: Path) -> Gauges:
     findings: list[Finding] = []
     for path in sorted(folder.glob("*.json")):
         try:
+            check_name(path)
             known.setdefault(_id_of(path), read_gauge(path))
         except Refusal as refusal:
-            line = refusal.line.replace(f"{folder}/", "")
-            findings.append(Finding("attention", line, "Correct or remove the file."))
+            findings.append(Finding("attention", refusal.line, "Correct or remove the file."))
     return Gauges(known, tuple(findings))
 
 

@@ -1,7 +1,7 @@
 """The one verification session of a station: its journal, its clouds, and what is shown of it."""
 
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
@@ -9,16 +9,18 @@ from typing import Protocol
 import numpy as np
 
 from app.files.arm import read_arm
-from app.files.atomic import write_atomically
+from app.files.atomic import ensure_folder, write_atomically
 from app.files.calibration import Calibration, read_calibration
 from app.files.failures import files_refused
 from app.files.gauge import DEFAULT_LIMITS, GaugeFile, VerificationLimits, read_gauge
 from app.files.gauge_cloud import Fit
+from app.files.opening import read_bounded
 from app.files.session import ARM, Contacts, write_contacts
 from app.files.verification import GAUGE, TOUCHES
 from app.files.verification_figures import Touched, errors_of, figures_of, verdict_of
+from app.guide.arguments import VERIFICATION
 from app.guide.hand import Hand
-from app.guide.journal import Journal, Row
+from app.guide.journal import Check, Journal, Row
 from app.guide.session import Flow, GuidedSession, new_session_id
 from app.guide.session_folder import CALIBRATION
 from app.guide.signing import UNSIGNED, Signing
@@ -39,7 +41,7 @@ from app.station.scanner import Scanner
 from app.station.scene import Scene
 
 KIND = "verify"
-FLOW = Flow(KIND, "verify", VerifyState(), after, view_of, why_not)
+FLOW = Flow(KIND, "verify", VerifyState(), after, view_of, why_not, VERIFICATION)
 FRESH_S = 2.0
 """Gauges that were added to the data folder are seen after this time."""
 SAME_PLACE_MM = 0.3
@@ -86,6 +88,7 @@ class Verifications(Protocol):
         folder: Path,
         figures: Mapping[str, object],
         key: str | None,
+        check: Check,
     ) -> Row: ...
 
 
@@ -115,6 +118,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
             None,
             Judged({}, {}, (), None),
         )
+        self.resume()
 
     @property
     def folder(self) -> Path:
@@ -249,14 +253,14 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
         active = self.calibrations.active()
         assert active is not None
         with files_refused(self.folder):
-            self.folder.mkdir(parents=True, exist_ok=True)
+            ensure_folder(self.folder)
             gauge = gauge_path(self._data_folder / "gauges", self.state.gauge)
             for source, name in (
                 (gauge, GAUGE),
                 (active.file.parent / ARM, ARM),
                 (active.file, CALIBRATION),
             ):
-                write_atomically(self.folder / name, source.read_bytes())
+                write_atomically(self.folder / name, read_bounded(source))
         self._own = ("", None, None)
 
     # -- changes -------------------------------------------------------------
@@ -264,15 +268,14 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
     def append(self, kind: str, payload: Mapping[str, object], key: str | None = None) -> None:
         """Writes a row, and brings the state in line with it."""
         with self.lock:
-            row = self._journal.append(self.state.session_id, kind, payload, key)
-            self.take(row)
+            session_id = self.state.session_id
+            self.keep(lambda check: self._journal.append(session_id, kind, payload, key, check))
             if kind in ENDS:
                 self._journal.end_session(self.state.session_id)
             self.refresh()
 
-    def take(self, row: Row) -> None:
-        """The state follows a row that was written."""
-        self.state = after(self.state, row)
+    def keep(self, write: Callable[[Check], object]) -> None:
+        super().keep(write)
         self._trouble = None
         self.changed.notify_all()
 

@@ -1,9 +1,11 @@
 """The longer works of a verification: measuring a cloud, and writing the record."""
 
+import shutil
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Protocol
 
+from app.files.atomic import sync_file, sync_folder
 from app.files.calibration import CalibrationFile, Input
 from app.files.documents import sha256_of
 from app.files.failures import files_refused
@@ -49,8 +51,10 @@ def confirm_gauge(guide: VerifyGuide, key: str | None) -> None:
 def begin_cloud(guide: VerifyGuide, key: str | None) -> None:
     """Starts the scan of the next cloud; raises ``Refusal`` where it cannot start."""
     number = len(guide.state.clouds) + 1
-    name = Cloud(number, "", "").name
-    guide.station.scanner.start(f"Verification, cloud {number}", guide.folder / name)
+    folder = guide.folder / Cloud(number, "", "").name
+    # of a process that was killed before the row below was kept
+    shutil.rmtree(folder, ignore_errors=True)
+    guide.station.scanner.start(f"Verification, cloud {number}", folder)
     guide.append("cloud_begun", {"number": number}, key)
 
 
@@ -82,14 +86,16 @@ def measure(guide: VerifyGuide, cloud: Cloud, seconds: float, progress: Progress
     try:
         if gauge is None or arm is None:
             raise Refusal("sheets-gone", "The session's gauge or arm cannot be read any more")
+        with files_refused(folder / RECORDING):  # a killed process left it in memory alone
+            sync_file(folder / RECORDING)
+            sync_folder(folder)
         measured = measure_recording(folder / RECORDING, guide.calibration(), arm, gauge)
         measured.map.write(folder / MAP)
     except Refusal as refusal:
-        # the folder's path says nothing to an operator
-        what = refusal.what.replace(f"{folder / RECORDING}", "the recording")
-        told = {"code": refusal.code, "what": what, "why": refusal.why, "remedy": refusal.remedy}
-        guide.append("cloud_refused", {"number": cloud.number, "refused": told})
-        guide.station.bus.event("refused", refusal.line.replace(f"{folder}/", ""), "attention")
+        told = {"what": refusal.what, "why": refusal.why, "remedy": refusal.remedy}
+        refused = {"code": refusal.code, **told}
+        guide.append("cloud_refused", {"number": cloud.number, "refused": refused})
+        guide.station.bus.event("refused", refusal.line, "attention")
     else:
         payload = {"number": cloud.number, "fit": measured.fit.model_dump(mode="json")}
         guide.append("cloud_measured", {**payload, "seconds": seconds})
@@ -118,10 +124,11 @@ def accept(guide: VerifyGuide, operator: str, temperatures: Temperatures, key: s
         "touched": sheet.placing is not None,
         "operator": operator,
     }
-    row = guide.verifications.accept(
-        state.session_id, state.calibration_id, guide.folder, figures, key
+    guide.keep(
+        lambda check: guide.verifications.accept(
+            state.session_id, state.calibration_id, guide.folder, figures, key, check
+        )
     )
-    guide.take(row)
     quality = {"pass": "good", "fail": "bad"}.get(sheet.verdict.result, "attention")
     guide.station.bus.event("accepted", f"Verified: {sheet.verdict.text}", quality)  # type: ignore[arg-type]
 

@@ -8,6 +8,7 @@ import { moment } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
 import { Question } from "../parts/Question";
 import { TextField } from "../parts/TextField";
+import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./Access.module.css";
@@ -54,7 +55,7 @@ function AccountRow({ account, onChange }: { account: Account; onChange: () => P
     <li className={styles.row}>
       <div className={styles.words}>
         <strong>
-          {account.name}
+          {isolated(account.name)}
           {own && ` (${t("you")})`}
         </strong>
         <span>{t("since {when}", { when: moment(account.made_at) })}</span>

@@ -5,6 +5,7 @@ import { moment } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
 import { TextField } from "../parts/TextField";
 import { useSettled } from "../parts/useSettled";
+import { isolated, withIsolated } from "../state/isolated";
 import { said, t, useLanguage } from "../state/language";
 import styles from "./Access.module.css";
 import { useReread } from "./useReread";
@@ -43,9 +44,9 @@ export function AuditList() {
             {list?.map((entry) => (
               <tr key={entry.number} data-refused={entry.outcome !== "done" || undefined}>
                 <td>{moment(entry.at)}</td>
-                <td>{entry.who || t("nobody signed in")}</td>
+                <td>{isolated(entry.who) || t("nobody signed in")}</td>
                 <td>
-                  {entry.act}
+                  {withIsolated(entry.act)}
                   {entry.outcome !== "done" && <span className={styles.outcome}>{t("not done: {reason}", { reason: said(entry.outcome) })}</span>}
                 </td>
                 <td>{entry.address}</td>

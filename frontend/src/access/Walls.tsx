@@ -6,6 +6,7 @@ import rows from "../parts/List.module.css";
 import { moment } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
 import { TextField } from "../parts/TextField";
+import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 import styles from "./Access.module.css";
 import { useReread } from "./useReread";
@@ -38,7 +39,7 @@ export function Walls() {
           {list.map((wall) => (
             <li key={wall.id} className={styles.row}>
               <div className={styles.words}>
-                <strong>{wall.name}</strong>
+                <strong>{isolated(wall.name)}</strong>
                 <span>
                   {t("made by {name}, {when}", { name: wall.made_by, when: moment(wall.made_at) })}
                 </span>

@@ -3,7 +3,8 @@ import { t } from "../state/language";
 import { playFor } from "../state/sounds";
 import { getState, type LiveState, putFlow, setState, subscribe } from "../state/store";
 import { readSession } from "./session";
-import { isWanted, showPreview, tellWanted } from "./preview";
+import { stationsInterest } from "./stations";
+import { previewInterest, showPreview } from "./preview";
 import type { LiveMessage, LiveRequest } from "./liveTypes";
 
 const SILENCE_MS = 2500;
@@ -65,7 +66,7 @@ function onText(text: string): void {
       resync = true;
       return put({ station: message.station, session: { ...getState().session!, you: message.you } });
     case "topic":
-      return put({ [message.name]: message.value });
+      return put({ [message.name]: message.value, ...(message.name === "stations" && { stationsAt: performance.now() }) });
     case "event":
       return onEvent(message);
     case "beat":
@@ -87,7 +88,8 @@ function connect(): void {
   opened.onopen = () => {
     attempt = 0;
     heard();
-    if (isWanted()) send({ type: "preview", on: true });
+    if (previewInterest.wanted) send({ type: "preview", on: true });
+    if (stationsInterest.wanted) send({ type: "stations", on: true });
   };
   opened.onmessage = (message: MessageEvent<string | ArrayBuffer>) => {
     if (opened !== socket) return;
@@ -128,7 +130,8 @@ async function again(): Promise<void> {
 /** Opens the one live connection of this tab once somebody is signed in, and keeps it for ever. */
 export function startLive(): void {
   setState({ heardAt: performance.now() });
-  tellWanted((on) => send({ type: "preview", on }));
+  previewInterest.tell((on) => send({ type: "preview", on }));
+  stationsInterest.tell((on) => send({ type: "stations", on }));
   subscribe(() => {
     if (!waiting || !getState().session?.you) return;
     waiting = false;

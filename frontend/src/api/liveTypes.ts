@@ -10,6 +10,7 @@ import type { StationSettings } from "./settingsTypes";
 import type { Quality } from "./types";
 import type { VerifyView } from "./verifyTypes";
 import type { ViewState } from "./viewTypes";
+import type { StationShown } from "./watchTypes";
 
 /** Server to client over /api/live (JSON text frames). */
 export type LiveMessage =
@@ -24,6 +25,7 @@ export type LiveMessage =
   | { type: "topic"; name: "arm"; value: ArmView }
   | { type: "topic"; name: "verify"; value: VerifyView }
   | { type: "topic"; name: "view"; value: ViewState }
+  | { type: "topic"; name: "stations"; value: StationShown[] }
   | { type: "event"; id: number; kind: string; quality: Quality; text: string }
   | { type: "beat" };
 
@@ -31,4 +33,5 @@ export type LiveMessage =
 export type LiveRequest =
   | { type: "beat" }
   | { type: "preview"; on: boolean }
-  | { type: "preview_ack"; seq: number };
+  | { type: "preview_ack"; seq: number }
+  | { type: "stations"; on: boolean };

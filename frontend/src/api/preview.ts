@@ -1,5 +1,6 @@
 import { spoken } from "../state/spoken";
 import type { PreviewHeader } from "./deviceTypes";
+import { Interest } from "./interest";
 
 export interface Preview {
   header: PreviewHeader;
@@ -10,26 +11,12 @@ export interface Preview {
 
 type Draw = (preview: Preview) => void;
 
-const painters = new Set<Draw>();
-let onWanted: (on: boolean) => void = () => undefined;
-
-/** The socket's side: told whenever pictures begin or cease to be wanted. */
-export function tellWanted(listener: (on: boolean) => void): void {
-  onWanted = listener;
-}
-
-export function isWanted(): boolean {
-  return painters.size > 0;
-}
+/** In live pictures. */
+export const previewInterest = new Interest<Draw>();
 
 /** Asks for live pictures while mounted. */
 export function watchPreview(draw: Draw): () => void {
-  painters.add(draw);
-  if (painters.size === 1) onWanted(true);
-  return () => {
-    painters.delete(draw);
-    if (painters.size === 0) onWanted(false);
-  };
+  return previewInterest.watch(draw);
 }
 
 /** 4 bytes big-endian length of the header, the header, a JPEG. */
@@ -53,7 +40,7 @@ export async function showPreview(message: ArrayBuffer): Promise<number> {
     return header.seq;
   }
   await new Promise((resolve) => requestAnimationFrame(resolve));
-  for (const draw of painters) draw({ header, image, at });
+  for (const draw of previewInterest.watchers) draw({ header, image, at });
   image.close();
   return header.seq;
 }

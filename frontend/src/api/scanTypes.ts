@@ -51,4 +51,6 @@ export interface ScanSummary {
   frames: number;
   seconds: number;
   calibration_id: string;
+  /** What is wrong with its recording, or why it ended early; mostly empty. */
+  note: string;
 }

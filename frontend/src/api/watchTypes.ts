@@ -89,7 +89,10 @@ export interface StationShown {
   state: "live" | "lost" | "off" | "waiting" | "unknown";
   /** Since its last report; null before the first. */
   silent_s: number | null;
+  /** With the worst of its alarms alone. */
   report: StationReport | null;
+  alarms: number;
+  /** The newest, if any. */
   events: StationEvent[];
 }
 

@@ -3,6 +3,7 @@ import type { ChoiceOption } from "../api/types";
 import look from "../parts/Control.module.css";
 import styles from "../parts/Field.module.css";
 import { t } from "../state/language";
+import { isolated } from "../state/isolated";
 
 /** Which of the station's arms is checked. */
 export function ArmChoice({ arms, arm }: { arms: ChoiceOption[]; arm: string }) {
@@ -17,7 +18,7 @@ export function ArmChoice({ arms, arm }: { arms: ChoiceOption[]; arm: string }) 
         {!arm && <option value="">{t("Choose the arm")}</option>}
         {arms.map((option) => (
           <option key={option.id} value={option.id}>
-            {option.label}, {option.detail}
+            {isolated(option.label)}, {option.detail}
           </option>
         ))}
       </select>

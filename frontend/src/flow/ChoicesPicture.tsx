@@ -8,6 +8,7 @@ import { bound } from "../parts/format";
 import { lengthFigures, measured, unitOf } from "../parts/lengths";
 import { CheckIcon } from "../parts/icons";
 import { counted, t } from "../state/language";
+import { isolated } from "../state/isolated";
 import styles from "./ChoicesPicture.module.css";
 
 /** What is used: one of each kind, and the object as its certificate draws it. */
@@ -73,7 +74,7 @@ function ChoiceGroup({ choice }: { choice: Choice }) {
           >
             <span className={styles.tick}>{option.id === choice.selected && <CheckIcon size="1.125rem" />}</span>
             <span>
-              <span className={styles.label}>{option.label}</span>
+              <span className={styles.label}>{isolated(option.label)}</span>
               <span className={styles.detail}>{bound(option.detail)}</span>
             </span>
           </button>

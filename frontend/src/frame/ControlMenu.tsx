@@ -7,6 +7,7 @@ import { askForControl, releaseControl, signOut, takeControl } from "../api/sess
 import look from "../parts/Control.module.css";
 import { PressButton } from "../parts/PressButton";
 import { TextField } from "../parts/TextField";
+import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./ControlMenu.module.css";
@@ -38,7 +39,7 @@ export function ControlMenu() {
           <span className={styles.dot} aria-hidden="true" />
           <span className={styles.words}>
             <span className={styles.state}>{t("Control")}</span>
-            <span className={styles.who}>{words}</span>
+            <span className={styles.who}>{isolated(words)}</span>
           </span>
         </button>
       </Popover.Target>
@@ -46,7 +47,7 @@ export function ControlMenu() {
         <Whose you={you} control={control} whose={whose} />
         <hr className={styles.rule} />
         <p>
-          {t("You are signed in as")} <strong>{you.name}</strong>, {you.wall ? t("a wall screen") : t(ROLES[you.role])}.
+          {t("You are signed in as")} <strong>{isolated(you.name)}</strong>, {you.wall ? t("a wall screen") : t(ROLES[you.role])}.
         </p>
         {!you.wall && !guest && <PasswordForm />}
         <PressButton free onPress={async () => void (await signOut())}>

@@ -1,4 +1,5 @@
 import { Mark } from "../parts/icons";
+import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 import { type Page, TITLES } from "../state/router";
 import { useLive } from "../state/store";
@@ -16,7 +17,7 @@ export function TopBar({ page }: { page: Page }) {
         <div className={styles.names}>
           <span className={styles.name}>Crenel</span>
           <span className={styles.station}>
-            {station?.name ?? ""}
+            {isolated(station?.name ?? "")}
             {station?.simulated && <span className={styles.simulated}>{t("simulated")}</span>}
           </span>
         </div>

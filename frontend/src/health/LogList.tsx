@@ -7,6 +7,7 @@ import { QualityMark } from "../parts/QualityMark";
 import { TextField } from "../parts/TextField";
 import { useSettled } from "../parts/useSettled";
 import { t, useLanguage, words } from "../state/language";
+import { withIsolated } from "../state/isolated";
 import styles from "./Health.module.css";
 
 const LEVELS = [
@@ -46,7 +47,7 @@ export function LogList() {
             <time>{timeOf(line.at)}</time>
             <QualityMark quality={QUALITY[line.level]} size="1.125rem" />
             <div>
-              <p className={styles.text}>{line.text}</p>
+              <p className={styles.text}>{withIsolated(line.text)}</p>
               <p className={styles.from}>{line.logger}</p>
               {line.trace && (
                 <details>

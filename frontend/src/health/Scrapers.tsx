@@ -8,6 +8,7 @@ import rows from "../parts/List.module.css";
 import { moment } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
 import { TextField } from "../parts/TextField";
+import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 
 /** Tokens by which programs read the metrics. */
@@ -36,7 +37,7 @@ export function Scrapers() {
           {list.map((one) => (
             <li key={one.id} className={styles.row}>
               <div className={styles.words}>
-                <strong>{one.name}</strong>
+                <strong>{isolated(one.name)}</strong>
                 <span>
                   {t("made by {name}, {when}", { name: one.made_by, when: moment(one.made_at) })}
                 </span>

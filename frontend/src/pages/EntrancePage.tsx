@@ -7,6 +7,7 @@ import { Mark } from "../parts/icons";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
 import { TextField } from "../parts/TextField";
+import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./EntrancePage.module.css";
@@ -20,7 +21,7 @@ export function EntrancePage({ session }: { session: Session }) {
           <Mark />
           <div>
             <div className={styles.name}>Crenel</div>
-            <div className={styles.station}>{session.station}</div>
+            <div className={styles.station}>{isolated(session.station)}</div>
           </div>
         </div>
         <Way session={session} />

@@ -1,11 +1,13 @@
 import { useEffect, useState } from "react";
 
+import { watchStations } from "../api/stations";
 import type { Quality } from "../api/types";
 import type { StationReport, StationShown } from "../api/watchTypes";
 import { age } from "../parts/format";
 import { Mark } from "../parts/icons";
 import { QualityMark } from "../parts/QualityMark";
 import { useSilence } from "../state/freshness";
+import { isolated } from "../state/isolated";
 import { counted, t } from "../state/language";
 import { useLive } from "../state/store";
 import { Board } from "../supervise/Board";
@@ -20,6 +22,8 @@ type Shown = "this" | "all";
 export function SupervisePage() {
   const report = useLive((s) => s.report);
   const others = useLive((s) => s.stations);
+  const at = useLive((s) => s.stationsAt);
+  useEffect(watchStations, []);
   const wall = useLive((s) => s.session?.you?.wall ?? false);
   const { live, silent_s } = useSilence();
   const [chosen, choose] = useState<Shown>(() => (localStorage.getItem(KEY) === "all" ? "all" : "this"));
@@ -40,7 +44,7 @@ export function SupervisePage() {
     <main className={styles.page} data-wall={wall || undefined}>
       <header className={styles.head}>
         {wall && <Mark size="1.5em" />}
-        <h1 className={styles.name}>{shown === "all" ? t("All stations") : report.name}</h1>
+        <h1 className={styles.name}>{shown === "all" ? t("All stations") : isolated(report.name)}</h1>
         <Freshness live={live} silent_s={silent_s} {...(shown === "all" ? sumOf(report, others ?? []) : alarmsOf(report))} />
         {several && (
           <div className={styles.choice} role="group" aria-label={t("What is shown")}>
@@ -55,7 +59,7 @@ export function SupervisePage() {
         <TimeOfDay />
       </header>
       {shown === "all" && others ? (
-        <StationCards stations={[own(report, live, silent_s), ...others]} wall={wall} />
+        <StationCards stations={[own(report, live, silent_s), ...others]} at={at} wall={wall} />
       ) : (
         <Board report={report} silent_s={live ? 0 : silent_s} />
       )}
@@ -64,7 +68,7 @@ export function SupervisePage() {
 }
 
 function own(report: StationReport, live: boolean, silent_s: number): StationShown {
-  return { id: report.station, name: report.name, state: live ? "live" : "lost", silent_s, report, events: [] };
+  return { id: report.station, name: report.name, state: live ? "live" : "lost", silent_s, report, alarms: report.alarms.length, events: [] };
 }
 
 interface Sum {

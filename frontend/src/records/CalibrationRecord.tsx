@@ -8,6 +8,7 @@ import { figures, moment } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
 import { Reports } from "../parts/Reports";
 import { ResultPicture } from "../result/ResultPicture";
+import { isolated } from "../state/isolated";
 import { said, t } from "../state/language";
 import { go } from "../state/router";
 import { useLive } from "../state/store";
@@ -71,8 +72,8 @@ function Head({ title, text }: { title: string; text: string }) {
 function Facts({ record: { summary, operator, station, temperature_c } }: { record: RecordedCalibration }) {
   const rows = [
     [t("Accepted"), moment(summary.accepted_at)],
-    [t("Operator"), operator || t("not stated")],
-    [t("Station"), station || t("not stated")],
+    [t("Operator"), isolated(operator) || t("not stated")],
+    [t("Station"), isolated(station) || t("not stated")],
     [t("Arm"), summary.arm_serial],
     [t("Sensor"), summary.sensor_serial],
     [t("Object"), summary.object_serial],

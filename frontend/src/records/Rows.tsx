@@ -7,6 +7,7 @@ import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
 import { Reports } from "../parts/Reports";
 import type { VerificationSummary } from "../api/verifyTypes";
+import { isolated } from "../state/isolated";
 import { counted, said, t } from "../state/language";
 import { go } from "../state/router";
 import { setState } from "../state/store";
@@ -53,7 +54,7 @@ export function VerificationRow({ summary }: { summary: VerificationSummary }) {
         </p>
         <p className={styles.detail}>
           {moment(summary.accepted_at)} · {counted(summary.clouds, "{n} cloud", "{n} clouds")} · {t("of {calibration}", { calibration: said(summary.calibration) })}
-          {summary.operator && ` · ${summary.operator}`}
+          {summary.operator && ` · ${isolated(summary.operator)}`}
         </p>
       </div>
       <PressButton free onPress={open}>
@@ -68,10 +69,11 @@ export function ScanRow({ summary }: { summary: ScanSummary }) {
   return (
     <li className={styles.row}>
       <div className={styles.what}>
-        <p className={styles.name}>{summary.name}</p>
+        <p className={styles.name}>{isolated(summary.name)}</p>
         <p className={styles.detail}>
           {moment(summary.started_at)} · {duration(summary.seconds)} · {counted(summary.frames, "{n} picture", "{n} pictures")}
         </p>
+        {summary.note && <p className={styles.detail}>{said(summary.note)}</p>}
       </div>
       <p className={styles.value}>{counted(summary.points, "{n} point", "{n} points")}</p>
       <ScanActs scan={summary} />

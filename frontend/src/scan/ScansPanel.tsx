@@ -4,6 +4,7 @@ import { showScan } from "../api/viewCommands";
 import { figures, moment } from "../parts/format";
 import { ScanActs } from "../records/ScanActs";
 import { useBarred } from "../state/control";
+import { isolated } from "../state/isolated";
 import { counted, t } from "../state/language";
 import { useLive } from "../state/store";
 import { useList } from "../state/useList";
@@ -44,7 +45,7 @@ function ScanLine({ scan, shown }: { scan: ScanSummary; shown: ShownScan | undef
       >
         <span className={styles.box} aria-hidden="true" />
         <span className={styles.words}>
-          <span className={styles.name}>{scan.name}</span>
+          <span className={styles.name}>{isolated(scan.name)}</span>
           <span className={styles.detail}>{detailOf(scan, shown)}</span>
         </span>
       </button>

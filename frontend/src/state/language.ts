@@ -2,10 +2,13 @@ import { useSyncExternalStore } from "react";
 
 import { figures } from "../parts/figures";
 import { inUnits } from "../parts/lengths";
+import { isolated, withIsolated } from "./isolated";
 import { filled, Sentences, type Strings, type Values } from "./sentences";
 
 const KEY = "crenel-language";
 const ENGLISH = "en";
+const FEW_LOOKED_UP = 25;
+const LONGEST_LOOKED_UP = 160;
 /** One file a language, read only once its language is chosen. */
 const FILES = import.meta.glob<Strings>(["../../../app/strings/*.json", "!../../../app/strings/en.json"], { import: "default" });
 const READ = new Map(Object.entries(FILES).map(([path, read]) => [path.replace(/^.*\/|\.json$/g, ""), read]));
@@ -30,7 +33,8 @@ export function nameOf(code: string): string {
 
 /** The browser's own words. In English they are the key and are not looked up. */
 export function t(text: string, values: Values = {}): string {
-  return filled(strings[text] ?? text, values);
+  const named = Object.entries(values).map(([name, value]) => [name, typeof value === "string" ? isolated(value) : value]);
+  return filled(strings[text] ?? text, Object.fromEntries(named) as Values);
 }
 
 /** One of two wordings by a count, which both may name as {n}. */
@@ -45,7 +49,13 @@ export function words(text: string): string {
 
 /** A sentence that the station said, in this browser's language and units; what is not known stays as it is. */
 export function said(text: string): string {
-  return inUnits(sentences ? sentences.said(text) : text);
+  return withIsolated(inUnits(sentences ? sentences.said(text) : text));
+}
+
+/** As above, of what comes from elsewhere: it costs a bounded time, whatever it is. */
+export function saidElsewhere(text: string): string {
+  if (!sentences || text.length > LONGEST_LOOKED_UP) return withIsolated(inUnits(text));
+  return withIsolated(inUnits(sentences.said(text, FEW_LOOKED_UP)));
 }
 
 /** Which wording `said` gives: another number, another wording; 0 is the station's own. */

@@ -23,6 +23,8 @@ const MOST_JOINTS = 8;
 const LOOSE = /^([ ,;·]*)(.*?)([ ,;·]*)$/s;
 const UNITS = new Set(["mm", "µm", "µs", "ms", "ns", "px", "rms", "Hz", "fps", "GB", "MB", "UTC", "rad", "min"]);
 const HELD = 2000;
+/** Pieces of one text; the longest of the station's own have half of it. */
+const MOST_LOOKED_UP = 400;
 
 /** The placeholders replaced by their values; one without a value stays. */
 export function filled(text: string, values: Values = {}): string {
@@ -38,6 +40,7 @@ export class Sentences {
   private readonly strings: Strings;
   private readonly templates = new Map<string, Template[]>();
   private readonly held = new Map<string, Said>();
+  private left = 0;
 
   constructor(strings: Strings) {
     this.strings = strings;
@@ -50,14 +53,17 @@ export class Sentences {
     }
   }
 
-  said(text: string): string {
+  /** Beyond so many pieces the rest of a text stays as it is: they grow as a power of its length. */
+  said(text: string, most = MOST_LOOKED_UP): string {
+    this.left = most;
     return this.best(text).text;
   }
 
   private best(text: string): Said {
     let best = this.held.get(text);
     if (best === undefined) {
-      best = this.found(text);
+      this.left -= 1;
+      best = this.left < 0 ? { text, left: letters(text) } : this.found(text);
       if (this.held.size >= HELD) this.held.clear();
       this.held.set(text, best);
     }

@@ -6,8 +6,8 @@ const SENTENCES = new Set([
   ...["text", "title", "label", "note", "detail", "remedy", "why_not", "confirm", "instruction", "words", "wanted"],
   ...["reason", "verdict_text", "what", "why", "trouble", "progress", "source", "act", "action"],
 ]);
-/** What is sent back as it came. */
-const KEPT = new Set(["args"]);
+/** What is sent back as it came, and what others say: that is looked up where it is shown. */
+const KEPT = new Set(["args", "stations"]);
 
 let done = new WeakMap<object, unknown>();
 /** From what was said to what the station sent. */

@@ -58,6 +58,8 @@ export interface LiveState {
   report: StationReport | null;
   /** All others that the broker knows. */
   stations: StationShown[] | null;
+  /** performance.now() of their arrival: they come only when something of them has changed. */
+  stationsAt: number;
   /** What was told last to whoever is away. */
   told: Told | null;
   event: StationEvent | null;
@@ -84,6 +86,7 @@ let state: LiveState = {
   view: null,
   report: null,
   stations: null,
+  stationsAt: 0,
   told: null,
   event: null,
   look: null,

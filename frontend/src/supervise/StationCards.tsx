@@ -1,35 +1,72 @@
+import { useDeferredValue, useEffect, useState } from "react";
+
 import type { StationReport, StationShown } from "../api/watchTypes";
 import { bound, figures, moment } from "../parts/format";
 import { QualityMark } from "../parts/QualityMark";
-import { t } from "../state/language";
+import { isolated } from "../state/isolated";
+import { saidElsewhere, t } from "../state/language";
 import styles from "./StationCards.module.css";
 import { doing, type Fact, facts, KINDS, stationState } from "./words";
 
+/** So many cards at first, and with each press: whoever may publish can invent stations. */
+const CARDS = 48;
+
+interface Cards {
+  stations: StationShown[];
+  /** performance.now() of when they were as they say. */
+  at: number;
+  wall: boolean;
+}
+
 /** Several stations side by side, the ones that need somebody first. */
-export function StationCards({ stations, wall }: { stations: StationShown[]; wall: boolean }) {
-  const ordered = [...stations].sort((a, b) => rank(a) - rank(b));
+export function StationCards(newest: Cards) {
+  const { stations, at, wall } = useDeferredValue(newest, { ...newest, stations: [] });
+  const [most, setMost] = useState(CARDS);
   return (
     <ul className={styles.cards} data-wall={wall || undefined} data-few={stations.length <= 4 || undefined} aria-label={t("Stations")}>
-      {ordered.map((station) => (
-        <Card key={station.id} station={station} wall={wall} />
-      ))}
+      <Ordered stations={stations.slice(0, most)} at={at} wall={wall} />
+      {stations.length > most && (
+        <li className={styles.more}>
+          <button type="button" onClick={() => setMost(most + CARDS)}>
+            {t("Show {n} more", { n: figures(stations.length - most) })}
+          </button>
+        </li>
+      )}
     </ul>
   );
+}
+
+function Ordered({ stations, at, wall }: Cards) {
+  return stations
+    .sort((a, b) => rank(a) - rank(b))
+    .map((station) => <Card key={station.id} station={station} at={at} wall={wall} />);
+}
+
+/** Seconds since a moment, counted on while wanted. */
+function useSince(at: number, on: boolean): number {
+  const [now, setNow] = useState(at);
+  useEffect(() => {
+    if (!on) return;
+    const timer = setInterval(() => setNow(performance.now()), 1000);
+    return () => clearInterval(timer);
+  }, [on]);
+  return Math.max(now - at, 0) / 1000;
 }
 
 function rank(station: StationShown): number {
   return { bad: 0, attention: 1, good: 2, neutral: 3 }[stationState(station).quality];
 }
 
-function Card({ station, wall }: { station: StationShown; wall: boolean }) {
-  const { words, quality } = stationState(station);
+function Card({ station, at, wall }: { station: StationShown; at: number; wall: boolean }) {
+  const lost = station.state === "lost";
+  const { words, quality } = stationState(station, useSince(at, lost));
   const { report } = station;
   return (
     <li className={styles.card} data-state={station.state} data-quality={quality}>
       <div className={styles.head}>
         <QualityMark quality={quality} size="1.4em" />
         <div>
-          <h2 className={styles.name}>{station.name}</h2>
+          <h2 className={styles.name}>{isolated(station.name)}</h2>
           <p className={styles.state}>{words}</p>
         </div>
         {report?.address && !wall && (
@@ -51,22 +88,22 @@ function isShown(fact: Fact): boolean {
 function Inside({ report, station }: { report: StationReport; station: StationShown }) {
   const live = station.state === "live";
   const { title, number, unit, note } = doing(report);
-  const alarm = report.alarms[0];
+  const alarm = report.alarms[0] && saidElsewhere(report.alarms[0].text);
   const event = station.events[0];
   return (
     <>
       <div className={styles.doing}>
         <p className={styles.kind}>{live ? t(KINDS[report.activity.kind]) : t("As of {when}", { when: moment(report.at) })}</p>
         <p className={styles.what}>
-          {number || title} {unit && <span>{unit}</span>}
+          {number || saidElsewhere(title)} {unit && <span>{unit}</span>}
         </p>
-        <p className={styles.note}>{note}</p>
+        <p className={styles.note}>{saidElsewhere(note)}</p>
       </div>
       {live && alarm && (
-        <p className={styles.alarm} data-quality={alarm.quality}>
-          {report.alarms.length > 1
-            ? t("{alarm}, and {n} more", { alarm: bound(alarm.text.replace(/\.$/, "")), n: figures(report.alarms.length - 1) })
-            : bound(alarm.text)}
+        <p className={styles.alarm} data-quality={report.alarms[0]?.quality}>
+          {station.alarms > 1
+            ? t("{alarm}, and {n} more", { alarm: bound(alarm.replace(/\.$/, "")), n: figures(station.alarms - 1) })
+            : bound(alarm)}
         </p>
       )}
       <dl className={styles.facts}>
@@ -84,7 +121,7 @@ function Inside({ report, station }: { report: StationReport; station: StationSh
       </dl>
       {event && (
         <p className={styles.event}>
-          {moment(event.at).slice(11)} {event.text}
+          {moment(event.at).slice(11)} {saidElsewhere(event.text)}
         </p>
       )}
     </>

@@ -88,10 +88,10 @@ function verificationFact({ verification }: StationReport): Fact {
 }
 
 /** How a station is, in one word and one colour. */
-export function stationState(shown: StationShown): { words: string; quality: Quality } {
+export function stationState(shown: StationShown, more_s = 0): { words: string; quality: Quality } {
   switch (shown.state) {
     case "lost":
-      return { words: shown.silent_s === null ? t("lost") : t("lost for {age}", { age: age(shown.silent_s) }), quality: "bad" };
+      return { words: shown.silent_s === null ? t("lost") : t("lost for {age}", { age: age(shown.silent_s + more_s) }), quality: "bad" };
     case "off":
       return { words: t("switched off"), quality: "neutral" };
     case "waiting":

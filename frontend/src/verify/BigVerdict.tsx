@@ -3,6 +3,7 @@ import type { ReactNode } from "react";
 import type { VerdictLine, VerificationSummary } from "../api/verifyTypes";
 import { moment } from "../parts/format";
 import { QualityMark } from "../parts/QualityMark";
+import { isolated } from "../state/isolated";
 import { counted, said, t, words } from "../state/language";
 import styles from "./BigVerdict.module.css";
 import { QUALITY } from "./shown";
@@ -30,7 +31,7 @@ export function BigVerdict({ summary }: { summary: VerificationSummary }) {
       <p className={styles.detail}>
         {said(summary.gauge)}, {counted(summary.clouds, "{n} cloud", "{n} clouds")}
         {summary.touched ? `, ${t("compared with the probe")}` : ""} · {moment(summary.accepted_at)}
-        {summary.operator && ` · ${summary.operator}`}
+        {summary.operator && ` · ${isolated(summary.operator)}`}
       </p>
       <p className={styles.detail}>{t("of {calibration}", { calibration: said(summary.calibration) })}</p>
     </Verdict>

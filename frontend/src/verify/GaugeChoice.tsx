@@ -5,6 +5,7 @@ import { EmptyState } from "../parts/EmptyState";
 import { bound } from "../parts/format";
 import { CheckIcon } from "../parts/icons";
 import { t } from "../state/language";
+import { isolated } from "../state/isolated";
 import { GaugeDrawing } from "./GaugeDrawing";
 
 /** Which gauge is clamped on the table. */
@@ -36,7 +37,7 @@ export function GaugeChoice({ gauges, gauge }: { gauges: GaugeOption[]; gauge: s
               >
                 <span className={choice.tick}>{option.id === gauge && <CheckIcon size="1.125rem" />}</span>
                 <span>
-                  <span className={choice.label}>{option.label}</span>
+                  <span className={choice.label}>{isolated(option.label)}</span>
                   <span className={choice.detail}>{bound(option.detail)}</span>
                 </span>
               </button>

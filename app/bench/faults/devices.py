@@ -5,6 +5,7 @@ from its end until the device is told to be there again.
 """
 
 import json
+import math
 import tempfile
 import threading
 import time
@@ -25,6 +26,8 @@ from hardware.twin.faults import Faults
 from hardware.twin.station import Twin, TwinConfig
 
 View = dict[str, Any]
+KIND = "devices"
+"""Its name on the command line."""
 POLL_S = 0.05
 DEVICES = ("arm", "sensor")
 TOUCHES = 4
@@ -52,9 +55,24 @@ def _lose_camera(faults: Faults) -> None:
     faults.camera_lost = True
 
 
+def _freeze(faults: Faults) -> None:
+    faults.frozen_joint = 3
+
+
+def _turn_on(faults: Faults) -> None:
+    faults.odd_rad, faults.odd_every, faults.odd_joint = 6 * math.pi, 1, 0
+
+
+def _stray(faults: Faults) -> None:
+    faults.odd_rad, faults.odd_every, faults.odd_joint = math.pi / 2, 211, 2
+
+
 FAILURES = (
     Failure("arm unplugged", "arm", _unplug),
     Failure("garbage on the arm's line", "arm", _spoil),
+    Failure("joint 4 frozen", "arm", _freeze),
+    Failure("joint 1 three turns on", "arm", _turn_on),
+    Failure("joint 3 off by 90° once in 211", "arm", _stray),
     Failure("camera lost", "sensor", _lose_camera),
 )
 

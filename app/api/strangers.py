@@ -1,0 +1,110 @@
+"""Requests of whoever is not signed in wait for one another, so that Stop waits for none of them.
+
+Every request that is worked on at once makes each step of all others later. So strangers have a
+few places, and those who are signed in as many as they need.
+"""
+
+import asyncio
+import hashlib
+import time
+from collections import OrderedDict
+from collections.abc import Callable
+
+from starlette.responses import Response
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+PLACES = 2
+"""Requests of strangers that are worked on at once."""
+TRUSTED_S = 300.0
+"""So long a browser has no line to wait in after it was found signed in."""
+MOST_TRUSTED = 512
+IS_CONNECTED = "is_connected"
+"""In a request's state: tells whether its connection is still there."""
+
+
+class Strangers:
+    """ASGI middleware around the whole application."""
+
+    def __init__(self, app: ASGIApp) -> None:
+        self._app = app
+        self._places = asyncio.Semaphore(PLACES)
+        self._trusted: OrderedDict[bytes, float] = OrderedDict()
+        """Until when, by the digest of a browser's cookies."""
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        if scope["type"] not in ("http", "websocket"):
+            await self._app(scope, receive, send)
+            return
+        cookies = _digest(scope)
+        if self._trusted.get(cookies, 0.0) > time.monotonic():
+            await self._app(scope, receive, send)
+            return
+        turn = _Turn(self._places, receive, send)
+        await turn.begin()
+        try:
+            if _is_connected(scope):
+                await self._app(scope, turn.receive, turn.send)
+            else:
+                await _end(scope, send)
+        finally:
+            turn.end()
+        if scope.get("state", {}).get("visitor") is not None:
+            self._trust(cookies)
+
+    def _trust(self, cookies: bytes) -> None:
+        self._trusted[cookies] = time.monotonic() + TRUSTED_S
+        self._trusted.move_to_end(cookies)
+        if len(self._trusted) > MOST_TRUSTED:
+            self._trusted.popitem(last=False)
+
+
+class _Turn:
+    """A stranger's place, from the first step to the answer; not while the network is awaited."""
+
+    def __init__(self, places: asyncio.Semaphore, receive: Receive, send: Send) -> None:
+        self._places, self._receive, self._send = places, receive, send
+        self._has_place = self._answered = False
+
+    async def begin(self) -> None:
+        await self._places.acquire()
+        self._has_place = True
+
+    def end(self) -> None:
+        if self._has_place:
+            self._has_place = False
+            self._places.release()
+
+    async def receive(self) -> Message:
+        self.end()
+        message = await self._receive()
+        if not self._answered:
+            await self.begin()
+        return message
+
+    async def send(self, message: Message) -> None:
+        self._answered = True
+        self.end()
+        await self._send(message)
+
+
+def _is_connected(scope: Scope) -> bool:
+    """Whether anybody is left to answer: a crowd comes and goes sooner than it is served."""
+    is_connected: Callable[[], bool] | None = scope.get("state", {}).get(IS_CONNECTED)
+    return is_connected is None or is_connected()
+
+
+async def _end(scope: Scope, send: Send) -> None:
+    """Nobody reads it; without it the server takes the silence for a fault."""
+    if scope["type"] == "http":
+        await Response(status_code=503)(scope, _nothing, send)
+    else:
+        await send({"type": "websocket.close"})
+
+
+async def _nothing() -> Message:
+    return {"type": "http.disconnect"}
+
+
+def _digest(scope: Scope) -> bytes:
+    cookies = b";".join(value for name, value in scope["headers"] if name == b"cookie")
+    return hashlib.sha256(cookies).digest()

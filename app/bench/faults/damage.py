@@ -1,0 +1,133 @@
+"""A station on a data folder in which something is damaged or foreign."""
+
+import os
+import random
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import httpx
+
+from app.bench.faults.damages import Damage, in_database, in_folders, in_places
+from app.bench.faults.furnished import Kept, furnish
+from app.bench.faults.looking import TRACE, look_at
+from app.bench.faults.row import FaultRow
+from app.bench.faults.station import ENDED, Station
+from app.files.progress import Progress, no_progress
+from app.metrology.refusal import Refusal
+
+NOBODY = 65534
+SAMPLED = 30
+"""Of all ways in all places."""
+LONGEST_LINE = 600
+
+
+def run(
+    data: Path,
+    tries: int = SAMPLED,
+    seed: int = 0,
+    words: str = "",
+    progress: Progress = no_progress,
+) -> FaultRow:
+    """Damages copies of a furnished folder, each in one way, and looks at the station on it.
+
+    It must start and tell what is wrong, or refuse in one line; then it answers everything,
+    acts, and ends when it is told to.
+
+    Args:
+        data: a folder for the station's own, which is made.
+        tries: how many of all ways in all places, besides those of database and folders.
+        words: only damages whose names have them.
+    """
+    kept = furnish(data, progress)
+    rng, row = random.Random(seed), FaultRow("a damaged data folder")
+    everywhere = in_places(kept)
+    damages = [*in_database(kept), *in_folders()]
+    damages += rng.sample(everywhere, min(tries, len(everywhere))) if not words else everywhere
+    damages = [damage for damage in damages if words in damage.name]
+    if not _is_runnable_by(NOBODY):
+        damages = [damage for damage in damages if not damage.by_others]
+    for number, damage in enumerate(damages):
+        progress(number / len(damages), f"a damaged folder: {damage.name}")
+        copy = data.with_name(f"{data.name}-damaged")
+        shutil.copytree(data, copy, symlinks=True)
+        try:
+            _try(copy, damage, kept, rng, row)
+        finally:
+            shutil.rmtree(copy)
+    return row
+
+
+def _is_runnable_by(user: int) -> bool:
+    """Whether another user could run a station here; as a plain user, this one is another."""
+    if os.getuid() != 0:
+        return True
+    try:
+        looked = subprocess.run([sys.executable, "-c", "import app"], user=user, check=False)
+    except PermissionError:
+        return False
+    return looked.returncode == 0
+
+
+def _try(copy: Path, damage: Damage, kept: Kept, rng: random.Random, row: FaultRow) -> None:
+    user = None
+    if damage.by_others and os.getuid() == 0:
+        user = NOBODY
+        for path in (copy.parent, copy, *copy.rglob("*")):
+            os.chown(path, NOBODY, NOBODY, follow_symlinks=False)
+    damage.do(copy, rng)
+    with Station(copy, user=user) as station:
+        try:
+            station.enter()
+        except Refusal as refusal:
+            ended = refusal.code == ENDED
+            why = _refused_wrongly(station, damage) if ended else refusal.line
+            row.outcome(not why, note=f"{damage.name}: {why}" if why else "")
+            return
+        except httpx.HTTPStatusError as error:  # accounts are on a damaged page
+            answer = error.response
+            clear = answer.is_client_error and damage.told and re.search(damage.told, answer.text)
+            row.outcome(bool(clear), note="" if clear else f"{damage.name}: {answer.text[:200]}")
+            return
+        wrong, lost = _served_wrongly(station, damage, kept, row)
+        notes = "; ".join([*wrong, *lost])
+        row.outcome(not wrong and not lost, bool(lost), f"{damage.name}: {notes}" if notes else "")
+
+
+def _refused_wrongly(station: Station, damage: Damage) -> str:
+    """What is wrong with how a station refused to start; empty where nothing is."""
+    lines = [line for line in station.said.splitlines() if not line.startswith("(viser)")]
+    last = lines[-1] if lines else ""
+    if TRACE in station.said:
+        return f"a trace: {last}"
+    if station.status != 1 or not last or len(last) > LONGEST_LINE:
+        return f"it ended with {station.status}: {last[:200]}"
+    named = re.escape(damage.name.partition(":")[0])
+    if not re.search(f"{named}|{damage.told}" if damage.told else named, last):
+        return f"it refused: {last}"
+    return ""
+
+
+def _served_wrongly(
+    station: Station, damage: Damage, kept: Kept, row: FaultRow
+) -> tuple[list[str], list[str]]:
+    """What is wrong with a station that runs, and what it has lost."""
+    ids = {"scan_id": list(kept.scans), "calibration_id": [kept.calibration]}
+    ids |= {"record_id": [kept.calibration], "form": ["html"], "name": ["pose-1.png"]}
+    try:
+        look = look_at(station, ids)
+        row.stopped(station.stop_s())
+        lost = [
+            f"{one} is not listed"
+            for one in (*kept.scans, kept.calibration)
+            if one not in damage.of and not look.told(one)
+        ]
+        wrong = look.faults
+        if damage.told and not look.told(damage.told):
+            wrong.append("nothing is told of it")
+        station.end()
+    except Refusal as refusal:
+        return [refusal.line], []
+    return wrong, lost

@@ -1,0 +1,72 @@
+"""Every kind of fault, one after the other."""
+
+import tempfile
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+
+from app.bench.apart import breaks_told
+from app.bench.faults import damage, disk, floods, kills
+from app.bench.faults.row import FaultRow
+from app.files.progress import Progress, no_progress
+from app.metrology.refusal import Refusal
+
+Try = Callable[[Path, int, Progress], list[FaultRow]]
+"""Of a folder, a seed and a progress."""
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of fault by its name on the command line, and what tries it in a new folder."""
+
+    name: str
+    attempt: Try
+
+
+KINDS = (
+    Kind(
+        "kills-in-scans",
+        lambda data, seed, tell: [kills.scans(data, seed=seed, progress=tell)],
+    ),
+    Kind(
+        "kills-in-calibrations",
+        lambda data, seed, tell: [kills.guides(data, "flow", progress=tell)],
+    ),
+    Kind(
+        "kills-in-verifications",
+        lambda data, seed, tell: [kills.guides(data, "verify", progress=tell)],
+    ),
+    Kind("disk", lambda data, seed, tell: [disk.run(data, seed=seed, progress=tell)]),
+    Kind("damage", lambda data, seed, tell: [damage.run(data, seed=seed, progress=tell)]),
+    Kind("floods", lambda data, seed, tell: floods.run(data, progress=tell)),
+)
+
+
+def run(names: list[str], seed: int = 0, progress: Progress = no_progress) -> list[FaultRow]:
+    """Tries the kinds of these names, or whose names begin so; all for none.
+
+    Raises:
+        Refusal: there is no such kind, or a station does not go on.
+    """
+    known = [kind.name for kind in KINDS]
+    if unknown := [name for name in names if not any(_has(kind, name) for kind in known)]:
+        raise Refusal(
+            "bench-kind", f"There is no kind {unknown[0]}", f"there are: {', '.join(known)}"
+        )
+    chosen = [kind for kind in KINDS if not names or any(_has(kind.name, name) for name in names)]
+    rows: list[FaultRow] = []
+    with tempfile.TemporaryDirectory(prefix="crenel-bench-") as folder, breaks_told():
+        for number, kind in enumerate(chosen):
+            share = partial(_share, progress, number, len(chosen))
+            rows += kind.attempt(Path(folder) / kind.name / "data", seed, share)
+    return rows
+
+
+def _has(kind: str, name: str) -> bool:
+    """``kills`` stands for all kinds of kills."""
+    return kind == name or kind.startswith(f"{name}-")
+
+
+def _share(progress: Progress, number: int, of: int, share: float, text: str) -> None:
+    progress((number + share) / of, text)

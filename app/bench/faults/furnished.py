@@ -1,0 +1,86 @@
+"""A data folder with something in every place of it, as a station leaves it."""
+
+import shutil
+import signal
+import sqlite3
+from contextlib import closing
+from dataclasses import dataclass
+from pathlib import Path
+
+from app.bench.faults.served import prepare
+from app.bench.faults.station import Station
+from app.files.progress import Progress, no_progress
+
+SCANS = 2
+SCAN_S = 0.6
+SPARE = {
+    "arms": "simulated.json",
+    "objects": "simulated.json",
+    "sensors": "simulated.json",
+    "gauges": "plate.nominal.json",
+}
+"""What is copied to ``spare``: the demonstration writes its own papers anew at each start."""
+NOTIFIED = {"url": "http://127.0.0.1:9/", "secret": "x", "done": True, "fault": True, "due": True}
+SETTINGS: dict[str, object] = {
+    "threshold": None,
+    "min_width_px": None,
+    "choice": "continuity",
+    "exposure_us": 4000.0,
+    "blur_limit_mm": None,
+    "record_pictures": False,
+    "zones": [],
+}
+FOLDERS = ("arms", "objects", "sensors", "gauges", "sessions", "scans", "verifications")
+
+
+@dataclass(frozen=True)
+class Kept:
+    """What is in the folder: the ids of its records."""
+
+    scans: tuple[str, ...]
+    calibration: str
+    flow: str
+    """The session of the calibration that is open."""
+    verification: str
+    """The one that is open."""
+
+
+def furnish(data: Path, progress: Progress = no_progress) -> Kept:
+    """Makes a data folder, which must not be there: calibration, scans, open sessions, settings.
+
+    Raises:
+        Refusal: the station does not go on.
+    """
+    prepare(data)
+    with Station(data) as station:
+        station.enter()
+        for number in range(SCANS):
+            progress(number / (SCANS + 2), "a folder to be damaged: scans")
+            station.begin_scan(f"Scan {number + 1}")
+            station.wait(lambda: station.get("/api/scan")["seconds"] > SCAN_S)
+            station.post("/api/scan/stop").raise_for_status()
+        station.post("/api/notifications", **NOTIFIED).raise_for_status()
+        station.post("/api/settings", **SETTINGS).raise_for_status()
+        station.post("/api/arm/start", purpose="check").raise_for_status()
+        progress(SCANS / (SCANS + 2), "a folder to be damaged: sessions")
+        station.post("/api/verify/start").raise_for_status()
+        station.wait(lambda: station.ask("verify", "choose_gauge", id="plate"))
+        station.post("/api/flow/start").raise_for_status()
+        station.wait(lambda: station.ask("flow", "confirm_devices"))
+        station.wait(lambda: station.ask("flow", "let_hand", all=True))
+        station.wait(lambda: len(station.get("/api/flow")["picture"].get("points") or ()) > 3)
+        station.post("/api/stop").raise_for_status()
+        station.post("/api/backup").raise_for_status()
+        station.wait(lambda: station.get("/api/health")["backup"]["last"])
+        kept = Kept(
+            tuple(scan["id"] for scan in station.get("/api/scans")),
+            station.get("/api/calibrations")[0]["id"],
+            station.get("/api/flow")["session_id"],
+            station.get("/api/verify")["session_id"],
+        )
+        station.end(signal.SIGTERM)
+    for folder, name in SPARE.items():
+        shutil.copy(data / folder / name, data / folder / f"spare.{name.partition('.')[2]}")
+    with closing(sqlite3.connect(data / "station.db")) as database:
+        database.execute("PRAGMA wal_checkpoint(TRUNCATE)")
+    return kept

@@ -1,0 +1,211 @@
+"""Stations killed with SIGKILL in every state; what they have afterwards."""
+
+import random
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from app.bench.faults.row import FaultRow
+from app.bench.faults.served import prepare
+from app.bench.faults.station import Station, View
+from app.files.progress import Progress, no_progress
+from app.files.recording import open_recording
+from app.files.recording_stream import blocks
+from app.metrology.refusal import Refusal
+
+SCANS = 20
+LONGEST_S = 3.0
+LOST_S = 0.5
+"""So much of a scan may be lost at most."""
+Place = tuple[str, int]
+PLACES: dict[str, tuple[Place, ...]] = {
+    "flow": (
+        *(("devices", 0), ("setup", 0), ("touch", 0), ("touch", 1), ("touch", 5), ("touch", 12)),
+        *(("touch", 20), ("touch", 26), ("place", 0), ("capture", 0), ("solve", 0), ("review", 0)),
+    ),
+    "verify": (
+        *(("gauge", 0), ("touch", 0), ("touch", 2), ("touch", 5)),
+        *(("scan", 0), ("scan", 1), ("scan", 2), ("review", 0)),
+    ),
+}
+"""The steps in which it is killed, and after how many points, pictures or clouds."""
+NAMES = {"flow": "kill -9 in a calibration", "verify": "kill -9 in a verification"}
+
+
+def scans(
+    data: Path, kills: int = SCANS, seed: int = 0, progress: Progress = no_progress
+) -> FaultRow:
+    """Kills at any moment of scans; each is listed, with its cloud, at the next start.
+
+    Args:
+        data: a folder for the station's own, which is made.
+    """
+    prepare(data)
+    row, rng = FaultRow("kill -9 in a scan"), random.Random(seed)
+    killed: _Killed | None = None
+    losses_s = []
+    for number in range(kills + 1):
+        progress(number / (kills + 1), f"kill {number} of {kills} in scans")
+        with Station(data) as station:
+            station.enter()
+            if killed is not None:
+                losses_s.append(_settle(station, killed, data, row))
+            if number < kills:
+                name = f"Scan {number + 1}"
+                station.begin_scan(name)
+                killed = _kill(station, name, rng.uniform(0.1, LONGEST_S))
+    row.notes.insert(0, f"at most {max(losses_s):.2f} s of one")
+    return row
+
+
+@dataclass(frozen=True)
+class _Killed:
+    """A scan that ran when its station was killed, and what was shown of it just before."""
+
+    name: str
+    at_ns: int
+    """On the monotonic clock, as the recording's stamps."""
+    seconds: float
+    frames: int
+
+    def lost_s(self, frames: int, joints_ns: int) -> float:
+        """How much is lost, where so many frames are left, and joints until then."""
+        frames_s = self.seconds * (self.frames - frames) / max(self.frames, 1)
+        return max(frames_s, 1e-9 * (self.at_ns - joints_ns), 0.0)
+
+
+def _kill(station: Station, name: str, seconds: float) -> _Killed:
+    """Kills a station once its scan has run for so long."""
+
+    def live() -> View | None:
+        scan: View = station.get("/api/scan")
+        return scan if scan["seconds"] > seconds else None
+
+    last = station.wait(live)
+    return _Killed(name, station.kill(), last["seconds"], last["frames"])
+
+
+def _settle(station: Station, killed: _Killed, data: Path, row: FaultRow) -> float:
+    """Counts what became of a killed scan; how much of it is lost, in s."""
+
+    def found() -> Any:
+        listed = [scan for scan in station.get("/api/scans") if scan["name"] == killed.name]
+        return listed[0] if listed else None
+
+    first = found()
+    row.stopped(station.stop_s())
+    if first is None:
+        lost = killed.seconds > LOST_S
+        row.outcome(True, lost, f"{killed.name} is not listed" if lost else "")
+        return killed.seconds
+    try:
+        scan = station.wait(lambda: _with_cloud(found()))
+    except Refusal as refusal:
+        row.outcome(False, True, f"{killed.name}: {refusal.line}")
+        return killed.seconds
+    folder = data / "scans" / scan["id"]
+    lost_s = killed.lost_s(scan["frames"], last_joints_ns(folder / "scan.mcap"))
+    whole = (folder / "cloud.ply").is_file() and scan["note"].startswith("The station ended")
+    row.outcome(whole, lost_s > LOST_S, "" if whole else f"{killed.name}: {scan['note']}")
+    return lost_s
+
+
+def _with_cloud(scan: View | None) -> View | None:
+    return scan if scan and scan["note"].endswith(("is kept.", "made of it")) else None
+
+
+def last_joints_ns(recording: Path) -> int:
+    """The stamp of the last joints that a recording holds; 0 for none."""
+    last_ns = 0
+    with ThreadPoolExecutor(1) as pool:
+        for block in blocks(open_recording(recording), pool, 1):
+            last_ns = max([last_ns, *(int(joints.stamps_ns[-1]) for joints in block.joints)])
+    return last_ns
+
+
+def guides(
+    data: Path,
+    flow: str,
+    places: tuple[Place, ...] | None = None,
+    progress: Progress = no_progress,
+) -> FaultRow:
+    """Kills in every step of a guide; nothing that was shown is lost.
+
+    Args:
+        data: a folder for the station's own, which is made.
+        flow: ``flow`` for a calibration, ``verify`` for a verification.
+        places: where, instead of in ``PLACES``.
+    """
+    row, before = FaultRow(NAMES[flow]), None
+    if flow == "verify":
+        prepare(data)
+    places = places or PLACES[flow]
+    for number, place in enumerate([*places, None]):
+        progress(number / len(places), f"{flow}: {place[0] if place else 'the end'}")
+        with Station(data) as station:
+            station.enter()
+            if before is None:
+                _begin(station, flow)
+            else:
+                wrong = "; ".join(differences(before, station.get(f"/api/{flow}")))
+                row.outcome(not wrong, bool(wrong), wrong)
+                row.stopped(station.stop_s())
+            if place is not None:
+                before = _go_on(station, flow, place)
+                station.kill()
+    return row
+
+
+def _begin(station: Station, flow: str) -> None:
+    station.post(f"/api/{flow}/start").raise_for_status()
+    if flow == "verify":
+        station.wait(lambda: station.ask(flow, "choose_gauge", id="plate"))
+
+
+def _go_on(station: Station, flow: str, place: Place) -> View:
+    """Until so much is done in a step: by the operator in the first ones, then by the hand."""
+    step, count = place
+    if step == "setup":
+        station.wait(lambda: station.ask(flow, "confirm_devices"))
+
+    def there() -> View | None:
+        """So far by the hand, which rests where something was declined until it is let again."""
+        view: View = station.get(f"/api/{flow}")
+        if _reached(view, step, count):
+            return view
+        if view["busy"] is None and step != "setup":
+            station.ask(flow, "let_hand", all=True)
+        return None
+
+    return dict(station.wait(there))
+
+
+def _taken(view: View) -> set[Any]:
+    """What an operator has done in this step, as the page shows it."""
+    picture, step = view["picture"], view["step"]
+    if step == "touch":
+        return {
+            (point.get("face"), point["index"])
+            for point in picture.get("points") or picture.get("touches") or []
+        }
+    return {c["number"] for c in picture.get("clouds", []) if c["state"] == "good"}
+
+
+def _reached(view: View, step: str, count: int) -> bool:
+    order = [each["id"] for each in view["steps"]]
+    return (order.index(view["step"]), len(_taken(view))) >= (order.index(step), count)
+
+
+def differences(before: View, after: View) -> Iterator[str]:
+    """What was shown before a kill and is not afterwards, in words."""
+    if (before["session_id"], True) != (after["session_id"], after["running"]):
+        yield f"{before['step']}: the session is not resumed"
+        return
+    order = [step["id"] for step in after["steps"]]
+    # what the hand did between the last look and the kill may have ended the step
+    if order.index(after["step"]) - order.index(before["step"]) not in (0, 1):
+        yield f"{before['step']}: resumed at {after['step']}"
+    elif after["step"] == before["step"] and not _taken(before) <= _taken(after):
+        yield f"{before['step']}: {len(_taken(before) - _taken(after))} are missing"

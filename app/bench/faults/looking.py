@@ -1,0 +1,137 @@
+"""All that a station answers and tells, looked at once; what of it is a fault of the program."""
+
+import re
+import time
+from collections.abc import Mapping
+from contextlib import suppress
+from dataclasses import dataclass, field
+from urllib.parse import quote
+
+import httpx
+from websockets.exceptions import WebSocketException
+
+from app.bench.faults.furnished import NOTIFIED, SETTINGS
+from app.bench.faults.station import Station, View
+
+PARAMETER = re.compile(r"{(\w+)}")
+OK, FAULT_STATUS, NOT_KEPT_STATUS = 200, 500, 507
+LIVE_S = 1.0
+TRACE = "Traceback (most recent call last)"
+ASKED: tuple[tuple[str, Mapping[str, object]], ...] = (
+    ("/api/temperature", {"celsius": 20.5}),
+    ("/api/settings", SETTINGS),
+    ("/api/settings/delay/find", {}),
+    ("/api/notifications", NOTIFIED),
+    ("/api/flow/start", {}),
+    ("/api/arm/start", {"purpose": "check"}),
+    ("/api/verify/start", {}),
+    ("/api/scan/start", {"name": "Afterwards"}),
+    ("/api/scan/hand", {"on": True}),
+    ("/api/scan/stop", {}),
+    ("/api/backup", {}),
+    ("/api/stop", {}),
+)
+"""What is asked of a station besides looking, in this order."""
+
+AFTERWARDS = ("/api/health", "/api/home", "/api/scans", "/api/flow")
+
+
+@dataclass
+class Look:
+    """What a station answered."""
+
+    faults: list[str] = field(default_factory=list)
+    """Answers that no request may have, in words."""
+    texts: dict[str, str] = field(default_factory=dict)
+    """Of each route that answered with JSON."""
+
+    def note(self, asked: str, answer: httpx.Response) -> None:
+        if answer.status_code >= FAULT_STATUS and answer.status_code != NOT_KEPT_STATUS:
+            self.faults.append(f"{asked}: {answer.status_code}")
+        if "json" in answer.headers.get("content-type", ""):
+            self.texts[asked] = answer.text
+
+    def told(self, words: str) -> bool:
+        """Whether something that people are shown has these words, a regular expression."""
+        return any(re.search(words, text, re.IGNORECASE) for text in self.texts.values())
+
+
+def look_at(station: Station, ids: Mapping[str, list[str]], acts: bool = True) -> Look:
+    """Asks for everything.
+
+    Args:
+        ids: what a parameter of a route is filled with, besides an id that nothing has.
+        acts: also begins sessions, a scan and a backup.
+    """
+    look = Look()
+    for path in _paths(station, ids):
+        _ask(look, station, "GET", path)
+    look.faults += _live_faults(station)
+    for path, body in ASKED if acts else ():
+        _ask(look, station, "POST", path, body)
+    if acts:
+        station.wait(lambda: _has_no_job(station.http.get("/api/health")))
+        for path in AFTERWARDS:
+            _ask(look, station, "GET", path)
+    logged = station.http.get("/api/logs")
+    look.note("GET /api/logs", logged)
+    if logged.status_code == OK:
+        look.faults += [fault_of(line) for line in logged.json() if line["level"] == "error"]
+    if TRACE in station.said:
+        look.faults.append("a trace on the console")
+    return look
+
+
+def _has_no_job(health: httpx.Response) -> bool:
+    """Whether the backup that was asked for has ended, or Health cannot tell."""
+    return health.status_code != OK or '"share":null' in health.text
+
+
+def fault_of(line: View) -> str:
+    """A line of the log with an error, and the end of its trace."""
+    last = (line["trace"].strip().splitlines() or [""])[-1]
+    return f"logged: {line['text'][:120]} {last[:120]}"
+
+
+def _ask(
+    look: Look, station: Station, method: str, path: str, body: Mapping[str, object] | None = None
+) -> None:
+    try:
+        look.note(f"{method} {path}", station.http.request(method, path, json=body))
+    except httpx.TransportError as error:
+        look.faults.append(f"{method} {path}: {type(error).__name__}")
+
+
+def _paths(station: Station, ids: Mapping[str, list[str]]) -> list[str]:
+    """Every address that can be asked for, its parameters filled."""
+    routes: View = station.get("/api/openapi.json")["paths"]
+    return [
+        filled
+        for route, methods in sorted(routes.items())
+        if "get" in methods and not route.startswith(("/viewer", "/{"))
+        for filled in _filled(route, ids)
+    ]
+
+
+def _filled(route: str, ids: Mapping[str, list[str]]) -> list[str]:
+    filled = [route]
+    for name in PARAMETER.findall(route):
+        values = [*ids.get(name, []), "none"]
+        mark = f"{{{name}}}"
+        filled = [path.replace(mark, quote(value)) for path in filled for value in values]
+    return filled
+
+
+def _live_faults(station: Station) -> list[str]:
+    """Whether a browser's live connection is told things, and lives."""
+    told = 0
+    try:
+        with station.live() as live:
+            deadline_s = time.monotonic() + LIVE_S
+            while (left_s := deadline_s - time.monotonic()) > 0:
+                with suppress(TimeoutError):
+                    live.recv(left_s)
+                    told += 1
+    except (WebSocketException, OSError) as error:
+        return [f"the live connection ended: {error}"]
+    return [] if told else ["the live connection told nothing"]

@@ -1,0 +1,171 @@
+"""A station in a process of its own that the bench may kill, and what it does to it."""
+
+import contextlib
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+import uuid
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+import httpx
+from websockets.sync.client import ClientConnection, connect
+
+from app.bench.apart import PATIENCE_S, stuck
+from app.metrology.refusal import Refusal
+
+View = dict[str, Any]
+LINK = re.compile(r"(http://\S+)#code=(\w+)")
+LOOK_S, END_S = 0.03, 20.0
+ENDED = "ended"
+
+
+class Station:
+    """A simulated station on a data folder, from its start to its end; also one that refuses."""
+
+    def __init__(
+        self,
+        data: Path,
+        environment: Mapping[str, str] | None = None,
+        user: int | None = None,
+    ) -> None:
+        data.parent.mkdir(parents=True, exist_ok=True)
+        self._data = data
+        self._output = data.with_name(f"{data.name}-{uuid.uuid4().hex[:6]}.txt")
+        with self._output.open("w") as output:
+            self._process = subprocess.Popen(
+                [sys.executable, "-m", "app.bench.faults.served", str(data)],
+                env={**os.environ, **(environment or {})},
+                stdin=subprocess.DEVNULL,
+                stdout=output,
+                stderr=subprocess.STDOUT,
+                user=user,
+            )
+        self.http = httpx.Client(timeout=30.0)
+
+    def __enter__(self) -> "Station":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.http.close()
+        if self._process.poll() is None:
+            self._process.send_signal(signal.SIGTERM)
+            try:
+                self._process.wait(END_S)
+            except subprocess.TimeoutExpired:
+                self._process.kill()
+        self._process.wait()
+
+    @property
+    def pid(self) -> int:
+        return self._process.pid
+
+    @property
+    def said(self) -> str:
+        """All that the console has."""
+        return self._output.read_text(errors="replace")
+
+    def logged_bytes(self) -> int:
+        """Of the console and the station's log."""
+        logs = (self._data / "logs").glob("*")
+        return self._output.stat().st_size + sum(path.stat().st_size for path in logs)
+
+    @property
+    def status(self) -> int | None:
+        """How it ended; None while it runs."""
+        return self._process.poll()
+
+    def enter(self) -> "Station":
+        """Signs in as the demonstration's guest, once the whole station is there.
+
+        Raises:
+            Refusal: it ended, or is not there in time.
+        """
+        self.wait(lambda: LINK.search(self.said) and "Ready after" in self.said)
+        self.sign_in().raise_for_status()
+        return self
+
+    def sign_in(self) -> httpx.Response:
+        """Signs in by the link that the console shows."""
+        link = LINK.search(self.said)
+        assert link is not None
+        self.http.base_url = httpx.URL(link[1])
+        return self.http.post("/api/session/code", json={"code": link[2]})
+
+    def live(
+        self, max_queue: int | None = 16, ping_interval: float | None = 20.0
+    ) -> ClientConnection:
+        """A live connection as a browser's page has it; to be closed by the caller."""
+        cookies = "; ".join(f"{name}={value}" for name, value in self.http.cookies.items())
+        return connect(
+            str(self.http.base_url.copy_with(scheme="ws", path="/api/live")),
+            additional_headers={"Cookie": cookies},
+            max_queue=max_queue,
+            ping_interval=ping_interval,
+        )
+
+    def wait(self, enough: Callable[[], Any]) -> Any:
+        """What ``enough`` tells, once it is something.
+
+        Raises:
+            Refusal: the station ended, or it takes too long.
+        """
+        deadline_s = time.monotonic() + PATIENCE_S
+        while not (found := enough()):
+            if self.status is not None:
+                last = (self.said.strip().splitlines() or ["it said nothing"])[-1]
+                raise Refusal(ENDED, "the station ended", last)
+            if time.monotonic() > deadline_s:
+                raise stuck("the station does not go on")
+            time.sleep(LOOK_S)
+        return found
+
+    def get(self, path: str) -> Any:
+        return self.http.get(path).raise_for_status().json()
+
+    def post(self, path: str, **body: object) -> httpx.Response:
+        return self.http.post(path, json=body or None)
+
+    def ask(self, flow: str, name: str, **args: object) -> bool:
+        """Gives a command on the present view of a flow; whether it was done."""
+        rev = self.get(f"/api/{flow}")["rev"]
+        body = {"name": name, "args": args, "rev": rev, "key": uuid.uuid4().hex}
+        return self.post(f"/api/{flow}/command", **body).status_code == 200
+
+    def begin_scan(self, name: str) -> None:
+        """Starts a scan with the hand at it, once the station lets it."""
+        self.wait(lambda: self.get("/api/scan")["state"] == "idle")
+        self.wait(lambda: self.post("/api/scan/start", name=name).status_code == 200)
+        self.post("/api/scan/hand", on=True).raise_for_status()
+
+    def stop_s(self) -> float:
+        """How long Stop takes to be answered, in s."""
+        began_s = time.monotonic()
+        self.http.post("/api/stop").raise_for_status()
+        return time.monotonic() - began_s
+
+    def end(self, sign: int = signal.SIGTERM) -> float:
+        """Tells it to end; how long that took, in s.
+
+        Raises:
+            Refusal: it does not.
+        """
+        began_s = time.monotonic()
+        self._process.send_signal(sign)
+        try:
+            self._process.wait(END_S)
+        except subprocess.TimeoutExpired as error:
+            raise stuck("the station does not end", END_S) from error
+        return time.monotonic() - began_s
+
+    def kill(self) -> int:
+        """Ends it with SIGKILL; the monotonic time in ns."""
+        with contextlib.suppress(ProcessLookupError):
+            os.kill(self.pid, signal.SIGKILL)
+        killed_ns = time.monotonic_ns()
+        self._process.wait()
+        return killed_ns

@@ -1,0 +1,60 @@
+"""Opening what may be anything: ordinary files alone, of a bounded size.
+
+Whatever lies in the data folder under a file's name, opening and reading it ends: a pipe, a
+socket or a device would else keep its reader waiting, or feed it for ever.
+"""
+
+import errno
+import os
+import stat
+from contextlib import suppress
+from io import BufferedReader
+from pathlib import Path
+
+LARGEST_DOCUMENT = 64 << 20
+"""Bytes of a file that is read as a whole: a document, a table, a picture."""
+_FLAGS = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
+
+
+def open_file(path: Path) -> BufferedReader:
+    """An ordinary file to read in.
+
+    Raises:
+        OSError: missing or unreadable; ``EISDIR`` for a folder, ``ENXIO`` for a pipe, a socket
+            or a device.
+    """
+    _check_kind(path, os.stat(path).st_mode)  # opening a device may already do something
+    handle = os.open(path, _FLAGS)
+    try:
+        _check_kind(path, os.fstat(handle).st_mode)
+        return os.fdopen(handle, "rb")
+    except BaseException:
+        os.close(handle)
+        raise
+
+
+def read_bounded(path: Path, largest: int = LARGEST_DOCUMENT) -> bytes:
+    """The bytes of an ordinary file.
+
+    Raises:
+        OSError: as ``open_file``; ``EOVERFLOW`` for a file of more than ``largest`` bytes.
+    """
+    with open_file(path) as file:
+        content = b""
+        if os.fstat(file.fileno()).st_size <= largest:
+            content = file.read(largest + 1)
+            if len(content) <= largest:
+                return content
+    raise OSError(errno.EOVERFLOW, os.strerror(errno.EOVERFLOW), str(path))
+
+
+def check_ordinary(path: Path) -> None:
+    """Raises ``OSError`` where something else than an ordinary file has this name."""
+    with suppress(FileNotFoundError):
+        _check_kind(path, os.stat(path).st_mode)
+
+
+def _check_kind(path: Path, mode: int) -> None:
+    if not stat.S_ISREG(mode):
+        number = errno.EISDIR if stat.S_ISDIR(mode) else errno.ENXIO
+        raise OSError(number, os.strerror(number), str(path))

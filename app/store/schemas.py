@@ -1,0 +1,146 @@
+"""The tables of the station's database, and what each version added to them."""
+
+import sqlite3
+from contextlib import closing
+from functools import lru_cache
+
+FIRST = """
+CREATE TABLE session (
+    id TEXT PRIMARY KEY,
+    kind TEXT NOT NULL,
+    started_at TEXT NOT NULL,
+    ended_at TEXT
+) STRICT;
+
+CREATE TABLE journal (
+    number INTEGER PRIMARY KEY AUTOINCREMENT,
+    session_id TEXT NOT NULL REFERENCES session (id),
+    at TEXT NOT NULL,
+    kind TEXT NOT NULL,
+    payload TEXT NOT NULL,
+    command_key TEXT UNIQUE
+) STRICT;
+CREATE INDEX journal_of_a_session ON journal (session_id, number);
+CREATE TRIGGER journal_rows_stay BEFORE DELETE ON journal
+    BEGIN SELECT RAISE(ABORT, 'the journal is append-only'); END;
+CREATE TRIGGER journal_rows_keep BEFORE UPDATE ON journal
+    BEGIN SELECT RAISE(ABORT, 'the journal is append-only'); END;
+
+CREATE TABLE calibration (
+    id TEXT PRIMARY KEY,
+    session_id TEXT NOT NULL REFERENCES session (id),
+    name TEXT NOT NULL,
+    file TEXT NOT NULL,
+    accepted_at TEXT NOT NULL,
+    figures TEXT NOT NULL,
+    active INTEGER NOT NULL CHECK (active IN (0, 1))
+) STRICT;
+CREATE UNIQUE INDEX one_active_calibration ON calibration (active) WHERE active = 1;
+
+CREATE TABLE scan (
+    id TEXT PRIMARY KEY,
+    name TEXT NOT NULL,
+    folder TEXT NOT NULL,
+    started_at TEXT NOT NULL,
+    points INTEGER NOT NULL,
+    frames INTEGER NOT NULL,
+    seconds REAL NOT NULL,
+    calibration_id TEXT NOT NULL
+) STRICT;
+"""
+ACCESS = """
+CREATE TABLE account (
+    name TEXT PRIMARY KEY COLLATE NOCASE,
+    role TEXT NOT NULL CHECK (role IN ('viewer', 'operator', 'admin')),
+    password TEXT NOT NULL,
+    made_at TEXT NOT NULL
+) STRICT;
+
+CREATE TABLE sign_in (
+    token TEXT PRIMARY KEY,
+    account TEXT NOT NULL COLLATE NOCASE REFERENCES account (name) ON DELETE CASCADE,
+    device TEXT NOT NULL,
+    begun_at TEXT NOT NULL,
+    seen_at TEXT NOT NULL
+) STRICT;
+
+CREATE TABLE wall_link (
+    id TEXT PRIMARY KEY,
+    token TEXT NOT NULL UNIQUE,
+    name TEXT NOT NULL,
+    made_by TEXT NOT NULL,
+    made_at TEXT NOT NULL
+) STRICT;
+
+CREATE TABLE audit (
+    number INTEGER PRIMARY KEY AUTOINCREMENT,
+    at TEXT NOT NULL,
+    who TEXT NOT NULL,
+    address TEXT NOT NULL,
+    act TEXT NOT NULL,
+    outcome TEXT NOT NULL
+) STRICT;
+CREATE TRIGGER audit_rows_stay BEFORE DELETE ON audit
+    BEGIN SELECT RAISE(ABORT, 'the audit log is append-only'); END;
+CREATE TRIGGER audit_rows_keep BEFORE UPDATE ON audit
+    BEGIN SELECT RAISE(ABORT, 'the audit log is append-only'); END;
+"""
+SUPERVISION = """
+CREATE TABLE scraper (
+    id TEXT PRIMARY KEY,
+    token TEXT NOT NULL UNIQUE,
+    name TEXT NOT NULL,
+    made_by TEXT NOT NULL,
+    made_at TEXT NOT NULL
+) STRICT;
+"""
+VERIFICATIONS = """
+CREATE TABLE verification (
+    id TEXT PRIMARY KEY REFERENCES session (id),
+    calibration_id TEXT NOT NULL REFERENCES calibration (id),
+    folder TEXT NOT NULL,
+    accepted_at TEXT NOT NULL,
+    figures TEXT NOT NULL
+) STRICT;
+CREATE INDEX verification_of_a_calibration ON verification (calibration_id, accepted_at);
+
+CREATE TABLE temperature (
+    number INTEGER PRIMARY KEY AUTOINCREMENT,
+    at TEXT NOT NULL,
+    celsius REAL NOT NULL,
+    source TEXT NOT NULL
+) STRICT;
+CREATE INDEX temperature_in_time ON temperature (at);
+"""
+KNOWN_BROWSERS = """
+CREATE TABLE known_browser (
+    token TEXT NOT NULL,
+    account TEXT NOT NULL COLLATE NOCASE REFERENCES account (name) ON DELETE CASCADE,
+    made_at TEXT NOT NULL,
+    PRIMARY KEY (token, account)
+) STRICT;
+"""
+RECORDINGS = """
+ALTER TABLE scan ADD COLUMN interrupted TEXT NOT NULL DEFAULT '';
+ALTER TABLE scan ADD COLUMN recording_bytes INTEGER;
+"""
+SCHEMAS = (FIRST, ACCESS, SUPERVISION, VERIFICATIONS, KNOWN_BROWSERS, RECORDINGS)
+"""What each version of the database adds to the one before."""
+SCHEMA_VERSION = len(SCHEMAS)
+
+
+def columns_of(connection: sqlite3.Connection) -> set[tuple[str, str]]:
+    """Every column as the names of its table and its own."""
+    found = connection.execute(
+        "SELECT one.name, its.name FROM sqlite_master AS one, pragma_table_info(one.name) AS its"
+        " WHERE one.type = 'table'"
+    )
+    return {(row[0], row[1]) for row in found}
+
+
+@lru_cache
+def columns_made() -> set[tuple[str, str]]:
+    """Those of a database that is made now."""
+    with closing(sqlite3.connect(":memory:")) as made:
+        made.executescript(" ".join(SCHEMAS))
+        return columns_of(made)

@@ -1,0 +1,161 @@
+"""What is acknowledged is on the disk before: the calls of a station's process, traced."""
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from app.bench.faults.calls import calls_under, preloaded
+from app.bench.faults.served import prepare
+from app.bench.faults.station import Station
+from app.metrology.refusal import Refusal
+from tests.api.traced import Trace
+
+pytestmark = pytest.mark.timeout(300)
+
+
+@pytest.fixture(scope="module")
+def library(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    try:
+        return preloaded(tmp_path_factory.mktemp("library"))
+    except Refusal as refusal:
+        pytest.skip(refusal.line)
+
+
+class Traced:
+    """A station whose requests are marked in the log of its calls."""
+
+    def __init__(self, station: Station, log: Path, data: Path) -> None:
+        self.station, self._log, self.data = station, log, data
+        self._marks = 0
+
+    def ask(self, method: str, path: str, **body: object) -> tuple[str, Any]:
+        """The mark of a request that was granted, and what was answered."""
+        self._marks += 1
+        mark = str(self._marks)
+        answer = self.station.http.request(method, f"{path}?mark={mark}", json=body or None)
+        answer.raise_for_status()
+        return mark, answer.json() if answer.content else None
+
+    def until(self, path: str, enough: Callable[[Any], object]) -> str:
+        """The mark of the first request whose answer is enough."""
+        marks = []
+
+        def asked() -> bool:
+            mark, found = self.ask("GET", path)
+            marks.append(mark)
+            return bool(enough(found))
+
+        self.station.wait(asked)
+        return marks[-1]
+
+    def trace(self) -> Trace:
+        return Trace(self._log, self.data)
+
+
+@contextmanager
+def traced(library: Path, data: Path) -> Iterator[Traced]:
+    log = data.with_name("calls.txt")
+    with Station(data, calls_under(data, library, LOG=log)) as station:
+        yield Traced(station.enter(), log, data)
+
+
+def test_points_pictures_and_an_acceptance(library: Path, tmp_path: Path) -> None:
+    """Each is looked for in the answers; the first that has it acknowledges it."""
+    data = tmp_path / "data"
+    told: dict[tuple[str, int], str] = {}
+    with traced(library, data) as bench:
+        station = bench.station
+        station.post("/api/flow/start").raise_for_status()
+        station.wait(lambda: station.ask("flow", "confirm_devices"))
+        while True:
+            mark, view = bench.ask("GET", "/api/flow")
+            if view["step"] in ("touch", "capture"):
+                told.setdefault((view["step"], view["progress"]["done"]), mark)
+            elif view["step"] == "review" and view["busy"] is None:
+                break
+            if view["busy"] is None:
+                station.ask("flow", "let_hand", all=True)
+        body = {"name": "accept", "args": {}, "rev": view["rev"], "key": "accepted"}
+        accepted, _ = bench.ask("POST", "/api/flow/command", **body)
+    (session,) = (data / "sessions").iterdir()
+    trace, marks = bench.trace(), [*told.values()]
+    assert {step for step, done in told if done} == {"touch", "capture"}
+    for n, ((step, done), mark) in enumerate(told.items()):
+        if done:
+            by = trace.answered(mark)
+            assert trace.row_kept(trace.asked(marks[n - 1]), by) == ""
+            names = ("probing.csv",) if step == "touch" else picture_names(session, done)
+            for name in names:
+                since = trace.asked(marks[max(n - 2, 0)])
+                assert trace.written(session / name, by, since) == "", (step, done)
+    by = trace.answered(accepted)
+    assert trace.row_kept(trace.asked(accepted), by) == ""
+    assert_written(trace, session, by)
+
+
+def picture_names(session: Path, number: int) -> list[str]:
+    """Of a picture, without and with the laser, and the table of all."""
+    pictures = (session / "images").glob(f"capture-{number}-*.png")
+    return [*(f"images/{path.name}" for path in pictures), "images.csv"]
+
+
+def test_scans_and_backups(library: Path, tmp_path: Path) -> None:
+    data = tmp_path / "data"
+    prepare(data)
+    with traced(library, data) as bench:
+        station = bench.station
+        station.begin_scan("Bracket")
+        station.wait(lambda: station.get("/api/scan")["frames"] > 20)
+        began, _ = bench.ask("POST", "/api/scan/stop")
+        ended = bench.until("/api/scan", lambda scan: scan["state"] == "idle")
+        listed = bench.until("/api/scans", len)
+        bench.ask("POST", "/api/backup")
+        copied = bench.until("/api/health", lambda view: view["backup"]["last"])
+    trace = bench.trace()
+    by = min(trace.answered(ended), trace.answered(listed))
+    assert trace.row_kept(trace.asked(began), by) == ""
+    (scan,) = (data / "scans").iterdir()
+    assert_written(trace, scan, by)
+    (copy,) = (data / "backups").iterdir()
+    assert trace.moved_whole(copy, trace.answered(copied)) == ""
+
+
+def test_clouds_and_acceptance_of_a_verification(library: Path, tmp_path: Path) -> None:
+    data = tmp_path / "data"
+    prepare(data)
+    told: dict[int, str] = {}
+    with traced(library, data) as bench:
+        station = bench.station
+        station.post("/api/verify/start").raise_for_status()
+        station.wait(lambda: station.ask("verify", "choose_gauge", id="plate"))
+        while True:
+            mark, view = bench.ask("GET", "/api/verify")
+            clouds = view["picture"].get("clouds", []) if view["step"] == "scan" else []
+            told.setdefault(sum(cloud["state"] == "good" for cloud in clouds), mark)
+            if view["step"] == "review" and view["busy"] is None:
+                break
+            if view["busy"] is None:
+                station.ask("verify", "let_hand", all=True)
+        body = {"name": "accept", "args": {}, "rev": view["rev"], "key": "accepted"}
+        accepted, _ = bench.ask("POST", "/api/verify/command", **body)
+    trace, marks = bench.trace(), [*told.values()]
+    (session,) = (data / "verifications").iterdir()
+    recordings = sorted(session.rglob("*.mcap"))
+    for (number, mark), before in zip([*told.items()][1:], marks, strict=False):
+        by = trace.answered(mark)
+        assert trace.row_kept(trace.asked(before), by) == ""
+        assert trace.written(recordings[number - 1], by) == ""
+    by = trace.answered(accepted)
+    assert trace.row_kept(trace.asked(accepted), by) == ""
+    assert_written(trace, session, by)
+
+
+def assert_written(trace: Trace, folder: Path, by: int) -> None:
+    """Every file of a folder."""
+    files = [path for path in folder.rglob("*") if path.is_file()]
+    assert files
+    for path in files:
+        assert trace.written(path, by) == "", path

@@ -1,0 +1,68 @@
+"""Scans whose process was killed, or whose disk was full: listed, whole, with their clouds."""
+
+import os
+import signal
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import httpx
+
+from app.files.clouds import read_cloud
+from tests.api.processes import PATIENCE_S, demonstration
+
+Scan = dict[str, Any]
+
+
+def until(http: httpx.Client, path: str, enough: Callable[[Any], bool]) -> Any:
+    deadline = time.monotonic() + PATIENCE_S
+    while not enough(found := http.get(path).json()):
+        assert time.monotonic() < deadline, (path, found)
+        time.sleep(0.05)
+    return found
+
+
+def health(http: httpx.Client, name: str) -> Scan:
+    items = http.get("/api/health").json()["health"]["items"]
+    return next(dict(item) for item in items if item["id"] == name)
+
+
+def test_scans_under_way_when_the_process_dies_are_listed_with_their_clouds(
+    tmp_path: Path,
+) -> None:
+    with demonstration(tmp_path, calibrated=True) as (http, pid):
+        until(http, "/api/scan", lambda scan: scan["state"] == "idle")
+        http.post("/api/scan/start", json={"name": "Bracket"}).raise_for_status()
+        http.post("/api/scan/hand", json={"on": True}).raise_for_status()
+        before = until(http, "/api/scan", lambda scan: scan["seconds"] > 2.0)
+        os.kill(pid, signal.SIGKILL)
+    scans = tmp_path / "scans"
+    (folder,) = scans.iterdir()
+    (scans / ".deleted-20260101-000000").mkdir()
+    assert list(folder.glob(".*.part")), "the cloud's part was left"
+    with demonstration(tmp_path, calibrated=True) as (http, _):
+        (scan,) = http.get("/api/scans").json()
+        assert scan["name"] == "Bracket"
+        assert scan["note"].startswith("The station ended during this scan.")
+        (scan,) = until(http, "/api/scans", lambda scans: scans[0]["points"] > 0)
+        assert scan["note"].endswith("What was recorded is kept.")
+        # what was shown less than half a second before may be lost
+        assert scan["frames"] > 0.5 * before["frames"]
+        cloud = read_cloud(folder / "cloud.ply")
+        assert len(cloud.points_mm) == scan["points"]
+        assert sorted(path.name for path in scans.rglob("*")) == sorted(
+            [folder.name, "cloud.ply", "scan.mcap"]
+        )
+        assert health(http, "recordings")["quality"] == "good"
+        whole = (folder / "scan.mcap").read_bytes()
+        (folder / "scan.mcap").write_bytes(whole[:-1])
+        assert "is cut off" in http.get("/api/scans").json()[0]["note"]
+        (folder / "scan.mcap").unlink()
+        assert "is missing" in http.get("/api/scans").json()[0]["note"]
+    (folder / "scan.mcap").write_bytes(b"")
+    with demonstration(tmp_path, calibrated=True) as (http, _):
+        (scan,) = http.get("/api/scans").json()
+        assert scan["note"] == "The recording is empty."
+        item = health(http, "recordings")
+        assert (item["quality"], item["what"]) == ("bad", "Bracket: the recording is empty.")

@@ -1,0 +1,120 @@
+"""Requests of strangers wait for one another; whoever is signed in waits for none of them."""
+
+import asyncio
+
+from starlette.types import Message, Receive, Scope, Send
+
+from app.api.strangers import PLACES, Strangers
+
+GOOD = b"crenel-8000=good"
+
+
+class Application:
+    """Answers at once where ``opened``; knows one cookie."""
+
+    def __init__(self) -> None:
+        self.opened = asyncio.Event()
+        self.at_once, self.most_at_once, self.answered = 0, 0, 0
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        if (b"cookie", GOOD) in scope["headers"]:
+            scope["state"]["visitor"] = "the operator"
+            await send({"type": "http.response.start"})
+            return
+        await receive()
+        self.at_once += 1
+        self.most_at_once = max(self.at_once, self.most_at_once)
+        await self.opened.wait()
+        self.at_once -= 1
+        await send({"type": "http.response.start"})
+        self.answered += 1
+
+
+async def received() -> Message:
+    return {"type": "http.request"}
+
+
+async def sent(message: Message) -> None:
+    pass
+
+
+async def never() -> Message:
+    await asyncio.Event().wait()
+    raise AssertionError
+
+
+def request(cookie: bytes = b"") -> Scope:
+    return {"type": "http", "headers": [(b"cookie", cookie)], "state": {}}
+
+
+async def asked(strangers: Strangers, cookie: bytes = b"") -> None:
+    async with asyncio.timeout(5.0):
+        await strangers(request(cookie), received, sent)
+
+
+def test_a_signed_in_browser_passes_strangers_that_are_many() -> None:
+    async def passing() -> None:
+        application = Application()
+        strangers = Strangers(application)
+        await asked(strangers, GOOD)  # in line, like everybody for the first time
+        crowd = [asyncio.create_task(asked(strangers)) for _ in range(50)]
+        await asyncio.sleep(0.01)
+        for _ in range(10):
+            await asked(strangers, GOOD)
+        assert application.answered == 0
+        application.opened.set()
+        await asyncio.gather(*crowd)
+        assert application.answered == 50
+        assert application.most_at_once <= PLACES
+
+    asyncio.run(passing())
+
+
+def test_whoever_sends_slowly_or_goes_away_has_no_place() -> None:
+    async def passing() -> None:
+        application = Application()
+        application.opened.set()
+        strangers = Strangers(application)
+        slow = [asyncio.create_task(strangers(request(), never, sent)) for _ in range(50)]
+        await asyncio.sleep(0.01)
+        await asked(strangers)
+        application.opened.clear()
+        gone = [asyncio.create_task(asked(strangers)) for _ in range(50)]
+        await asyncio.sleep(0.01)
+        for one in (*slow, *gone):
+            one.cancel()
+        await asyncio.gather(*slow, *gone, return_exceptions=True)
+        application.opened.set()
+        for _ in range(2 * PLACES):
+            await asked(strangers)
+        assert application.answered == 1 + 2 * PLACES
+
+    asyncio.run(passing())
+
+
+def test_a_request_whose_connection_is_gone_is_not_worked_on() -> None:
+    async def passing() -> None:
+        application = Application()
+        application.opened.set()
+        strangers = Strangers(application)
+        gone = request()
+        gone["state"]["is_connected"] = lambda: False
+        await strangers(gone, received, sent)
+        assert application.answered == 0
+        await asked(strangers)
+        assert application.answered == 1
+
+    asyncio.run(passing())
+
+
+def test_a_cookie_that_opens_nothing_waits_like_none() -> None:
+    async def passing() -> None:
+        application = Application()
+        strangers = Strangers(application)
+        crowd = [asyncio.create_task(asked(strangers, b"crenel-8000=bad")) for _ in range(20)]
+        await asyncio.sleep(0.01)
+        assert application.at_once == PLACES
+        application.opened.set()
+        await asyncio.gather(*crowd)
+
+    asyncio.run(passing())

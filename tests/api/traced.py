@@ -1,0 +1,128 @@
+"""The log of a station's calls to the disk and the network, and what of it was kept when."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import NamedTuple
+
+
+class Call(NamedTuple):
+    name: str
+    file: int
+    text: str
+    """A path, or the first bytes that were sent or received."""
+
+
+class Trace:
+    """The calls of one process, in their order; times are indices into them."""
+
+    def __init__(self, log: Path, data: Path) -> None:
+        self._data = str(data)
+        self.calls = []
+        for line in log.read_text(errors="replace").split("\n")[:-1]:
+            name, file, text = line.split("\t", 2)
+            self.calls.append(Call(name, int(file), text))
+
+    def asked(self, mark: str) -> int:
+        """When a request whose address has ``mark`` was received."""
+        wanted = f"mark={mark} "
+        return next(
+            k for k, call in enumerate(self.calls) if call.name == "recv" and wanted in call.text
+        )
+
+    def answered(self, mark: str) -> int:
+        """When the answer to that request was about to be sent."""
+        asked = self.asked(mark)
+        file = self.calls[asked].file
+        at = self._next(asked, len(self.calls), "send", lambda call: call.file == file)
+        assert at is not None
+        assert self.calls[at].text.startswith("HTTP/1.1 2"), self.calls[at]
+        return at
+
+    def written(self, path: Path, by: int, since: int = 0) -> str:
+        """Why a file was not on the disk at a time; empty where it was.
+
+        Its content, its name, and the names of all folders above it that were made.
+
+        Args:
+            since: it must have been written after this.
+        """
+        return self._kept(str(path), since, by) or self._folders(path, by)
+
+    def _kept(self, name: str, since: int, by: int) -> str:
+        """Whether a file's content and its name were."""
+        wrong = ""
+        renames = [
+            k
+            for k in range(since, by)
+            if (self.calls[k].name, self.calls[k].text) == ("rename", name)
+        ]
+        if not renames:
+            wrong = self._content(name, since, by)
+            made = self._next(0, by, "make", lambda call: call.text == name)
+            if not wrong and made is not None:
+                wrong = self._named(name, made, by)
+        for renamed in renames:  # the last may be on its way to the disk for what comes next
+            wrong = self._content(self.calls[renamed - 1].text, 0, renamed)
+            wrong = wrong or self._named(name, renamed, by)
+            if not wrong:
+                break
+        return wrong
+
+    def moved_whole(self, folder: Path, by: int) -> str:
+        """Why a folder that got its name once it was whole was not kept; empty where it was."""
+        renamed = self._next(0, by, "rename", lambda call: call.text == str(folder))
+        if renamed is None:
+            return f"{folder} was not there"
+        part = Path(self.calls[renamed - 1].text)
+        for path in sorted(folder.rglob("*")):
+            name = str(part / path.relative_to(folder))
+            made = next(
+                k for k, call in enumerate(self.calls) if call.text == name and call.name != "from"
+            )
+            wrong = self._named(name, made, renamed)
+            if path.is_file():
+                wrong = self._kept(name, 0, renamed)
+            if wrong:
+                return wrong
+        return self._named(str(folder), renamed, by)
+
+    def row_kept(self, since: int, by: int) -> str:
+        """Why no row of the database was kept in between; empty where one was."""
+        return self._content(f"{self._data}/station.db-wal", since, by, any_write=True)
+
+    def _content(self, name: str, since: int, by: int, any_write: bool = False) -> str:
+        """Whether the last of what was written, or anything, was synced."""
+        writes = [
+            k
+            for k in range(since, by)
+            if self.calls[k].name in ("write", "make") and self.calls[k].text == name
+        ]
+        if not writes:
+            return f"{name} was not written"
+        begin = writes[0] if any_write else writes[-1]
+        synced = self._next(begin, by, "sync", lambda call: call.text == name)
+        return "" if synced is not None else f"{name} was not synced"
+
+    def _named(self, name: str, since: int, by: int) -> str:
+        """Whether the folder of a new name was synced."""
+        folder = str(Path(name).parent)
+        synced = self._next(since, by, "sync", lambda call: call.text == folder)
+        return "" if synced is not None else f"{folder} was not synced after {name} was made"
+
+    def _folders(self, path: Path, by: int) -> str:
+        for folder in map(str, path.parents):
+            if len(folder) <= len(self._data):
+                break
+            for k in range(by):
+                call = self.calls[k]
+                named = call.name in ("make", "rename") and call.text == folder
+                if named and (wrong := self._named(folder, k, by)):
+                    return wrong
+        return ""
+
+    def _next(self, since: int, by: int, name: str, fits: Callable[[Call], bool]) -> int | None:
+        """The first call of a name in between that fits."""
+        return next(
+            (k for k in range(since, by) if self.calls[k].name == name and fits(self.calls[k])),
+            None,
+        )

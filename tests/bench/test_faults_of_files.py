@@ -1,0 +1,30 @@
+"""A station with damaged files, on a full disk, and flooded: short forms of the bench."""
+
+from pathlib import Path
+
+import pytest
+
+from app.bench.faults import damage, disk, floods
+from app.bench.faults.row import FaultRow, table
+
+pytestmark = pytest.mark.timeout(400)
+
+
+def assert_survived(row: FaultRow) -> None:
+    assert row.tries
+    assert (row.survived, row.lost) == (row.tries, 0), table([row])
+
+
+def test_a_calibration_of_no_moment_is_reported_and_the_rest_served(tmp_path: Path) -> None:
+    assert_survived(damage.run(tmp_path / "data", words="calibration: a date that is none"))
+
+
+def test_a_disk_that_is_full_for_a_while_loses_nothing(tmp_path: Path) -> None:
+    assert_survived(disk.run(tmp_path / "data", tries=1))
+
+
+def test_no_flood_is_answered_by_a_fault(tmp_path: Path) -> None:
+    for row in floods.run(tmp_path / "data", seconds=1.0):
+        assert row.tries, row.kind
+        assert row.survived == row.tries, table([row])
+        assert row.stop_s >= 0, "Stop was never answered"

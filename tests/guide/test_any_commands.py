@@ -1,0 +1,253 @@
+"""Any commands with any arguments, in every guide and every step: never a fault of the program,
+and after a restart everything stands as it stood before.
+
+``--hypothesis-profile=long`` tries thousands of sequences.
+"""
+
+import asyncio
+import json
+import shutil
+import tempfile
+import uuid
+from collections.abc import Iterator, Mapping
+from contextlib import suppress
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import httpx
+import pytest
+from hypothesis import HealthCheck, settings
+from hypothesis import strategies as st
+from hypothesis.stateful import RuleBasedStateMachine, initialize, rule, run_state_machine_as_test
+from starlette.types import ASGIApp
+
+from app.api.context import Context
+from app.api.wiring import Parts, close_context
+from app.demonstration import parts_of
+from app.guide.arm.rules import ONLY_IN as OF_ARM
+from app.guide.permissions import ALWAYS, ONLY_IN
+from app.guide.verify.rules import ALWAYS as ALWAYS_VERIFYING
+from app.guide.verify.rules import ONLY_IN as OF_VERIFICATION
+from app.main import build_app
+from app.store.store import Store
+from hardware.twin.station import Twin
+from tests.api.calibrated import use_truth
+from tests.guide.builders import captured, point
+from tests.guide.test_verify_session import cloud
+
+Rows = list[tuple[str, Mapping[str, object]]]
+SEQUENCES, COMMANDS = 4, 12
+PURPOSES = ("check", "tip", "identify")
+CHOICES = dict.fromkeys(("arm", "object", "sensor"), "simulated")
+NAMES = {
+    "flow": (*ONLY_IN, *ALWAYS, "nothing"),
+    "arm": (*OF_ARM, "nothing"),
+    "verify": (*OF_VERIFICATION, *ALWAYS_VERIFYING, "nothing"),
+}
+Q_RAD = [[0.1 * joint + 0.3 * n for joint in range(6)] for n in range(4)]
+TOUCHED: Rows = [point(face, q) for face, q in zip(("crest", "front") * 2, Q_RAD, strict=True)]
+PICTURES: Rows = [captured(), captured(laser=None)]
+AT: dict[str, list[Rows]] = {
+    "calibration": [
+        [],
+        [("started", {"choices": CHOICES, "step": "devices"})],
+        [("started", {"choices": CHOICES, "step": "setup"})],
+        [("started", {"choices": CHOICES, "step": "touch"}), *TOUCHED],
+        [("started", {"choices": CHOICES, "step": "touch"}), *TOUCHED, ("touch_confirmed", {})],
+        [("started", {"choices": CHOICES, "step": "touch"}), *TOUCHED, *PICTURES],
+    ],
+    "arm": [
+        [],
+        *(
+            [("started", {"purpose": purpose, "arm": "simulated", "limit_um": None})]
+            for purpose in PURPOSES
+        ),
+        [
+            ("started", {"purpose": "identify", "arm": "simulated", "limit_um": 50.0}),
+            ("seat_begun", {"name": "Seat 1", "artefact": {"kind": "seat"}}),
+            ("points", {"q_rad": Q_RAD}),
+        ],
+        [
+            ("started", {"purpose": "tip", "arm": "simulated", "limit_um": 50.0}),
+            ("seat_begun", {"name": "Sphere 1", "artefact": {"kind": "sphere", "size_mm": 25.0}}),
+            ("points", {"q_rad": Q_RAD}),
+        ],
+    ],
+    "verify": [
+        [],
+        *(
+            [("started", {"calibration_id": "true", "gauge": "plate"}), *rows]
+            for rows in (
+                [],
+                [("gauge_confirmed", {}), *(("touched", {"q_rad": q}) for q in Q_RAD)],
+                [("gauge_confirmed", {}), ("touch_skipped", {}), *cloud(1), *cloud(2)],
+                [
+                    *[("gauge_confirmed", {}), ("touch_skipped", {}), *cloud(1)],
+                    ("clouds_confirmed", {}),
+                ],
+            )
+        ),
+    ],
+}
+
+ANY_TEXT = st.text(st.characters(exclude_categories=()), max_size=8)
+ANYTHING = st.recursive(
+    st.one_of(st.none(), st.booleans(), st.integers(), st.floats(), ANY_TEXT),
+    lambda inner: st.one_of(
+        st.lists(inner, max_size=3), st.dictionaries(ANY_TEXT, inner, max_size=3)
+    ),
+    max_leaves=4,
+)
+LIKELY = st.sampled_from(
+    ("simulated", "chessboard", "arm", "object", "crest", "setup", "touch", "gauge", "seat", "bar")
+    + ("sphere", "plate", 0, 1, 2, 3, 25.0, 0.001, True)
+)
+FIELDS = ("field", "id", "face", "index", "number", "to", "all", "limit_um", "kind", "size_mm")
+ARGS = st.one_of(
+    st.dictionaries(st.sampled_from(FIELDS), st.one_of(LIKELY, ANYTHING), max_size=3),
+    st.dictionaries(ANY_TEXT, ANYTHING, max_size=2),
+)
+JSON = {"Content-Type": "application/json"}
+PLATE = {"format": "crenel/nominal", "version": 1, "shape": "plane", "name": "Plate"}
+
+
+class InProcess:
+    """Asks an application without a server and without its devices."""
+
+    def __init__(self, app: ASGIApp) -> None:
+        self._runner = asyncio.Runner()
+        transport = httpx.ASGITransport(app, raise_app_exceptions=False)
+        self._http = httpx.AsyncClient(transport=transport, base_url="http://127.0.0.1")
+
+    def get(self, path: str) -> httpx.Response:
+        return self._runner.run(self._http.get(path))
+
+    def post(self, path: str, body: object) -> httpx.Response:
+        content = json.dumps(body)  # with what is no valid text, and what is no number
+        return self._runner.run(self._http.post(path, content=content, headers=JSON))
+
+    def close(self) -> None:
+        self._runner.run(self._http.aclose())
+        self._runner.close()
+
+
+class AnyCommands(RuleBasedStateMachine):
+    """One data folder: commands, and restarts of the station on it."""
+
+    def __init__(self, twin: Twin, template: Path) -> None:
+        super().__init__()
+        self.data = Path(tempfile.mkdtemp(prefix="any-"))
+        shutil.copytree(template, self.data, dirs_exist_ok=True)
+        self.parts: Parts = replace(parts_of(twin, self.data), hand=None)
+
+    @initialize(at=st.fixed_dictionaries({kind: st.sampled_from(AT[kind]) for kind in AT}))
+    def begin(self, at: dict[str, Rows]) -> None:
+        store = Store(self.data)
+        for kind, rows in at.items():
+            if rows:
+                seed(store, kind, rows)
+        store.close()
+        self.open()
+
+    def open(self) -> None:
+        app = build_app(self.parts)
+        self.context: Context = app.state.context
+        self.http = InProcess(app)
+        code = {"code": self.context.entrance.code}
+        self.http.post("/api/session/code", code).raise_for_status()
+        assert not any(guide.aside for guide in self.guides())
+
+    def guides(self) -> tuple[Any, ...]:
+        return self.context.guide, self.context.arm_guide, self.context.verify_guide
+
+    @rule(flow=st.sampled_from(sorted(NAMES)), data=st.data(), args=ARGS, stale=st.booleans())
+    def command(self, flow: str, data: st.DataObject, args: object, stale: bool) -> None:
+        body = {
+            "name": data.draw(st.sampled_from(NAMES[flow])),
+            "args": args,
+            "rev": 0 if stale else self.http.get(f"/api/{flow}").json()["rev"],
+            "key": uuid.uuid4().hex,
+        }
+        answered(self.http.post(f"/api/{flow}/command", body), body)
+
+    @rule(flow=st.sampled_from(sorted(NAMES)), purpose=st.sampled_from(PURPOSES))
+    def start(self, flow: str, purpose: str) -> None:
+        asked = {"purpose": purpose} if flow == "arm" else None
+        answered(self.http.post(f"/api/{flow}/start", asked), flow)
+
+    @rule()
+    def restart(self) -> None:
+        self.context.jobs.wait(20.0)
+        before = [guide.state for guide in self.guides()]
+        self.close()
+        self.open()
+        assert [guide.state for guide in self.guides()] == before
+        for route in ("flow", "arm", "verify", "home", "arm/checks", "calibrations"):
+            assert self.http.get(f"/api/{route}").status_code == 200
+
+    def close(self) -> None:
+        self.http.close()
+        close_context(self.context)
+        self.context.store.close()
+        self.context.watch.close()
+
+    def teardown(self) -> None:
+        with suppress(AttributeError):  # nothing was begun
+            self.restart()
+            self.close()
+        shutil.rmtree(self.data, ignore_errors=True)
+
+
+def seed(store: Store, kind: str, rows: Rows) -> None:
+    """A session as its guide would have left it, with the sheets in its folder."""
+    session_id = f"seeded-{kind}"
+    store.journal.begin_session(session_id, kind)
+    for row_kind, payload in rows:
+        store.journal.append(session_id, row_kind, payload)
+    folder = store.folder / ("verifications" if kind == "verify" else "sessions") / session_id
+    folder.mkdir(exist_ok=True)
+    for name in ("arm", "object", "sensor"):
+        shutil.copy(store.folder / f"{name}s" / "simulated.json", folder / f"{name}.json")
+    shutil.copy(store.folder / "gauges" / "plate.json", folder / "gauge.json")
+
+
+def answered(answer: httpx.Response, asked: object) -> None:
+    assert answer.status_code < 500, (asked, answer.text)
+
+
+@pytest.fixture(scope="module")
+def twin() -> Iterator[Twin]:
+    with Twin() as twin:
+        yield twin
+
+
+@pytest.fixture(scope="module")
+def template(twin: Twin, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A data folder with a calibration in use and a gauge."""
+    data = tmp_path_factory.mktemp("template")
+    context = build_app(replace(parts_of(twin, data), hand=None)).state.context
+    use_truth(SimpleNamespace(twin=twin, data=data, context=context), "true")
+    (data / "gauges").mkdir(exist_ok=True)
+    (data / "gauges" / "plate.json").write_text(json.dumps(PLATE))
+    close_context(context)
+    context.store.close()
+    context.watch.close()
+    return data
+
+
+def test_any_commands(twin: Twin, template: Path) -> None:
+    long = settings().max_examples > settings.get_profile("default").max_examples
+    run_state_machine_as_test(
+        partial(AnyCommands, twin, template),
+        settings=settings(
+            max_examples=settings().max_examples if long else SEQUENCES,
+            stateful_step_count=COMMANDS,
+            deadline=None,
+            database=None,
+            derandomize=not long,
+            suppress_health_check=list(HealthCheck),
+        ),
+    )

@@ -1,0 +1,151 @@
+"""What of an arm's readings can be true, and what cannot."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+
+from app.metrology.arm import Arm, Joint, Tip
+from app.metrology.frames import Floats
+from app.metrology.joint_plausibility import EQUAL_FROZEN, JointJudge, outside_limits
+
+MS = 1_000_000
+FINE, COARSE = 2 * np.pi / 2**22, 2 * np.pi / 2**14
+NOISE_RAD = 1e-5
+ARM = Arm(
+    "arm",
+    "A-1",
+    tuple(
+        Joint(f"J{i + 1}", 100.0, 0.0, 0.0, 0.0, limits_rad=(-3.0, 3.0), encoder_sd_rad=NOISE_RAD)
+        for i in range(6)
+    ),
+    Tip(0.0, 0.0, 0.0, 6.0),
+)
+
+
+@dataclass(frozen=True)
+class Sample:
+    stamp_ns: int
+    joints_rad: tuple[float, ...]
+
+
+def samples(q_rad: Floats, period_ns: int = MS) -> list[Sample]:
+    return [Sample(i * period_ns, tuple(row)) for i, row in enumerate(q_rad.tolist())]
+
+
+def swept(count: int, quantum_rad: float = FINE, seed: int = 1) -> Floats:
+    """The joints at rest for a second, then moving; J4 always at rest."""
+    rng = np.random.default_rng(seed)
+    t = np.maximum(np.arange(count) * 1e-3 - 1.0, 0.0)
+    q = 0.4 * (1 - np.cos(2.0 * t))[:, None] * np.array([1.0, -1.0, 0.5, 0.0, 1.0, 2.0])
+    q = q + 0.3 + rng.normal(0.0, NOISE_RAD, q.shape)
+    return np.asarray(np.rint(q / quantum_rad) * quantum_rad)
+
+
+def judged(readings: Iterable[Sample], arm: Arm | None = ARM) -> tuple[JointJudge[Sample], Floats]:
+    """The judge, and the stamps in ms of what it let pass."""
+    judge: JointJudge[Sample] = JointJudge(6, 1000.0, arm)
+    good: list[Sample] = []
+    for reading in readings:
+        good += judge.passed([reading])
+    return judge, np.array([one.stamp_ns // MS for one in (*good, *judge.rest())])
+
+
+@pytest.mark.parametrize("quantum_rad", [FINE, COARSE], ids=["fine", "coarse"])
+def test_an_honest_arm_passes_whole(quantum_rad: float) -> None:
+    """Also where a joint stands whose encoder is too coarse to show its noise."""
+    judge, passed = judged(samples(swept(5000, quantum_rad)))
+    assert judge.newest is None
+    np.testing.assert_array_equal(passed, np.arange(5000))
+
+
+def test_a_hand_as_fast_as_hands_are_passes() -> None:
+    t = np.arange(3000) * 1e-3
+    q = np.repeat(np.sin(8.0 * t)[:, None], 6, axis=1)
+    assert judged(samples(q))[0].kept_back == 0
+
+
+def test_a_frozen_encoder_is_found_and_nothing_of_it_passes() -> None:
+    q = swept(4000)
+    q[2000:3000, 4] = q[2000, 4]
+    judge, passed = judged(samples(q))
+    assert judge.newest is not None
+    assert (judge.first.kind, judge.first.joint) == ("frozen", "J5")  # type: ignore[union-attr]
+    assert "32 readings in a row" in judge.newest.refusal.line or judge.newest.kind == "jump"
+    assert not set(passed) & set(range(2002, 3000))
+    assert passed[-1] == 3999
+
+
+def test_a_frozen_encoder_of_a_joint_that_stands_is_found_too() -> None:
+    q = swept(3000)
+    q[2000:2500, 3] = q[2000, 3]
+    judge, passed = judged(samples(q))
+    assert judge.frozen == 498
+    assert judge.impossible == 0
+    assert judge.between(2002 * MS, 2499 * MS) is not None
+    assert judge.between(0, 2001 * MS) is None
+    assert judge.judged_ns == 2999 * MS
+    assert len(passed) == 3000 - 498
+
+
+def test_a_few_equal_readings_are_let_go_in_their_order() -> None:
+    q = swept(3000)
+    few = EQUAL_FROZEN - 5
+    q[2000 : 2000 + few, 3] = q[2000, 3]
+    judge, passed = judged(samples(q))
+    assert judge.kept_back == 0
+    np.testing.assert_array_equal(passed, np.arange(3000))
+
+
+def test_one_reading_astray_is_left_out_alone() -> None:
+    q = swept(4000)
+    astray = np.arange(100, 4000, 211)
+    q[astray, 2] += np.pi / 2
+    judge, passed = judged(samples(q))
+    assert judge.impossible == len(astray)
+    assert not set(passed) & set(astray.tolist())
+    assert judge.first is not None
+    assert "90.0° from its reading before" in judge.first.refusal.line
+
+
+def test_readings_outside_the_limits_are_left_out_and_named() -> None:
+    q = swept(2000)
+    q[1500:1503, 0] += 6 * np.pi
+    judge, passed = judged(samples(q))
+    assert (judge.impossible, judge.outside) == (3, 3)
+    assert not set(passed) & {1500, 1501, 1502}
+    assert judge.newest is not None
+    line = judge.newest.refusal.line
+    assert "joint J1 reads" in line
+    assert "-171.9° to 171.9°" in line
+
+
+def test_no_number_is_no_reading() -> None:
+    q = swept(100)
+    q[50, 5] = np.nan
+    judge, passed = judged(samples(q), None)
+    assert judge.newest is not None
+    assert judge.newest.refusal.what == "joint J6 reads no number"
+    assert len(passed) == 99
+
+
+def test_a_joint_that_stays_where_it_jumped_to_is_believed_after_a_while() -> None:
+    q = swept(1000)
+    q[300:, 1] += 1.0
+    judge, passed = judged(samples(q))
+    assert judge.impossible == 500
+    np.testing.assert_array_equal(passed, [*range(300), *range(800, 1000)])
+
+
+def test_after_a_gap_the_arm_may_be_anywhere() -> None:
+    first, then = samples(swept(100)), samples(swept(100) + 1.0)
+    later = [Sample(one.stamp_ns + 500 * MS, one.joints_rad) for one in then]
+    assert judged([*first, *later])[0].kept_back == 0
+
+
+def test_limits_are_those_of_the_arm_with_a_little_beyond_the_stop() -> None:
+    assert outside_limits([0.0, 3.005, 0, 0, 0, -3.005], ARM) is None
+    refusal = outside_limits([0.0, 0.0, 0, 0, 3.5, 0], ARM)
+    assert refusal is not None
+    assert "joint J5 reads 200.5°" in refusal.line

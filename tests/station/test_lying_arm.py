@@ -1,0 +1,129 @@
+"""An arm whose encoders lie, in real bytes on the real line: nothing is made of what it says."""
+
+import math
+import threading
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from app.metrology.refusal import Refusal
+from app.station.bus import Bus
+from app.station.pipeline import ScanCalibration
+from app.station.rig import Rig
+from app.station.scanner import Scanner
+from app.station.scene import Scene
+from hardware.registry import arm_driver
+from hardware.twin.faults import Faults
+from hardware.twin.station import Twin
+from tests.station.conftest import until
+from tests.station.test_on_the_twin import CONFIG, true_calibration
+
+Lie = Callable[[Faults], None]
+
+
+def frozen(faults: Faults) -> None:
+    faults.frozen_joint = 3
+
+
+def three_turns_on(faults: Faults) -> None:
+    faults.odd_rad, faults.odd_every, faults.odd_joint = 6 * math.pi, 1, 0
+
+
+def astray(faults: Faults) -> None:
+    faults.odd_rad, faults.odd_every, faults.odd_joint = math.pi / 2, 211, 2
+
+
+LIES = {"J4": frozen, "J1": three_turns_on, "J3": astray}
+
+
+@pytest.fixture(scope="module")
+def twin() -> Iterator[Twin]:
+    with Twin(CONFIG) as twin:
+        yield twin
+
+
+@pytest.fixture
+def calibration(twin: Twin, tmp_path: Path) -> ScanCalibration:
+    return true_calibration(twin, tmp_path)
+
+
+@pytest.fixture
+def rig(twin: Twin, bus: Bus, calibration: ScanCalibration, tmp_path: Path) -> Iterator[Rig]:
+    options = {"url": twin.arm_url}
+    rig = Rig(bus, lambda: arm_driver("serial-encoder", options), twin.sensor, tmp_path)
+    rig.arm.set_model(calibration.arm)
+    rig.start()
+    until(lambda: rig.arm.stillness().still and rig.sensor.fresh, 240)
+    yield rig
+    twin.faults.clear()
+    rig.stop()
+
+
+def begin(lie: Lie, twin: Twin, rig: Rig) -> float:
+    """Seconds until the lie is told."""
+    started_s = time.monotonic()
+    lie(twin.faults)
+    until(lambda: rig.devices().arm.state == "lost", 5.0)
+    return time.monotonic() - started_s
+
+
+@pytest.mark.parametrize("joint", LIES)
+def test_nothing_is_taken_and_the_joint_is_named(joint: str, twin: Twin, rig: Rig) -> None:
+    begin(LIES[joint], twin, rig)
+    with pytest.raises(Refusal) as refused:
+        rig.arm.average()
+    assert refused.value.code == "joint-implausible"
+    assert f"joint {joint} reads" in refused.value.what
+    assert refused.value.remedy
+    assert not rig.arm.stillness().still
+    assert refused.value.what[1:] in rig.arm.link().text
+    with pytest.raises(Refusal, match=f"joint {joint} reads"):
+        rig.capture_pair()
+    twin.faults.clear()
+    until(lambda: rig.arm.stillness().still)
+    assert rig.arm.average().samples > 100
+
+
+@pytest.mark.parametrize("joint", LIES)
+def test_a_scan_leaves_out_what_a_lying_encoder_says(
+    joint: str, twin: Twin, rig: Rig, calibration: ScanCalibration, bus: Bus, tmp_path: Path
+) -> None:
+    """Every angle that the scan goes by is what the joints truly were."""
+    scene = Scene(point_budget=10_000)
+    scanner = Scanner(bus, rig, scene, tmp_path / "scans")
+    scanner.set_calibration(calibration)
+    try:
+        until(lambda: scanner.why_not() is None)
+        scanner.start("lied to")
+        first_ns = time.monotonic_ns()
+        hand = threading.Thread(target=twin.hand.scan_part, args=("sphere",))
+        hand.start()
+        until(lambda: "Moved" in rig.arm.stillness().text)
+        time.sleep(0.5)
+        begin(LIES[joint], twin, rig)
+        findings = scanner.state().findings
+        assert any(f"joint {joint} reads" in finding.text for finding in findings)
+        time.sleep(1.0)
+        twin.hand.cancel()
+        hand.join(20.0)
+        window = rig.arm.window(first_ns, time.monotonic_ns())
+        assert window is not None
+        assert len(window) > 100
+        true_rad = twin.joints(window.stamps_ns)
+        assert np.abs(window.q_rad - true_rad).max() < np.radians(0.2)
+        assert scanner.stop() is not None
+        assert any("could not be true" in one.text for one in scanner.state().findings)
+    finally:
+        twin.faults.clear()
+        scanner.close()
+        scene.close()
+
+
+def test_an_honest_hand_is_never_accused(twin: Twin, rig: Rig) -> None:
+    assert twin.hand.scan_part("sphere")
+    assert twin.hand.touch("crest", 0)
+    assert rig.arm.kept_back == 0
+    assert rig.arm.doubt() is None

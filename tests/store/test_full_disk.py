@@ -1,0 +1,102 @@
+"""A disk that is full, a real one: it is told from a broken database, and keeps nobody out."""
+
+import contextlib
+import os
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from app.metrology.refusal import Refusal
+from app.store.accounts import Role
+from app.store.backup import backup
+from app.store.database import Database
+from app.store.scans import ScanRecord
+from app.store.store import Store
+
+
+@pytest.fixture
+def small(tmp_path: Path) -> Iterator[Path]:
+    """A file system of 4 MB of its own."""
+    place = tmp_path / "small"
+    place.mkdir()
+    mounting = ["mount", "-t", "tmpfs", "-o", "size=4m", "none", str(place)]
+    if os.getuid() or subprocess.run(mounting, capture_output=True, check=False).returncode:
+        pytest.skip("only root can mount a small file system")
+    yield place
+    subprocess.run(["umount", "-l", str(place)], check=True)
+
+
+def fill(place: Path) -> Path:
+    """Fills a disk to its last byte; the file to delete again."""
+    filler = place / "filler"
+    with filler.open("wb", buffering=0) as file, contextlib.suppress(OSError):
+        while True:
+            file.write(bytes(1 << 12))
+    return filler
+
+
+def keep_on(store: Store) -> None:
+    """Until the disk does not take it."""
+    while True:
+        store.temperatures.add(20.0, "told")
+
+
+def test_signing_in_the_audit_and_scans_outlive_a_full_disk(small: Path) -> None:
+    store = Store(small / "data")
+    store.accounts.add("Ada", Role.operator, "three unrelated words")
+    filler = fill(small)
+    with pytest.raises(Refusal, match="disk is full"):
+        keep_on(store)
+    token = store.sign_ins.begin("Ada", "tablet")
+    visitor = store.sign_ins.visitor(token)
+    assert visitor is not None
+    assert visitor.name == "Ada"
+    store.sign_ins.know("", "Ada")
+    store.audit.note("Ada", "::1", "signed in")
+    folder = store.folder / "scans/one"
+    scan = ScanRecord("one", "One", folder, "2026-11-24T00:00:00", 7, 3, 1.0, "c", "The disk.", 9)
+    store.scans.add(scan)
+    assert store.scans.all() == [scan]
+    assert store.scans.get("one") == scan
+    with pytest.raises(Refusal, match="disk is full"):
+        store.scans.add_waiting()
+    filler.unlink()
+    store.scans.add_waiting()
+    store.audit.note("Ada", "::1", "went on")
+    assert [entry.act for entry in store.audit.newest(9)] == ["went on", "signed in"]
+    assert store.scans.all() == [scan]
+    store.sign_ins.end(token)
+    assert store.sign_ins.visitor(token) is None
+    store.close()
+
+
+def test_a_full_disk_is_no_broken_database(small: Path) -> None:
+    Store(small / "data").close()
+    filler = fill(small)
+    with pytest.raises(Refusal) as refused:
+        Store(small / "data").close()
+    assert refused.value.code == "disk-full"
+    assert "Free some space" in refused.value.remedy
+    assert "backup" not in refused.value.line
+    filler.unlink()
+    Store(small / "data").close()
+
+
+def test_a_damaged_database_is_no_full_disk(tmp_path: Path) -> None:
+    path = tmp_path / "station.db"
+    path.write_bytes(b"no database at all" * 1000)
+    with pytest.raises(Refusal) as refused:
+        Database(path)
+    assert refused.value.code == "database-unreadable"
+
+
+def test_a_backup_that_finds_no_room_leaves_nothing(small: Path, tmp_path: Path) -> None:
+    store = Store(tmp_path / "data")
+    (store.folder / "scans/cloud.ply").write_bytes(os.urandom(5_000_000))
+    with pytest.raises(Refusal) as refused:
+        backup(store.folder, small / "copy")
+    assert refused.value.code == "disk-full"
+    assert list(small.iterdir()) == []
+    store.close()

@@ -1,0 +1,30 @@
+"""Names from right to left, and signs that turn the text, leave what is beside them in place."""
+
+import pytest
+
+from app.report.page import escape
+from app.report.paper import _shown
+from app.strings.isolated import with_isolated
+
+HEBREW, ARABIC = "זרוע מדידה", "ذراع القياس"
+
+
+@pytest.mark.parametrize(
+    ("text", "shown"),
+    [
+        ("plain, Ø 3 µm and 臂 and 🦾", "plain, Ø 3 µm and 臂 and 🦾"),
+        (f"{HEBREW} 12, serial number 7", f"\u2068{HEBREW}\u2069 12, serial number 7"),
+        (f"{HEBREW}, {ARABIC}", f"\u2068{HEBREW}\u2069, \u2068{ARABIC}\u2069"),
+        ("scan \u202egnp.exe", "scan \ufffdgnp.exe"),
+        ("a \u2069\u2067b", "a \ufffd\ufffdb"),
+    ],
+)
+def test_a_text_with_names_in_any_script(text: str, shown: str) -> None:
+    assert with_isolated(text) == shown
+    assert with_isolated(shown) == shown
+
+
+def test_reports_isolate_whatever_they_show() -> None:
+    assert escape(f"{HEBREW} <12>") == f"\u2068{HEBREW}\u2069 &lt;12&gt;"
+    assert "\u202e" not in escape("a\u202eb")
+    assert _shown("a\u202eb") == "a□b"
