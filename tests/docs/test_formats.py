@@ -1,0 +1,195 @@
+"""The examples of ``docs/formats.md`` are read by the package's own readers."""
+
+import importlib
+import pkgutil
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from google.protobuf.descriptor_pb2 import FieldDescriptorProto as Field
+from google.protobuf.descriptor_pb2 import FileDescriptorSet
+
+import app.files
+from app.files.arm import read_any_arm
+from app.files.arm_identification import read_observations
+from app.files.calibration import CalibrationFile, read_calibration
+from app.files.clouds import cloud_writer, read_cloud
+from app.files.documents import Document
+from app.files.flange_poses import COLUMNS as POSE_COLUMNS
+from app.files.gauge import DEFAULT_LIMITS, read_gauge
+from app.files.images import write_png
+from app.files.mask import Mask
+from app.files.nominal import read_nominal
+from app.files.objects import read_certificate, read_object
+from app.files.recording import SCHEMAS, STATION_METADATA
+from app.files.scan_settings import ScanSettings
+from app.files.sensor import read_sensor
+from app.files.session import (
+    BoardSession,
+    ImageRow,
+    Session,
+    read_any_session,
+    write_contacts,
+    write_images,
+)
+from app.files.stripe_schema import STRIPE_SCHEMA, stripe_descriptors
+from app.files.sync import Sync
+from app.files.tables import read_table
+from app.metrology.arm import Arm, RobotArm
+from app.metrology.chessboard.board import Chessboard
+from app.metrology.gauges import NominalPlane, NominalSphere
+from app.settings_file import StationFile, read_file
+
+PAGE = (Path(__file__).parents[2] / "docs/formats.md").read_text(encoding="utf-8")
+EXAMPLE = re.compile(r"^```(?:json|csv|toml|xyz) (\S+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+DEFAULTS_SHOWN = ("limits", "verification", "due")
+
+
+def block(kind: str) -> str:
+    """The one fenced block of a kind that is no file."""
+    (text,) = re.findall(rf"^```{kind}\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)
+    return str(text)
+
+
+def columns(path: Path) -> tuple[str, ...]:
+    return read_table(path, ()).columns
+
+
+def formats(kind: type[Document] = Document) -> set[str]:
+    """``format`` of every document that the package defines."""
+    own = {kind.FORMAT} if "FORMAT" in vars(kind) else set()
+    return own.union(*(formats(below) for below in kind.__subclasses__()))
+
+
+@pytest.fixture
+def examples(tmp_path: Path) -> Path:
+    """A folder with every example as a file."""
+    for name, text in EXAMPLE.findall(PAGE):
+        path = tmp_path / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        assert not path.exists(), name
+        path.write_text(text, encoding="utf-8")
+    for source, target in (("sensor.json", "board"), ("arm.json", "arm")):
+        (tmp_path / target / source).write_bytes((tmp_path / "session" / source).read_bytes())
+    return tmp_path
+
+
+def with_pictures(folder: Path) -> Path:
+    """The session's folder, with a black picture for each row of ``images.csv``."""
+    sensor = read_sensor(folder / "sensor.json")
+    picture = np.zeros((sensor.height_px, sensor.width_px), np.uint8)
+    (folder / "images").mkdir()
+    for row in read_table(folder / "images.csv", ("file",)).rows:
+        write_png(folder / row.text("file"), picture)
+    return folder
+
+
+def test_the_session_is_read_and_written_alike(examples: Path) -> None:
+    session = read_any_session(with_pictures(examples / "session"))
+    assert isinstance(session, Session)
+    assert session.contacts.features == ("crest", "front")
+    (pose,) = session.poses
+    assert [path.name for path in pose.files] == ["pose00_ambient.png", "pose00_laser.png"]
+    assert session.arm.joints[5].error.x_mm == 0.01
+    assert read_certificate(examples / "session/object.json") == "DKD 4712, 2026-03"
+
+    written = examples / "written.csv"
+    write_contacts(written, session.contacts)
+    assert columns(written) == columns(examples / "session/probing.csv")
+    write_images(written, [ImageRow(0, "images/a.png", "both", pose.q_rad)])
+    assert columns(written) == columns(examples / "session/images.csv")
+
+
+def test_the_robots_session_on_a_chessboard_is_read(examples: Path) -> None:
+    session = read_any_session(with_pictures(examples / "board"))
+    assert isinstance(session, BoardSession)
+    assert isinstance(read_any_arm(examples / "board/arm.json"), RobotArm)
+    assert isinstance(read_object(examples / "board/object.json"), Chessboard)
+    (pose,) = session.poses
+    assert pose.T_arm_flange is not None
+    assert pose.T_arm_flange[:3, 3].tolist() == [612.5, -80.25, 433.0]
+    assert columns(examples / "board/images.csv")[3:] == POSE_COLUMNS
+
+
+def test_the_arms_folder_is_read(examples: Path) -> None:
+    arm = read_any_arm(examples / "arm/arm.json")
+    assert isinstance(arm, Arm)
+    found = read_observations(examples / "arm", arm)
+    assert [seat.name for seat in found.seats] == ["cone 1"]
+    assert [sphere.diameter_mm for sphere in found.spheres] == [25.4012]
+    assert [bar.ends for bar in found.bars] == [("A", "B")]
+
+
+def test_the_calibration_is_read_and_its_fields_are_named(examples: Path) -> None:
+    calibration = read_calibration(examples / "calibration.json")
+    assert calibration.serial_numbers.sensor == "S-9"
+    section = PAGE.split("\n## Calibration\n")[1].split("\n## ")[0]
+    for name in CalibrationFile.model_fields:
+        assert f"`{name}`" in section or f'"{name}"' in section, name
+
+
+def test_gauges_and_nominals_are_read(examples: Path) -> None:
+    assert isinstance(read_nominal(examples / "plate.nominal.json"), NominalPlane)
+    assert isinstance(read_nominal(examples / "sphere.nominal.json"), NominalSphere)
+    assert read_gauge(examples / "gauges/k-17.nominal.json").limits.radius_error == 40
+
+
+def test_mask_delay_and_scan_settings_are_read(examples: Path) -> None:
+    allowed = Mask.read(examples / "mask.json").where()
+    assert not allowed[10, 10]
+    assert allowed[500, 500]
+    assert Sync.read(examples / "sync.json").delay_ns == 3_420_000
+    assert ScanSettings.read(examples / "scan_settings.json").choice == "strength"
+
+
+def test_clouds_are_as_described(examples: Path) -> None:
+    given = examples / "cloud.xyz"
+    cloud = read_cloud(given)
+    assert cloud.intensity is not None
+    assert cloud.uncertainty_um is not None
+    assert cloud.frame is not None
+    ply, xyz = examples / "cloud.ply", examples / "again.xyz"
+    for path in (ply, xyz):
+        with cloud_writer(path) as writer:
+            writer.write(cloud.points_mm, cloud.intensity, cloud.uncertainty_um, cloud.frame)
+    assert xyz.read_text() == given.read_text()
+    header, end, _ = ply.read_bytes().partition(b"end_header\n")
+    assert (header + end).decode() == block("ply")
+
+
+def test_the_recordings_topics_and_message_are_as_described() -> None:
+    for topic, kinds in SCHEMAS.items():
+        (row,) = (line for line in PAGE.splitlines() if line.startswith(f"| `{topic}` |"))
+        assert all(f"`{kind}`" in row for kind in kinds), topic
+    assert f"`{STATION_METADATA}`" in PAGE
+    (message,) = FileDescriptorSet.FromString(stripe_descriptors()).file[1].message_type
+    assert f"crenel.{message.name}" == STRIPE_SCHEMA
+    assert re.findall(r"^  (repeated )?([\w.]+) (\w+) = (\d+);", block("proto"), re.MULTILINE) == [
+        (
+            "repeated " if field.label == Field.LABEL_REPEATED else "",
+            field.type_name.lstrip(".") or Field.Type.Name(field.type)[5:].lower(),
+            field.name,
+            str(field.number),
+        )
+        for field in message.field
+    ]
+
+
+def test_station_toml_has_every_key_and_the_defaults(examples: Path) -> None:
+    station = read_file(examples / "station.toml")
+    for name in StationFile.model_fields:
+        table = getattr(station, name)
+        assert table.model_fields_set >= set(type(table).model_fields), name
+    for name in DEFAULTS_SHOWN:
+        table = getattr(station, name)
+        expected = DEFAULT_LIMITS if name == "verification" else type(table)()
+        assert table.model_dump() == expected.model_dump(), name
+
+
+def test_every_document_of_the_package_is_named() -> None:
+    for module in pkgutil.iter_modules(app.files.__path__):
+        importlib.import_module(f"app.files.{module.name}")
+    assert "crenel/tip-check" in formats()
+    missing = {name for name in formats() if f"`{name}`" not in PAGE and f'"{name}"' not in PAGE}
+    assert not missing

@@ -1,0 +1,68 @@
+"""The pages of the documents: links lead somewhere, and commands exist."""
+
+import re
+from pathlib import Path
+
+import pytest
+from typer.main import get_command
+
+from app.cli import cli
+from app.cli_bench import bench
+
+ROOT = Path(__file__).parents[2]
+PAGES = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/*.md"), *ROOT.glob("docker/*.md")])
+LINK = re.compile(r"!?\[[^\]]+\]\(([^)\s]+)\)")
+FENCED = re.compile(r"^ *```.*?^ *```$", re.MULTILINE | re.DOTALL)
+
+
+def anchors(page: Path) -> set[str]:
+    """Of its headings, as code hosts name them."""
+    headings = re.findall(r"^#+ (.+)$", FENCED.sub("", page.read_text("utf-8")), re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
+def names(page: str, command: str) -> set[str]:
+    return set(re.findall(rf"\b{command} ([a-z][a-z-]+)", (ROOT / page).read_text("utf-8")))
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.relative_to(ROOT).as_posix())
+def test_links_lead_somewhere(page: Path) -> None:
+    for link in LINK.findall(FENCED.sub("", page.read_text("utf-8"))):
+        if link.startswith("https://"):
+            continue
+        file, _, anchor = link.partition("#")
+        target = (page.parent / file).resolve() if file else page
+        assert target.exists(), link
+        assert not anchor or anchor in anchors(target), link
+
+
+def test_every_page_is_in_the_index_and_in_the_readme() -> None:
+    index, readme = (ROOT / "docs/README.md").read_text("utf-8"), (ROOT / "README.md").read_text()
+    for page in (ROOT / "docs").glob("*.md"):
+        if page.name != "README.md":
+            assert f"({page.name})" in index, page.name
+            assert f"(docs/{page.name})" in readme, page.name
+
+
+def test_the_readme_is_short() -> None:
+    assert len((ROOT / "README.md").read_text("utf-8").splitlines()) <= 150
+
+
+def test_the_command_line_page_names_the_commands() -> None:
+    commands = set(get_command(cli).commands)  # type: ignore[attr-defined]
+    page = "docs/command-line.md"
+    synopsis = re.findall(r"^crenel ([a-z-]+)", (ROOT / page).read_text("utf-8"), re.MULTILINE)
+    assert set(synopsis) == commands
+
+
+@pytest.mark.parametrize("page", ["README.md", "docs/accuracy.md", "docs/operating.md"])
+def test_commands_exist(page: str) -> None:
+    assert names(page, "`crenel") <= set(get_command(cli).commands)  # type: ignore[attr-defined]
+    assert names(page, "crenel bench") <= set(get_command(bench).commands)  # type: ignore[attr-defined]
+
+
+def test_modules_of_the_accuracy_page_exist() -> None:
+    modules = re.findall(r"python -m ([\w.]+)", (ROOT / "docs/accuracy.md").read_text("utf-8"))
+    assert len(modules) >= 4
+    for module in modules:
+        assert (ROOT / module.replace(".", "/")).with_suffix(".py").is_file(), module
