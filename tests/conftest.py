@@ -1,21 +1,19 @@
-"""Fixtures that every room's tests share."""
+"""Fixtures that all tests share."""
 
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from hypothesis import settings
 
 import app  # noqa: F401  # sets the numerical libraries' threads before numpy is loaded
+from app.native.product import CRENEL
 
-FIRST = Path(__file__).parent / "api/test_flow.py"
-"""Counts what the station compiles while it works; other tests' loops would hide some."""
 SHARED = Path(__file__).resolve().parents[2] / "shared"
 
+settings.register_profile("usual", deadline=None)
 settings.register_profile("long", max_examples=5_000, deadline=None)
-
-
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    items.sort(key=lambda item: item.path != FIRST)
+settings.load_profile("usual")
 
 
 @pytest.fixture(scope="session")
@@ -34,3 +32,10 @@ def real() -> Path:
     if not folder.is_dir():
         pytest.skip("the real recordings are not beside this checkout")
     return folder
+
+
+@pytest.fixture(scope="module", params=CRENEL.variants)
+def variant(request: pytest.FixtureRequest) -> Iterator[str]:
+    """Runs the tests of a module once with each variant of the C loops."""
+    with CRENEL.using(request.param):
+        yield request.param

@@ -153,8 +153,6 @@ def run(images: int, seed: int, progress: Progress | None = None) -> DetectionBe
         progress: called with the pictures done and their number.
     """
     searched, deceived = [], []
-    # The first search compiles; it must not count.
-    search(draw_shot(seed), seed)
     for number in range(images):
         shot = draw_shot(seed + number)
         searched.append(search(shot, seed + number))

@@ -13,22 +13,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-from app.native.sources import LIBRARIES, SHARED, Source, Target, source_hash, variants_of
+from app.native.sources import FLAGS, LIBRARIES, SHARED, Source, Target, source_hash, variants_of
 
-FLAGS = (
-    "-std=c11",
-    "-O3",
-    "-fPIC",
-    "-fvisibility=hidden",
-    "-ffp-contract=off",  # every variant rounds alike, and gives the same points
-    "-fno-math-errno",
-    "-fno-trapping-math",
-    "-fno-sanitize=undefined",  # which zig switches on by itself
-    "-Wall",
-    "-Wextra",
-    "-Wno-unknown-pragmas",
-    "-Wno-psabi",
-)
 ZIG_TARGETS = {
     "linux": "{machine}-linux-gnu.2.17",
     "darwin": "{machine}-macos",
@@ -108,7 +94,7 @@ def wheel_tag(target: Target | None = None) -> str:
     """Of a wheel that holds the libraries: any Python 3, one platform."""
     target = target or Target.here()
     plain = f"{target.system}_{target.machine}"
-    named = plain if "CC" in os.environ else WHEEL_PLATFORMS.get(target.system, plain)
+    named = plain if os.environ.get("CC") else WHEEL_PLATFORMS.get(target.system, plain)
     if target.system != "linux":
         import sysconfig
 
@@ -152,16 +138,28 @@ def _run_all(commands: list[tuple[str, ...]], environment: dict[str, str]) -> No
         BuildError: one of them failed.
     """
     out, err = subprocess.PIPE, subprocess.STDOUT
-    running = [
-        subprocess.Popen(command, env=environment, stdout=out, stderr=err, text=True)
-        for command in commands
-    ]
+    running = []
+    for command in commands:
+        try:
+            running.append(
+                subprocess.Popen(command, env=environment, stdout=out, stderr=err, text=True)
+            )
+        except OSError as error:
+            raise BuildError(f"The compiler {command[0]} cannot be run: {error}") from None
     printed = [process.communicate()[0] for process in running]
     for command, process, text in zip(commands, running, printed, strict=True):
         if process.returncode:
             raise BuildError(f"The compiler failed: {shlex.join(command)}\n{text}")
         if text.strip():
             print(text.rstrip(), file=sys.stderr)
+
+
+def _parse_target(text: str) -> Target:
+    """Exits where there is no such system."""
+    system, _, machine = text.partition("-")
+    if system not in ZIG_TARGETS or not machine:
+        sys.exit(f"{text} is no target: name one of {', '.join(ZIG_TARGETS)}, and the machine")
+    return Target(system, machine)
 
 
 def main() -> None:
@@ -171,10 +169,13 @@ def main() -> None:
     parser.add_argument("--output", type=Path, help="a folder to write them to; else in place")
     parser.add_argument("--flags", default="", help="more flags for the compiler")
     chosen = parser.parse_args()
-    target = Target(*chosen.target.split("-", 1)) if chosen.target else Target.here()
+    target = _parse_target(chosen.target) if chosen.target else Target.here()
     for source in LIBRARIES:
         output = chosen.output / source.built(target.system).name if chosen.output else None
-        print(build(source, target, output, tuple(shlex.split(chosen.flags))))
+        try:
+            print(build(source, target, output, tuple(shlex.split(chosen.flags))))
+        except BuildError as error:
+            sys.exit(str(error))
 
 
 if __name__ == "__main__":

@@ -9,6 +9,20 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 SHARED = ROOT / "app" / "native" / "c"
 """Holds what is compiled into every library: ``export.h`` and ``about.c``."""
+FLAGS = (
+    "-std=c11",
+    "-O3",
+    "-fPIC",
+    "-fvisibility=hidden",
+    "-ffp-contract=off",  # every variant rounds alike, and gives the same points
+    "-fno-math-errno",
+    "-fno-trapping-math",
+    "-fno-sanitize=undefined",  # which zig switches on by itself
+    "-Wall",
+    "-Wextra",
+    "-Wno-unknown-pragmas",
+    "-Wno-psabi",
+)
 VARIANTS: dict[str, dict[str, tuple[str, ...]]] = {
     "x86_64": {
         "v1": (),
@@ -70,9 +84,9 @@ def variants_of(target: Target) -> dict[str, tuple[str, ...]]:
 
 
 def source_hash(source: Source) -> str:
-    """Identifies the text of all sources of a library."""
-    digest = hashlib.sha256()
-    for path in (SHARED / "export.h", SHARED / "about.c", *source.files):
+    """Identifies what a library is built from: the sources, the flags and the variants."""
+    digest = hashlib.sha256(repr((FLAGS, VARIANTS)).encode())
+    for path in (SHARED / "export.h", SHARED / "about.c", SHARED / "exported.map", *source.files):
         digest.update(path.name.encode() + b"\0")
         digest.update(path.read_bytes() + b"\0")
     return digest.hexdigest()

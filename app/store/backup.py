@@ -31,7 +31,7 @@ DATABASE = "station.db"
 NOTE = "backup.json"
 """In a backup: what it is of. In a data folder: where its last backup is."""
 LAST = "last_backup.json"
-LEFT_OUT = {"station.lock", LAST, "backups", "logs", ".compiled"}
+LEFT_OUT = {"station.lock", LAST, "backups", "logs"}
 PARTS = ".*.backup.part"
 DATABASE_PARTS = {DATABASE, f"{DATABASE}-wal", f"{DATABASE}-shm"}
 PIECE_BYTES = 1 << 20

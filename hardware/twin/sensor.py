@@ -31,8 +31,8 @@ SMEAR_MM = 0.15
 LEVER_MM = 130.0
 SHARE_OF_A_CORE = 0.5
 """Rendering takes no more of the machine than this; the frame rate gives way."""
-LONGEST_GAP_S = 2.5
-"""Pictures are no further apart on any machine that is of use."""
+LONGEST_GAP_S = 10.0
+"""Pictures are no further apart, however busy the machine; a lost camera says so at once."""
 WAKE_S = 0.05
 STALE_NS = 300_000_000
 """Frames that nobody asked for this long are forgotten, as in a camera's ring of buffers."""

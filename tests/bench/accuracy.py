@@ -107,7 +107,7 @@ def drawn(count: int, folder: Path) -> Iterator[Path]:
 
 
 def cold_process_s(folder: Path, scratch: Path) -> float:
-    """Median wall time of ``crenel calibrate`` as a process of its own, compiled before."""
+    """Median wall time of ``crenel calibrate`` as a process of its own, its files in the cache."""
     command = [sys.executable, "-c", "from app.cli import main; main()", "calibrate", str(folder)]
     command += ["-o", str(scratch / "calibration.json")]
     times = []

@@ -14,7 +14,7 @@ import pytest
 from playwright.sync_api import Browser, Page, sync_playwright
 
 ROOT = Path(__file__).resolve().parents[2]
-START_UP_S = 300
+START_UP_S = 60
 """The first start compiles the inner loops, on a busy machine for minutes."""
 # software rendering, and none of the browser's own talk to the outside
 CHROMIUM_FLAGS = [

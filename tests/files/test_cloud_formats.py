@@ -16,6 +16,8 @@ from app.metrology.reconstruct import scan_points, sensor_points
 from app.metrology.refusal import Refusal
 from tests.files.builders import little_calibration, stripe_pixels
 
+pytestmark = pytest.mark.usefixtures("variant")
+
 STEP_MM = {".ply": 0.0, ".pcd": 1.3e-4, ".e57": 1e-9, ".xyz": 0.51e-4, ".las": 0.51e-4}
 STEP_MM[".laz"] = STEP_MM[".las"]
 PIECES = (300, 0, 1, AT_ONCE + 5, 70)

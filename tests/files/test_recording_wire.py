@@ -27,6 +27,8 @@ from app.files.stripe_schema import STRIPE_SCHEMA, encode_stripe, stripe_descrip
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import Stripe
 
+pytestmark = pytest.mark.usefixtures("variant")
+
 JOINTS, STRIPES = 1, 2
 NAMES = ("J1",)
 ANY_INT = st.integers(-(2**63), 2**63 - 1)

@@ -17,6 +17,8 @@ from app.metrology.arm import (
 from app.metrology.frames import Floats, vector_from_rotation
 from tests.metrology.builders import random_arm
 
+pytestmark = pytest.mark.usefixtures("variant")
+
 
 def toolbox_pose(arm: Arm, q: Floats) -> Floats:
     with warnings.catch_warnings():

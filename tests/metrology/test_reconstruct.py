@@ -11,6 +11,8 @@ from app.metrology.laser_plane import LaserPlane
 from app.metrology.reconstruct import arm_points, frame_points, sensor_points
 from tests.metrology.builders import random_arm, random_pose
 
+pytestmark = pytest.mark.usefixtures("variant")
+
 CAMERA = Camera(
     matrix=np.array([[2800.0, 0.0, 640.0], [0.0, 2805.0, 512.0], [0.0, 0.0, 1.0]]),
     rotation=rotation_from_vector(np.array([np.radians(-120), 0.02, 0.03])),

@@ -13,6 +13,8 @@ from app.metrology.frames import Floats
 from app.metrology.refusal import Refusal
 from app.metrology.stripe import Choice, Stripe, StripeSettings, StripeTracker, extract_stripe
 
+pytestmark = pytest.mark.usefixtures("variant")
+
 WIDTH, HEIGHT = 512, 400
 SLICES = 6
 """After so many frames the tracker has looked everywhere, as in ``tracking.c``."""

@@ -1,6 +1,6 @@
 """The loops of block detection and of line images: every variant beside plain numpy."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -23,12 +23,6 @@ from tests.metrology.builders import BLOCK
 
 WIDTH, HEIGHT = 640, 512
 DISTORTION = np.array([-0.08, 0.05, 1e-3, -2e-3, 0.01])
-
-
-@pytest.fixture(params=CRENEL.variants)
-def variant(request: pytest.FixtureRequest) -> Iterator[str]:
-    with CRENEL.using(request.param):
-        yield request.param
 
 
 def as_by_v1(compute: Callable[[], object]) -> None:

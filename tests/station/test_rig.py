@@ -9,6 +9,7 @@ import pytest
 from app.metrology.refusal import Refusal
 from app.station.bus import Bus
 from app.station.rig import Rig
+from hardware.clock import now_ns
 from hardware.interfaces import Button, ButtonEvent
 from tests.station.conftest import REST_RAD, Bench, until
 
@@ -180,12 +181,14 @@ def test_the_joints_at_a_frames_stamp_are_found(rig: Rig, bench: Bench) -> None:
     ready_frames = rig.sensor.frames.tap(20)
     until(lambda: rig.arm.latest() is not None)
     time.sleep(0.2)
+    swinging_since_ns = now_ns()
     checked = 0
     while checked < 10:
         (frame,) = ready_frames.get(1, 2.0)
-        q = rig.arm.at(frame.mid_exposure_ns)
-        if q is None:  # older than the arm's first sample
+        if frame.mid_exposure_ns < swinging_since_ns:
             continue
+        q = rig.arm.at(frame.mid_exposure_ns)
+        assert q is not None
         truth = swing(frame.mid_exposure_ns / 1e9 - bench.start_s)
         np.testing.assert_allclose(q, truth, atol=2e-6)
         checked += 1

@@ -6,6 +6,8 @@ import pytest
 from app.metrology.frames import Floats
 from app.station.voxels import SIZES, Voxels
 
+pytestmark = pytest.mark.usefixtures("variant")
+
 
 def first_of_each(points: Floats, size: float) -> np.ndarray:
     """(N,) whether a point is the first of its cube."""

@@ -7,21 +7,26 @@ work is done in C (``app/native/c/stripe``), one call a frame, in this order:
 2. ``read_noise.c``: the variance of a dark pixel.
 3. ``peaks.c``: all peaks that stand out of that noise.
 4. ``choice.c``: one peak a column, by the tracks that peaks lie on.
-5. ``profiles.c``, ``start.c``: the pixels about each peak, 64 columns side by side.
-6. ``noise.c``: how the noise grows with the signal, by some of the peaks.
-7. ``normal.c``, ``fit.c``: a Gaussian on a background, weighted by the noise.
-8. ``sift.c``: peaks as wide and high as a stripe.
-9. ``runs.c``, ``speckle.c``: pieces that are long enough, and what they scatter by.
+5. ``profiles.c``: the pixels about each peak, 64 columns side by side.
+6. ``start.c``: where each fit starts, and the pixels that it takes.
+7. ``normal.c``: the normal equations of a Gaussian on a background, weighted by the noise.
+8. ``fit.c``: the fit, by Gauss-Newton.
+9. ``noise.c``: how the noise grows with the signal, from some of the peaks, before all are fitted.
+10. ``sift.c``: peaks as wide and high as a stripe.
+11. ``runs.c``: pieces that are long enough.
+12. ``speckle.c``: what their points scatter by beyond the noise of the pixels.
 
 ``pipeline.c`` reads top to bottom. Where the line's core is clipped (``clipped.h``), only its
 flanks tell where it lies:
 
-1. ``clipped_runs.c``, ``cores.c``: the clipped pixels that are the line's core.
-2. ``flanks.c``: the pixels beside the core, 16 columns side by side.
-3. ``flank_step.c``, ``flank_noise.c``, ``flank_fit.c``: the middle of both flanks of every column,
-   by a shape and a noise that all columns share.
-4. ``smooth.c``: the line smoothed along itself over its core's width.
-5. ``join.c``: its points among those of the other columns, with their deviations.
+1. ``clipped_runs.c``: the runs of clipped pixels in every column.
+2. ``cores.c``: those that are the line's core.
+3. ``flanks.c``: the pixels beside the core, 16 columns side by side.
+4. ``flank_step.c``: one step of the fit of both flanks, by a shape that all columns share.
+5. ``flank_noise.c``: the noise of the pixels, by what the fit leaves of them.
+6. ``flank_fit.c``: the rounds of the fit.
+7. ``smooth.c``: the line smoothed along itself over its core's width.
+8. ``join.c``: its points among those of the other columns, with their deviations.
 """
 
 from app.metrology.stripe.extraction import extract_stripe

@@ -68,7 +68,7 @@ static void step_block(Clipped *c, int64_t at, const Flanks *flanks, ShapeSums *
     lanes n0 = (float)flanks->read / (top * top), n1 = (float)flanks->gain / top;
     lanes cc = zero, mm = zero, gm = zero, chi2 = zero, q1 = zero, q2 = zero;
     lanes s1 = zero, s2 = zero, s3 = zero, s4 = zero;
-    lanes seen[2], own_m[2], own_c[2], cm[2], gc[2];
+    lanes seen[2], own_m[2], own_c[2] = {zero, zero}, cm[2] = {zero, zero}, gc[2];
     for (int side = 0; side < 2; side++) {
         lanes share = load(c->top[side] + at) / top;
         lanes lowest = share * LOWEST, highest = share * HIGHEST;

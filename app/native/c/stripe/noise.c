@@ -1,4 +1,4 @@
-/* Steps 2 and 6: the sensor's noise, by the picture itself.
+/* Step 9: the sensor's noise, by the picture itself.
  *
  * The variance of a pixel at signal s is read + gain s + contrast s^2, in grey levels squared:
  * read noise, shot noise, and what scales with the signal (speckle, fixed pattern). */

@@ -59,7 +59,7 @@ EXPORT(int64_t, clipped_bytes)(int64_t width)
     return cut_clipped(&clipped, width, NULL);
 }
 
-/* The points (4, N) of n peaks that lie in runs, with their standard deviations; how many. */
+/* Steps 11 and 12: the points (4, N) of n peaks that lie in runs, with their standard deviations; how many. */
 static int64_t finish(Workspace *work, int64_t n, double saturated)
 {
     const int64_t width = work->width;
@@ -95,7 +95,7 @@ static void OF(sample)(Workspace *work, int64_t n, int number, int count, int re
     start_fits(&work->blocks[number], work->profiles[number], reach, saturated);
 }
 
-/* Step 6: fills known[0..2] with the noise's terms and known[3] with the usual width. */
+/* Step 9: fills known[0..2] with the noise's terms and known[3] with the usual width. */
 static void OF(estimate_noise)(Workspace *work, int64_t n, double read, float saturated,
                                float *known)
 {
@@ -118,7 +118,7 @@ static void OF(estimate_noise)(Workspace *work, int64_t n, double read, float sa
     learn_noise(work->blocks, (const Profile *)work->profiles, rows, count, saturated, known);
 }
 
-/* Steps 7 and 8 for up to BLOCK peaks; fills a table of fits. */
+/* Steps 5 to 8 for up to BLOCK peaks; fills a table of fits. */
 static void OF(fit_some)(Workspace *work, const int32_t *columns, const int32_t *rows, int64_t n,
                          int reach, float saturated, const float *noise, int steps, float *table,
                          int64_t row_length)
@@ -153,7 +153,7 @@ static void OF(fit_wider)(Workspace *work, int64_t n, float saturated, const flo
     }
 }
 
-/* Steps 5 to 9 for the n columns chosen: fills the table of peaks; returns how many there are. */
+/* Steps 5 to 10 for the n columns chosen: fills the table of peaks; returns how many there are. */
 static int64_t OF(fit_peaks)(Workspace *work, int64_t n, double read, double threshold,
                              float saturated, float *known)
 {
@@ -190,7 +190,7 @@ EXPORT(int64_t, OF(find_cores))(int64_t width, Workspace *work, double saturated
     return n;
 }
 
-/* Steps 5 to 9 for the columns that hold no core; returns how many peaks there are. */
+/* Steps 5 to 10 for the columns that hold no core; returns how many peaks there are. */
 static int64_t OF(fit_beside)(Workspace *work, const Clipped *clipped, double read,
                               double threshold, float saturated)
 {

@@ -1,4 +1,4 @@
-/* Which points make a line: those that lie in a run of neighbours that is long enough. */
+/* Step 11: which points make a line: those that lie in a run of neighbours that is long enough. */
 
 enum { LARGEST_GAP = 3 };          /* columns that a run may skip */
 static const double STEEPEST = 4.0; /* rows by which it may climb from one column to the next */

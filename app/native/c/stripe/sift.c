@@ -1,4 +1,4 @@
-/* Step 9: keeps the fitted peaks that are as wide and high as a stripe. */
+/* Step 10: keeps the fitted peaks that are as wide and high as a stripe. */
 
 /* Widths, in shares of the picture's usual one, beyond which a peak is no stripe, and the least
  * standard deviation in px. */

@@ -1,4 +1,4 @@
-/* What the points of a line scatter by beyond the noise of the pixels.
+/* Step 12: what the points of a line scatter by beyond the noise of the pixels.
  *
  * Speckle shifts the light itself and is alike in neighbouring columns, so it shows only between
  * points some columns apart: the fourth difference over such lags of a smooth surface is noise
