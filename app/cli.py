@@ -15,6 +15,7 @@ from app.cli_report import report
 from app.cli_scan import reconstruct, replay, study, sync
 from app.cli_station import backup, mqtt_schema, password
 from app.console import (
+    FullHelpGroup,
     print_figures,
     print_json,
     print_table,
@@ -25,6 +26,8 @@ from app.console import (
 
 cli = typer.Typer(
     name="crenel",
+    cls=FullHelpGroup,
+    rich_markup_mode=None,  # Rich would double the time that --help takes
     help="Calibrates a laser stripe sensor on a measuring arm in one step, and scans with it.",
     add_completion=False,
     no_args_is_help=True,

@@ -6,9 +6,14 @@ from typing import Annotated
 
 import typer
 
-from app.console import print_json, print_table, progress_bar, refusing
+from app.console import FullHelpGroup, print_json, print_table, progress_bar, refusing
 
-bench = typer.Typer(help="Measure the figures of docs/accuracy.md here.", no_args_is_help=True)
+bench = typer.Typer(
+    help="Measure the figures of docs/accuracy.md here.",
+    cls=FullHelpGroup,
+    rich_markup_mode=None,
+    no_args_is_help=True,
+)
 
 AsJson = Annotated[bool, typer.Option("--json", help="Print the result for programs on stdout.")]
 

@@ -180,10 +180,11 @@ def _leave(crowd: list[Any], surplus: int, grace_s: float) -> None:
         return
     before_s = time.monotonic() - grace_s
     idle = [one for one in crowd if isinstance(one, BoundedHttp) and one.claim < DONE]
-    late = sorted((one for one in idle if one.since_s <= before_s), key=_rank)
-    for one in late[:surplus]:
-        one.connections.discard(one)  # it is lost only in the loop's next turn
-        one.transport.abort()
+    for one in sorted(idle, key=_rank)[:surplus]:
+        # the youngest are spared for now, and nobody with more claim leaves in their place
+        if one.since_s <= before_s:
+            one.connections.discard(one)  # it is lost only in the loop's next turn
+            one.transport.abort()
 
 
 def _rank(connection: BoundedHttp) -> tuple[int, float]:

@@ -6,9 +6,10 @@ import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import wraps
-from typing import NoReturn, ParamSpec
+from typing import Any, NoReturn, ParamSpec
 
 import typer
+from typer.core import TyperGroup
 
 from app.metrology.refusal import Refusal
 from app.native.sources import LibraryError
@@ -18,6 +19,20 @@ P = ParamSpec("P")
 
 FAILED = 1
 INTERRUPTED = 130
+
+
+class FullHelpGroup(TyperGroup):
+    """Commands whose list shows each summary in full, where click would cut it."""
+
+    def format_commands(self, ctx: Any, formatter: Any) -> None:  # click's, private in typer
+        commands = [(name, self.get_command(ctx, name)) for name in self.list_commands(ctx)]
+        rows = [
+            (name, command.get_short_help_str(limit=1000))
+            for name, command in commands
+            if command is not None and not command.hidden
+        ]
+        with formatter.section("Commands"):
+            formatter.write_dl(rows)
 
 
 def refusing(command: Callable[P, None]) -> Callable[P, None]:

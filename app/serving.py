@@ -27,7 +27,7 @@ LARGEST_MESSAGE = 1 << 16
 """Of a browser's messages; all are small."""
 WORDLESS_S = 15.0
 """A connection on which nothing is asked for so long is closed."""
-ACCEPTED_AT_ONCE, WAITING = 2, 1024
+ACCEPTED_AT_ONCE, WAITING = 2, 4096
 """Connections that are taken in one turn of the loop, and those that the system keeps meanwhile.
 So few, because all that wait, Stop among them, wait for each turn."""
 MOST_FILES = 65536

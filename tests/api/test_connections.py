@@ -128,6 +128,29 @@ def test_a_crowd_does_not_take_the_place_of_whoever_is_signed_in(
             assert own.recv(1000).startswith(b"HTTP/1.1 204")
 
 
+def test_an_idle_connection_of_whoever_is_signed_in_outlives_a_crowd_of_new_ones(
+    server: Server, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(connections, "MOST_OF_ONE", 20)
+    cookies = "; ".join(f"{name}={value}" for name, value in server.http.cookies.items())
+    stop = (
+        f"POST /api/stop HTTP/1.1\r\nHost: localhost:{server.port}\r\nCookie: {cookies}\r\n"
+        "Content-Length: 0\r\n\r\n"
+    ).encode()
+    with connected(server) as own:
+        own.sendall(stop)
+        assert own.recv(1000).startswith(b"HTTP/1.1 204")
+        time.sleep(2 * connections.GRACE_S)
+        ends = time.monotonic() + 2.0
+        while time.monotonic() < ends:
+            with contextlib.ExitStack() as crowd:
+                for _ in range(30):
+                    crowd.enter_context(connected(server))
+                time.sleep(0.6 * connections.GRACE_S)
+        own.sendall(stop)
+        assert own.recv(1000).startswith(b"HTTP/1.1 204")
+
+
 def is_open(connection: socket.socket) -> bool:
     connection.setblocking(False)
     try:
