@@ -11,7 +11,7 @@ from typing import Any, NoReturn, ParamSpec
 import typer
 from typer.core import TyperGroup
 
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
 from app.native.sources import LibraryError
 from hardware.errors import DeviceError
 
@@ -55,7 +55,7 @@ def refusing(command: Callable[P, None]) -> Callable[P, None]:
         except OSError as error:
             if error.errno == errno.EPIPE:  # who read our output has gone
                 raise
-            from app.files.failures import refusal_of  # not what every command waits for
+            from app.formats.io_errors import refusal_of  # not what every command waits for
 
             fail(refusal_of(error).line)
         except MemoryError:

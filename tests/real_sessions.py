@@ -7,14 +7,14 @@ import cv2
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from app.files.arm import write_arm
-from app.files.images import GreyImage, write_png
-from app.files.objects import write_object
-from app.files.sensor import SensorSheet, write_sensor
-from app.files.session import ImageRow, write_images
-from app.metrology.arm import RobotArm
-from app.metrology.chessboard.board import Chessboard
-from app.metrology.frames import Floats, rigid
+from app.formats.datasheets.arm import write_arm
+from app.formats.datasheets.sensor import SensorSheet, write_sensor
+from app.formats.datasheets.target import write_object
+from app.formats.images import GreyImage, write_png
+from app.formats.session.calibration_session import ImageRow, write_images
+from app.metrology.arm.kinematics import RobotArm
+from app.metrology.targets.chessboard import Chessboard
+from app.metrology.transforms import Floats, rigid
 
 # Printed on a sheet; its squares were not measured more closely than a ruler does.
 BOARD = Chessboard("printed chessboard", "", (7, 6), 10.0, 0.05)

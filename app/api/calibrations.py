@@ -7,18 +7,18 @@ from typing import Annotated
 from fastapi import APIRouter, Path
 from starlette.responses import Response
 
-from app.api.context import Context, TheContext
-from app.api.encoding import encoded
+from app.api.files.file_response import sent_file
 from app.api.problems import NotFound
-from app.api.record_schema import CalibrationPoint, RecordedCalibration
-from app.api.records import summary_of
-from app.api.sending import sent_file
-from app.files.acceptance import read_acceptance
-from app.files.calibration_history import HistoryEntry, history
-from app.guide.recorded import recorded
-from app.guide.session_folder import SessionFolder
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
+from app.formats.results.acceptance import read_acceptance
+from app.guide.calibration.outcome import recorded
+from app.guide.calibration.session_folder import SessionFolder
+from app.operations.context import Context, TheContext
+from app.operations.home import summary_of
 from app.store.calibrations import CalibrationRecord
+from app.wire.encoding import encoded
+from app.wire.schema import CalibrationPoint, RecordedCalibration
+from app.workflows.calibration_history import HistoryEntry, history
 
 router = APIRouter(prefix="/api")
 CalibrationId = Annotated[str, Path(max_length=128)]

@@ -7,16 +7,16 @@ from typing import Annotated
 from fastapi import APIRouter, Query
 from starlette.responses import Response
 
-from app.api.context import Context, TheContext
-from app.api.examining import Examiner
 from app.api.support import bundle
-from app.files.moments import utc_now
-from app.metrology.refusal import Refusal
-from app.station.health import Health
-from app.station.log_book import Level, LogLine
+from app.errors import Refusal
+from app.monitoring.health import Health
+from app.monitoring.log_store import Level, LogLine
+from app.operations.context import Context, TheContext
+from app.operations.health_checks import Examiner
 from app.store.backup import BackupMade, shown_backup
 from app.strings.files import ENGLISH
 from app.strings.sentences import saying
+from app.timestamps import utc_now
 
 router = APIRouter(prefix="/api")
 LINES = 300

@@ -13,16 +13,16 @@ from fastapi import APIRouter, WebSocket
 from pydantic import TypeAdapter, ValidationError
 from starlette.websockets import WebSocketDisconnect
 
-from app.api.access import signed_in, until_signed_out
-from app.api.context import Context, context_of
-from app.api.encoding import encoded
-from app.api.rights import MESSAGES, allowed
-from app.api.schema import Beat, LiveRequest, PreviewRequest, StationsRequest
-from app.api.session import you
+from app.api.auth import you
+from app.api.authorization import signed_in, until_signed_out
+from app.operations.context import Context, context_of
+from app.security.permissions import MESSAGES, allowed
 from app.station.bus import Event, Subscription, Updates
-from app.station.preview import PreviewImage
-from app.station.scan_state import ScanState
-from app.store.sign_ins import Visitor
+from app.station.preview.preview import PreviewImage
+from app.station.scan.state import ScanState
+from app.store.login_sessions import Visitor
+from app.wire.encoding import encoded
+from app.wire.schema import Beat, LiveRequest, PreviewRequest, StationsRequest
 
 router = APIRouter()
 log = logging.getLogger(__name__)

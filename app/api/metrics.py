@@ -18,10 +18,10 @@ from prometheus_client.metrics_core import Metric
 from prometheus_client.registry import Collector
 from starlette.responses import Response
 
-from app.api.context import Context, TheContext
-from app.api.records import summary_of
-from app.api.watch import BUCKETS_S
-from app.guide.due import SECONDS_A_DAY
+from app.guide.common.validity import SECONDS_A_DAY
+from app.operations.context import Context, TheContext
+from app.operations.home import summary_of
+from app.operations.services import BUCKETS_S
 
 router = APIRouter()
 VERDICTS = ("good", "attention", "bad")

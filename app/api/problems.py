@@ -9,12 +9,12 @@ from starlette.exceptions import HTTPException
 from starlette.responses import Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from app.api.denied import Denied, TooManyTries
-from app.api.problem import problem
-from app.guide.guide import StaleCommand
-from app.guide.session import STALE
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
+from app.guide.calibration.guide import StaleCommand
+from app.guide.common.guided_session import STALE
+from app.security.errors import Denied, TooManyTries
 from app.store.database import NOT_KEPT
+from app.wire.problem import problem
 
 log = logging.getLogger(__name__)
 

@@ -1,35 +1,17 @@
 """What the station keeps: calibrations and scans, and the home page that tells of them."""
 
-from datetime import UTC, datetime
 from pathlib import Path
 
 from fastapi import APIRouter
 from starlette.responses import Response
 
-from app.api.context import Context, TheContext
+from app.api.files.file_response import sent_file
 from app.api.problems import NotFound
-from app.api.schema import CalibrationSummary, Home, ScanSummary
-from app.api.sending import sent_file
-from app.guide.arm.guide import ArmGuide
-from app.guide.arm.view import ArmCheckSummary
-from app.guide.due import (
-    Checked,
-    DueLimits,
-    Known,
-    State,
-    age_days,
-    next_of,
-    tip_finding,
-    validity_of,
-)
-from app.metrology.refusal import Refusal
-from app.station.findings import Finding, Quality
-from app.store.calibrations import CalibrationRecord
+from app.operations.context import TheContext
+from app.operations.home import home_of, summary_of
+from app.wire.schema import CalibrationSummary, Home, ScanSummary
 
 router = APIRouter(prefix="/api")
-PASSING = ("busy", "arm-lost", "sensor-lost")
-"""Why a scan cannot start now that a calibration does not mend."""
-RESULTS: dict[str, State] = {"pass": "valid", "fail": "failed", "uncertain": "unsure"}
 
 
 @router.get("/home")
@@ -82,86 +64,3 @@ def cloud(scan_id: str, context: TheContext) -> Response:
 
 def _download(path: Path, media_type: str, name: str) -> Response:
     return sent_file(path, f"{path.name} is not in the data folder any more.", media_type, name)
-
-
-def summary_of(record: CalibrationRecord) -> CalibrationSummary:
-    """A calibration as it is listed."""
-    return CalibrationSummary(
-        id=record.id,
-        name=record.name,
-        accepted_at=record.accepted_at,
-        # to the minute
-        age_days=round(age_days(record.accepted_at, datetime.now(UTC)), 3),
-        total_um=record.figures.total_um,
-        verdict=record.figures.verdict,
-        active=record.active,
-        arm_serial=record.figures.arm_serial,
-        sensor_serial=record.figures.sensor_serial,
-        object_serial=record.figures.object_serial,
-    )
-
-
-def home_of(context: Context) -> Home:
-    """The home page as of now."""
-    record = context.store.calibrations.active()
-    summary = summary_of(record) if record else None
-    findings: list[Finding] = []
-    for link in (context.rig.arm.link(), context.rig.sensor.link()):
-        if link.state in ("lost", "off"):
-            findings.append(Finding("bad", f"{link.title}: {link.text}", "Check its connection."))
-    known = known_of(context, record)
-    lines = validity_of(known, datetime.now(UTC), context.due)
-    refusal = context.scanner.why_not() if record is not None else None
-    blocked = "" if refusal is None or refusal.code in PASSING else refusal.line
-    reading = context.store.temperatures.newest()
-    return Home(
-        context.station,
-        summary,
-        lines,
-        None if reading is None else reading.celsius,
-        tuple(findings),
-        next_of(lines, context.guide.running, context.verify_guide.running, blocked),
-    )
-
-
-def known_of(context: Context, record: CalibrationRecord | None) -> Known:
-    """What the station remembers of all that must be in order."""
-    store, arm_guide = context.store, context.arm_guide
-    verified = store.verifications.newest_of(record.id) if record else None
-    tip, arm = arm_guide.past.last_tip_check(), arm_guide.past.last_check()
-    return Known(
-        calibration=_calibration(record, context.scanner.trouble),
-        verification=None
-        if verified is None
-        else Checked(verified.accepted_at, RESULTS[verified.figures.result], verified.figures.text),
-        verified_before=store.verifications.newest() is not None,
-        tip=None if tip is None else Checked(tip.at, _state(tip.verdict), tip.text),
-        arm=None if arm is None else Checked(arm.at, _state(arm.verdict), _of_arm(arm)),
-        warmer_c=None if record is None else store.temperatures.change_since(record.accepted_at),
-    )
-
-
-def _calibration(record: CalibrationRecord | None, trouble: Refusal | None) -> Checked | None:
-    at = record.accepted_at if record is not None else ""
-    if trouble is not None:
-        return Checked(at, "failed", trouble.why)
-    figures = record.figures if record is not None else None
-    return None if figures is None else Checked(at, "valid", f"{figures.total_um:.0f} µm (k = 1)")
-
-
-def tip_of(arm_guide: ArmGuide, limits: DueLimits) -> Finding:
-    """What the last check of the tip says to who is about to touch with it."""
-    tip = arm_guide.past.last_tip_check()
-    found = None if tip is None else Checked(tip.at, _state(tip.verdict), tip.text)
-    known = Known(None, None, False, found, None, None)
-    lines = validity_of(known, datetime.now(UTC), limits)
-    return tip_finding(next(line for line in lines if line.id == "tip"))
-
-
-def _state(verdict: Quality) -> State:
-    return "failed" if verdict == "bad" else "valid"
-
-
-def _of_arm(check: ArmCheckSummary) -> str:
-    limit = "no limit was set" if check.limit_um is None else f"limit {check.limit_um:.0f} µm"
-    return f"{max(check.half_range_um):.0f} µm, {limit}."

@@ -12,9 +12,9 @@ from typing import Annotated, Literal
 from fastapi import APIRouter, Path, Query
 from starlette.responses import Response
 
-from app.api.context import Context, TheContext
 from app.api.problems import NotFound
 from app.guide.arm.view import ArmCheckSummary, IdentificationSummary, TipCheckSummary
+from app.operations.context import Context, TheContext
 from app.report.reports import report_as
 
 router = APIRouter(prefix="/api")

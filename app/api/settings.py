@@ -4,11 +4,11 @@ from pathlib import Path
 
 from fastapi import APIRouter
 
-from app.api.context import Context, TheContext
-from app.api.schema import SettingsChange, Switch
-from app.files.session import ARM
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
+from app.formats.session.calibration_session import ARM
+from app.operations.context import Context, TheContext
 from app.station.operator_settings import PassRecord, StationSettings
+from app.wire.schema import SettingsChange, Switch
 
 router = APIRouter(prefix="/api/settings")
 

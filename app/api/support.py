@@ -12,13 +12,13 @@ from pathlib import Path
 
 from pydantic_core import to_jsonable_python
 
-from app.api.context import Context
-from app.api.examining import Examiner, packages, software
-from app.api.reporting import report_of
-from app.files.moments import utc_now
-from app.files.opening import read_bounded
-from app.metrology.refusal import Refusal
-from app.station.redaction import Redactor, secrets_in, secrets_of
+from app.errors import Refusal
+from app.formats.open_file import read_bounded
+from app.monitoring.redaction import Redactor, secrets_in, secrets_of
+from app.operations.context import Context
+from app.operations.health_checks import Examiner, packages, software
+from app.operations.status_report import report_of
+from app.timestamps import utc_now
 
 JOURNAL_ROWS = 5000
 README = """A Crenel station's support bundle, made {at}.

@@ -1,1 +1,4 @@
-"""What the operator is walked through: an append-only journal and flows folded from it."""
+"""The guided sessions: calibration, verification, and checks of the arm.
+
+A session is a journal of rows; its state is the fold of them. ``common`` has what the three share.
+"""

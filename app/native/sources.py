@@ -60,7 +60,7 @@ class Source:
 
 LIBRARIES = (
     Source("crenel", ROOT / "app" / "native"),
-    Source("simulator", ROOT / "hardware" / "twin" / "native"),
+    Source("simulator", ROOT / "hardware" / "simulator" / "native"),
 )
 
 

@@ -2,20 +2,19 @@
 
 from pathlib import Path
 
-from app.files.arm_check import ARM_CHECK
-from app.files.arm_identification import IDENTIFIED
-from app.files.names import shown_path
-from app.files.tip_check import TIP_CHECK
-from app.files.verification import VERIFICATION
-from app.metrology.refusal import Refusal
-from app.report.arm_check import arm_check_report
-from app.report.calibration import CALIBRATION, calibration_report
+from app.errors import Refusal
+from app.formats.file_names import shown_path
+from app.formats.results.arm_checks import ARM_CHECK, TIP_CHECK
+from app.formats.results.verification import VERIFICATION
+from app.formats.session.arm_session import IDENTIFIED
 from app.report.content import Report
-from app.report.identification import identification_report
-from app.report.language import in_language
-from app.report.page import page
-from app.report.tip_check import tip_check_report
-from app.report.verification import verification_report
+from app.report.contents.arm_check import arm_check_report
+from app.report.contents.calibration import CALIBRATION, calibration_report
+from app.report.contents.identification import identification_report
+from app.report.contents.tip_check import tip_check_report
+from app.report.contents.verification import verification_report
+from app.report.html import page
+from app.report.translation import in_language
 
 KINDS = (
     (VERIFICATION, verification_report),
@@ -27,7 +26,7 @@ KINDS = (
 
 
 def _paper(report: Report) -> bytes:
-    from app.report.paper import paper  # the PDF library is loaded by who prints
+    from app.report.pdf import paper  # the PDF library is loaded by who prints
 
     return paper(report)
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from types import TracebackType
 from typing import ParamSpec
 
-from app.station.findings import Quality
+from app.findings import Quality
 
 P = ParamSpec("P")
 

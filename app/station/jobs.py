@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable
 from typing import Generic, TypeVar
 
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
 from app.station.bus import Bus
 
 log = logging.getLogger(__name__)

@@ -7,21 +7,22 @@ from pathlib import Path
 
 from pydantic import ValidationError
 
-from app.files.arm import read_arm
-from app.files.calibration import read_calibration
-from app.files.failures import refusal_of_invalid
-from app.files.mask import Mask
-from app.files.scan_settings import ScanSettings
-from app.files.sync import Sync, sync
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
+from app.findings import Finding
+from app.formats.datasheets.arm import read_arm
+from app.formats.io_errors import refusal_of_invalid
+from app.formats.results.calibration import read_calibration
+from app.formats.results.delay import Sync
+from app.formats.settings.mask import Mask
+from app.formats.settings.scan_settings import ScanSettings
 from app.metrology.stripe import Choice
 from app.station.bus import Bus
-from app.station.exposure import better_line_exposure_us
-from app.station.findings import Finding
+from app.station.devices.auto_exposure import better_line_exposure_us
+from app.station.devices.rig import Rig
 from app.station.jobs import Job, Jobs, Progress
-from app.station.preview import Preview
-from app.station.rig import Rig
-from app.station.scanner import Scanner
+from app.station.preview.preview import Preview
+from app.station.scan.scanner import Scanner
+from app.workflows.estimate_delay import sync
 from hardware.interfaces import Frame
 
 TOPIC = "settings"

@@ -9,9 +9,9 @@ from functools import cache
 from argon2 import PasswordHasher
 from argon2.exceptions import InvalidHashError, VerificationError
 
-from app.files.moments import utc_now
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
 from app.store.database import Database
+from app.timestamps import utc_now
 
 LONGEST_NAME = 40
 SHORTEST_PASSWORD, LONGEST_PASSWORD = 10, 200

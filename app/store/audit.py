@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from itertools import islice
 from sqlite3 import Row
 
-from app.files.moments import utc_now
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
 from app.store.database import NOT_KEPT, Database
+from app.timestamps import utc_now
 
 log = logging.getLogger(__name__)
 

@@ -18,14 +18,14 @@ from dataclasses import asdict, dataclass
 from datetime import UTC, datetime
 from pathlib import Path
 
-from app.files.atomic import sync_file, sync_folder, write_atomically
-from app.files.documents import sha256_of
-from app.files.failures import files_refused, refusal_of
-from app.files.moments import is_moment, utc_now
-from app.files.names import printable, shown_path
-from app.files.opening import open_file, read_bounded
-from app.files.software import SOFTWARE
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
+from app.formats.atomic_write import sync_file, sync_folder, write_atomically
+from app.formats.file_names import printable, shown_path
+from app.formats.io_errors import files_refused, refusal_of
+from app.formats.json_document import sha256_of
+from app.formats.open_file import open_file, read_bounded
+from app.formats.software import SOFTWARE
+from app.timestamps import is_moment, utc_now
 
 DATABASE = "station.db"
 NOTE = "backup.json"

@@ -10,9 +10,9 @@ from typing import Any, Literal
 
 from pydantic import TypeAdapter
 
-from app.files.moments import moment_of, utc_now
 from app.store.database import Database
 from app.store.journal import Check, JournalRow, append_row, unchecked
+from app.timestamps import moment_of, utc_now
 
 COLUMNS = "id, session_id, name, file, accepted_at, figures, active"
 

@@ -13,9 +13,9 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from app.files.names import shown_path
-from app.files.opening import check_ordinary
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
+from app.formats.file_names import shown_path
+from app.formats.open_file import check_ordinary
 from app.store.schemas import SCHEMA_VERSION, SCHEMAS, columns_made, columns_of
 
 NOT_KEPT = "not-kept"

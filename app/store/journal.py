@@ -6,9 +6,9 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 
-from app.files.moments import utc_now
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
 from app.store.database import Database
+from app.timestamps import utc_now
 
 NOT_READABLE = "not-readable"
 ROWS = "SELECT number, session_id, at, kind, payload FROM journal"

@@ -7,7 +7,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Self
 
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
 
 
 class FolderLock:

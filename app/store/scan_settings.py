@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
-from app.files.scan_settings import AUTOMATIC, ScanSettings
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
+from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
 
 FILE = "scan_settings.json"
 

@@ -5,7 +5,7 @@ import threading
 from dataclasses import dataclass
 from pathlib import Path
 
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
 from app.store.database import NOT_KEPT, Database
 
 log = logging.getLogger(__name__)

@@ -2,21 +2,21 @@
 
 from pathlib import Path
 
-from app.files.atomic import ensure_folder
-from app.files.failures import refusal_of
-from app.files.names import name_from, name_whole
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
+from app.formats.atomic_write import ensure_folder
+from app.formats.file_names import name_from, name_whole
+from app.formats.io_errors import refusal_of
 from app.store.accounts import AccountStore
+from app.store.api_tokens import ScraperStore
 from app.store.audit import AuditLog
 from app.store.backup import DATABASE, last_backup
 from app.store.calibrations import CalibrationStore
 from app.store.database import FULL, Database
 from app.store.journal import JournalStore
 from app.store.lock import FolderLock
+from app.store.login_sessions import SignInStore
 from app.store.scan_settings import SettingsStore
 from app.store.scans import ScanStore
-from app.store.scrapers import ScraperStore
-from app.store.sign_ins import SignInStore
 from app.store.temperatures import TemperatureStore
 from app.store.verifications import VerificationStore
 

@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 from datetime import timedelta
 
-from app.files.moments import is_moment, moment_of, utc_now
 from app.store.database import Database
+from app.timestamps import is_moment, moment_of, utc_now
 
 NEAR = timedelta(hours=3)
 """A reading says nothing of a time further away than this."""

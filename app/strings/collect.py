@@ -15,18 +15,27 @@ from app.strings.words import WORDS
 
 ROOT = Path(__file__).resolve().parents[2]
 ROOMS = (
-    *(f"app/{room}" for room in ("api", "files", "guide", "metrology", "report", "station")),
-    *("app/store", "app/supervise", "hardware"),
+    *(f"app/{package}" for package in ("api", "formats", "guide", "metrology", "monitoring")),
+    *(f"app/{package}" for package in ("operations", "report", "server", "station", "store")),
+    *("app/errors.py", "app/findings.py", "app/supervision", "app/workflows", "hardware"),
 )
 SILENT = (
-    *("app/api/metrics.py", "app/api/wiring.py", "app/api/support.py"),
-    *("hardware/arm/protocol.py", "hardware/twin", "app/files/recording_blocks.py"),
-    "app/files/recording_wire.py",
+    *("app/api/metrics.py", "app/server/composition.py", "app/api/support.py"),
+    *("hardware/arm/protocol.py", "hardware/simulator", "app/formats/recording/blocks.py"),
+    "app/formats/recording/wire_format.py",
     # what only the console says
-    *(f"app/files/cloud_{kind}.py" for kind in ("e57", "las", "library", "pcd", "tables", "xyz")),
-    *("app/files/ply.py", "app/files/identify.py", "app/files/extract.py", "app/files/verify.py"),
-    *("app/files/calibration_figures.py", "app/files/flange_poses.py"),
-    "app/files/arm_identification.py",
+    *(
+        f"app/formats/clouds/{name}.py"
+        for name in ("e57", "las", "optional_library", "pcd", "rows", "xyz")
+    ),
+    *(
+        "app/formats/clouds/ply.py",
+        "app/workflows/identify_arm.py",
+        "app/workflows/extract_stripes.py",
+        "app/workflows/verify_gauge.py",
+    ),
+    *("app/cli/calibration_table.py", "app/formats/session/pose_columns.py"),
+    "app/formats/session/arm_session.py",
 )
 """Files of these rooms whose words are for machines."""
 MOST_FORMS = 16

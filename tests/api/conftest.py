@@ -14,11 +14,11 @@ import pytest
 from fastapi import FastAPI
 from pydantic_core import to_jsonable_python
 
-from app.api.context import Context
-from app.demonstration import parts_of
-from app.main import build_app
-from app.serving import make_server
-from hardware.twin.station import Twin, TwinConfig
+from app.operations.context import Context
+from app.server.application import build_app
+from app.server.demo import parts_of
+from app.server.listener import make_server
+from hardware.simulator.station import Twin, TwinConfig
 from tests.entering import cookie, enter
 from tests.said import Heard
 

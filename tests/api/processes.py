@@ -17,15 +17,17 @@ from tests.entering import enter
 PATIENCE_S = 200.0
 # what the server imports is imported once, and each process begins with it
 CONTEXT = multiprocessing.get_context("forkserver")
-CONTEXT.set_forkserver_preload(["app.main", "app.demonstration", "hardware.twin.station"])
+CONTEXT.set_forkserver_preload(
+    ["app.server.application", "app.server.demo", "hardware.simulator.station"]
+)
 
 
 def _serve(pipe: Connection, data: Path, calibrated: bool) -> None:
     """In the process: the demonstration, with a hand in a hurry."""
-    from app.demonstration import parts_of
-    from app.main import build_app
-    from app.serving import make_server
-    from hardware.twin.station import Twin, TwinConfig
+    from app.server.application import build_app
+    from app.server.demo import parts_of
+    from app.server.listener import make_server
+    from hardware.simulator.station import Twin, TwinConfig
 
     with Twin(TwinConfig(pace=4.0)) as twin, socket.socket() as listening:
         listening.bind(("127.0.0.1", 0))

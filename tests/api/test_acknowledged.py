@@ -10,7 +10,7 @@ import pytest
 from app.bench.faults.calls import calls_under, preloaded
 from app.bench.faults.served import prepare
 from app.bench.faults.station import Station
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
 from tests.api.traced import Trace
 
 pytestmark = pytest.mark.timeout(300)

@@ -8,10 +8,10 @@ from typing import Any
 import httpx
 import pytest
 
-from app.files.arm import ArmFile, read_arm
-from app.files.arm_identification import read_observations
-from app.files.articulation import check_table
-from app.metrology.arm_model.articulation import ArticulationLimits
+from app.formats.datasheets.arm import ArmFile, read_arm
+from app.formats.session.arm_session import read_observations
+from app.metrology.arm.identification.articulation import ArticulationLimits
+from app.workflows.check_articulation import check_table
 from tests.api.conftest import Server, done
 from tests.metrology.arm_sessions import volumetric_error_um
 

@@ -8,8 +8,8 @@ from collections.abc import Iterator
 import httpx
 import pytest
 
-from app import connections
-from app.connections import LARGEST_HEAD, LONGEST_URL, MOST_HEADERS
+from app.server import connections
+from app.server.connections import LARGEST_HEAD, LONGEST_URL, MOST_HEADERS
 from tests.api.conftest import Server
 
 HEAD = b"GET /api/session HTTP/1.1\r\nHost: localhost\r\n"

@@ -4,14 +4,14 @@ from pathlib import Path
 
 import pytest
 
-from app.demonstration import put_papers
-from app.files.arm import read_arm
-from app.files.objects import read_object
-from app.files.sensor import read_sensor
-from app.metrology.chessboard.board import Chessboard
-from app.metrology.crenellated import Crenellated
-from app.metrology.refusal import Refusal
-from hardware.twin.station import Twin, TwinConfig
+from app.errors import Refusal
+from app.formats.datasheets.arm import read_arm
+from app.formats.datasheets.sensor import read_sensor
+from app.formats.datasheets.target import read_object
+from app.metrology.targets.chessboard import Chessboard
+from app.metrology.targets.crenellated_block import Crenellated
+from app.server.demo import put_papers
+from hardware.simulator.station import Twin, TwinConfig
 
 
 def test_block_and_board_stand_side_by_side(tmp_path: Path) -> None:

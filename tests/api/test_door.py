@@ -11,10 +11,12 @@ from concurrent.futures import ThreadPoolExecutor
 import httpx
 import pytest
 
-from app import serving
-from app.api import guard, reports, static_files
-from app.api.guard import LARGEST_BODY, Guard
-from app.metrology.refusal import Refusal
+from app.api import reports
+from app.api.files import static_files
+from app.errors import Refusal
+from app.server import listener as serving
+from app.server import middleware as guard
+from app.server.middleware import LARGEST_BODY, Guard
 from app.store.database import Database
 from tests.api.conftest import Server
 

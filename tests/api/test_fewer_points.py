@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from app.api.fewer_points import FewerPoints
-from app.api.viewer import KEY
-from app.station.cloud_view import NODE_POINTS
-from app.station.scene import Scene
+from app.api.viewer.point_limit import FewerPoints
+from app.api.viewer.proxy import KEY
+from app.station.view3d.cloud_node import NODE_POINTS
+from app.station.view3d.scene import Scene
 from tests.station.conftest import until
 from tests.station.test_scene import records, surface
 from tests.station.viewer import Viewer

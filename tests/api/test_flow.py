@@ -11,9 +11,9 @@ import httpx
 import numpy as np
 import pytest
 
-from app.files.acceptance import read_acceptance
-from app.files.calibrate import calibrate_session
+from app.formats.results.acceptance import read_acceptance
 from app.report.reports import report_as
+from app.workflows.calibrate import calibrate_session
 from hardware.clock import now_ns
 from hardware.interfaces import Button
 from tests.api.conftest import Server, enabled

@@ -20,9 +20,9 @@ import numpy as np
 import pytest
 import trustme
 
-from app.files.images import write_png
-from app.files.software import SOFTWARE
-from hardware.twin.station import Twin
+from app.formats.images import write_png
+from app.formats.software import SOFTWARE
+from hardware.simulator.station import Twin
 from tests.entering import client
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -31,7 +31,7 @@ Running = tuple[subprocess.Popen[str], str]
 
 
 def command(*arguments: str) -> list[str]:
-    return [sys.executable, "-c", "from app.cli import main; main()", *arguments]
+    return [sys.executable, "-c", "from app.cli.main import main; main()", *arguments]
 
 
 def demo(data: Path, port: int = 0) -> AbstractContextManager[Running]:

@@ -9,7 +9,7 @@ from typing import Any
 
 import httpx
 
-from app.files.clouds import read_cloud
+from app.formats.clouds.files import read_cloud
 from tests.api.processes import PATIENCE_S, demonstration
 
 Scan = dict[str, Any]

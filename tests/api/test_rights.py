@@ -10,8 +10,8 @@ from starlette.routing import BaseRoute
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import ClientConnection, connect
 
-from app.api.access import cookie_for
-from app.api.rights import MESSAGES, ROUTES, WEBSOCKET, Right, Rule
+from app.api.authorization import cookie_for
+from app.security.permissions import MESSAGES, ROUTES, WEBSOCKET, Right, Rule
 from app.store.accounts import Role
 from tests.api.conftest import Server
 

@@ -3,12 +3,20 @@
 import pytest
 
 from app.api import health as health_routes
-from app.api import telling, verify_schema
+from app.api import notifications as telling
 from app.guide.arm import state, view
 from app.guide.verify import view as verify_view
-from app.station import distance, fits, health, log_book, painter, viewing
+from app.monitoring import health
+from app.monitoring import log_store as log_book
+from app.station import working_distance as distance
+from app.station.view3d import cloud_colouring as painter
+from app.station.view3d import shape_fits as fits
+from app.station.view3d import view_controller as viewing
 from app.store import backup
-from app.supervise import fleet, messages, notices
+from app.supervision import messages
+from app.supervision import notifications as notices
+from app.supervision import remote_stations as fleet
+from app.wire import schema as verify_schema
 from tests.api import test_types
 
 SHAPES: dict[str, dict[str, type]] = {

@@ -4,11 +4,11 @@ from pathlib import Path
 
 import pytest
 
-from app.files.gauge import DEFAULT_LIMITS
-from app.guide.due import DUE
+from app.errors import Refusal
+from app.formats.datasheets.gauge import DEFAULT_LIMITS
+from app.guide.common.validity import DUE
 from app.metrology.limits import LIMITS, Limits
-from app.metrology.refusal import Refusal
-from app.settings import read_settings
+from app.settings.settings import read_settings
 
 GOOD = """
 [station]

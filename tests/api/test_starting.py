@@ -15,10 +15,10 @@ from starlette.routing import Route
 from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect
 
-from app.api import static_files
-from app.api.starting import Starting, Step
-from app.metrology.refusal import Refusal
-from app.serving import make_server
+from app.api.files import static_files
+from app.errors import Refusal
+from app.server.listener import make_server
+from app.server.starting_page import Starting, Step
 
 PATIENCE_S = 20.0
 

@@ -4,7 +4,7 @@ import asyncio
 
 from starlette.types import Message, Receive, Scope, Send
 
-from app.api.strangers import PLACES, Strangers
+from app.security.anonymous_queue import PLACES, Strangers
 
 GOOD = b"crenel-8000=good"
 

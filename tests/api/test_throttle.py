@@ -2,7 +2,13 @@
 
 import pytest
 
-from app.api.throttle import FORGOTTEN_S, FREE_TRIES, LONGEST_WAIT_S, Throttle, counted_address
+from app.security.login_throttle import (
+    FORGOTTEN_S,
+    FREE_TRIES,
+    LONGEST_WAIT_S,
+    Throttle,
+    counted_address,
+)
 
 
 class Clock:

@@ -8,21 +8,22 @@ from typing import Literal, Union, get_args, get_origin, get_type_hints
 
 import pytest
 
-from app import replay
-from app.api import record_schema, schema, starting
-from app.guide import due, result_view, view
-from app.metrology.detection import evidence
-from app.station import (
-    aids,
-    device_state,
-    distance_band,
-    findings,
-    lease,
-    operator_settings,
-    preview,
-    rig,
-)
+from app import findings
+from app.guide.common import result_view, view
+from app.guide.common import validity as due
+from app.metrology.detection import failure_evidence as evidence
+from app.server import live_replay as replay
+from app.server import starting_page as starting
+from app.station import control_lease as lease
+from app.station import operator_settings
+from app.station import working_distance as distance_band
+from app.station.devices import link_state as device_state
+from app.station.devices import rig
+from app.station.preview.preview import capture_aids as aids
+from app.station.preview.preview import preview
 from app.store import audit
+from app.wire import schema
+from app.wire import schema as record_schema
 
 API = Path(__file__).resolve().parents[2] / "frontend/src/api"
 SUBJECTS = ("access", "device", "flow", "home", "live", "record", "result", "scan", "settings")

@@ -14,14 +14,14 @@ from typing import Any
 import httpx
 import pytest
 
-from app.files.verification import read_verification
+from app.formats.results.verification import read_verification
 from app.guide.verify.commands import measure_waiting
 from app.guide.verify.guide import VerifyGuide, VerifyStation
 from app.station.bus import Bus
+from app.station.devices.rig import Rig
 from app.station.jobs import Jobs
-from app.station.rig import Rig
-from app.station.scanner import Scanner
-from app.station.scene import Scene
+from app.station.scan.scanner import Scanner
+from app.station.view3d.scene import Scene
 from app.store.store import Store
 from hardware.clock import now_ns
 from hardware.interfaces import Button

@@ -11,8 +11,8 @@ import pytest
 import viser
 from websockets.sync.client import connect
 
-from app.files.cloud_points import packed
-from app.files.clouds import cloud_writer
+from app.formats.clouds.files import cloud_writer
+from app.formats.clouds.points import packed
 from app.store.scans import ScanRecord
 from tests.api.conftest import Server
 

@@ -9,7 +9,7 @@ from viser import _messages as viser_messages
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
 
-from app.api.viewer import passed
+from app.api.viewer.proxy import passed
 from tests.api.conftest import Server
 
 CAMERA = viser_messages.ViewerCameraMessage(

@@ -17,18 +17,18 @@ from prometheus_client import REGISTRY
 from prometheus_client.parser import text_string_to_metric_families
 from websockets.sync.client import connect
 
-from app.api.access import cookie_for
+from app.api.authorization import cookie_for
 from app.api.health import BUNDLING
-from app.api.observer import _tell_due
-from app.api.schema import Home
-from app.api.watch import Watching
-from app.station.health import ORDER
+from app.monitoring.health import ORDER
+from app.operations.publishers import _tell_due
+from app.operations.services import Watching
 from app.store.accounts import Role
 from app.store.store import Store
-from app.supervise.broker_settings import BrokerSettings
-from app.supervise.messages import schema
+from app.supervision.broker_settings import BrokerSettings
+from app.supervision.messages import schema
+from app.wire.schema import Home
 from tests.api.conftest import Server
-from tests.supervise.test_webhook import Receiver, receiver
+from tests.supervision.test_webhook import Receiver, receiver
 
 __all__ = ["receiver"]
 PATIENCE_S = 20.0

@@ -20,17 +20,18 @@ from pathlib import Path
 
 import numpy as np
 
-from app.files.calibrate import joint_inputs, one_pose_inputs
-from app.files.session import read_session
-from app.metrology.adjustment.joint import JointCalibration, calibrate_joint
-from app.metrology.camera import Camera
-from app.metrology.frames import Floats, apply, rigid_fit
-from app.metrology.laser_plane import LaserPlane, fit_laser_plane
-from app.metrology.one_pose import OnePoseCalibration, calibrate_one_pose
-from app.metrology.reconstruct import sensor_points
-from app.metrology.refusal import Refusal
-from hardware.twin.kinematics import UnreachableError
-from hardware.twin.session import SessionPlan, render_session
+from app.errors import Refusal
+from app.formats.session.calibration_session import read_session
+from app.metrology.adjustment.block.calibrate import JointCalibration, calibrate_joint
+from app.metrology.calibration.laser_plane_fit import fit_laser_plane
+from app.metrology.calibration.one_pose import OnePoseCalibration, calibrate_one_pose
+from app.metrology.sensor.camera import Camera
+from app.metrology.sensor.laser_plane import LaserPlane
+from app.metrology.sensor.triangulation import sensor_points
+from app.metrology.transforms import Floats, apply, rigid_fit
+from app.workflows.calibrate import joint_inputs, one_pose_inputs
+from hardware.simulator.devices.kinematics import UnreachableError
+from hardware.simulator.session import SessionPlan, render_session
 
 FIRST_SEED = 9000
 RUNS = 5
@@ -108,7 +109,13 @@ def drawn(count: int, folder: Path) -> Iterator[Path]:
 
 def cold_process_s(folder: Path, scratch: Path) -> float:
     """Median wall time of ``crenel calibrate`` as a process of its own, its files in the cache."""
-    command = [sys.executable, "-c", "from app.cli import main; main()", "calibrate", str(folder)]
+    command = [
+        sys.executable,
+        "-c",
+        "from app.cli.main import main; main()",
+        "calibrate",
+        str(folder),
+    ]
     command += ["-o", str(scratch / "calibration.json")]
     times = []
     for _ in range(RUNS + 1):

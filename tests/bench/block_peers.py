@@ -14,19 +14,19 @@ import cv2
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from app.files.calibrate import joint_inputs
-from app.files.images import read_grey
-from app.files.session import Session, read_session
-from app.metrology.adjustment.block_start import SeenPose
-from app.metrology.adjustment.joint import calibrate_joint
-from app.metrology.alignment import align
-from app.metrology.arm import flange_poses, tip_centres
-from app.metrology.camera import Camera
-from app.metrology.crenellated import corners
-from app.metrology.frames import Floats, apply, inverse, rigid, rigid_fit
+from app.formats.images import read_grey
+from app.formats.session.calibration_session import Session, read_session
+from app.metrology.adjustment.block.calibrate import calibrate_joint
+from app.metrology.adjustment.core.observations import SeenPose
+from app.metrology.arm.kinematics import flange_poses, tip_centres
+from app.metrology.calibration.laser_plane_fit import levels_of
 from app.metrology.image import Image
-from app.metrology.laser_plane import levels_of
-from app.metrology.reconstruct import sensor_points
+from app.metrology.probing.alignment import align
+from app.metrology.sensor.camera import Camera
+from app.metrology.sensor.triangulation import sensor_points
+from app.metrology.targets.crenellated_block import corners
+from app.metrology.transforms import Floats, apply, inverse, rigid, rigid_fit
+from app.workflows.calibrate import joint_inputs
 from tests.bench.board_measures import Solved, moved, placed, plane_through
 from tests.bench.hand_eye import K1_ONLY, hand_eyes
 

@@ -11,10 +11,10 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.camera import Camera, project, rays
-from app.metrology.frames import Floats, apply, inverse, rigid
-from app.metrology.laser_plane import LaserPlane
-from app.metrology.reconstruct import sensor_points
+from app.metrology.sensor.camera import Camera, project, rays
+from app.metrology.sensor.laser_plane import LaserPlane
+from app.metrology.sensor.triangulation import sensor_points
+from app.metrology.transforms import Floats, apply, inverse, rigid
 
 NEAR_PX = 170.0
 TRIMMED_SIGMAS = 3.5

@@ -13,8 +13,8 @@ from pathlib import Path
 
 import numpy as np
 
-from app.metrology.adjustment.board_joint import calibrate_board
-from hardware.twin.station import TwinConfig
+from app.metrology.adjustment.board.calibrate import calibrate_board
+from hardware.simulator.station import TwinConfig
 from tests.metrology.rendered_boards import RenderedBoards, errors_um
 from tests.metrology.seen_boards import Errors, error_um, session
 

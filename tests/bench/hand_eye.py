@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 import cv2
 import numpy as np
 
-from app.metrology.frames import Floats, inverse, rigid
+from app.metrology.transforms import Floats, inverse, rigid
 
 HAND_EYE = {
     "Tsai": cv2.CALIB_HAND_EYE_TSAI,

@@ -17,16 +17,16 @@ from typing import get_args
 
 import numpy as np
 
-from app.files.calibrate import joint_inputs
-from app.files.images import read_grey
-from app.files.session import read_session
-from app.metrology.adjustment.joint import calibrate_joint
-from app.metrology.arm import flange_poses
-from app.metrology.crenellated import corners
-from app.metrology.frames import Floats
-from app.metrology.refusal import Refusal
-from hardware.twin.kinematics import UnreachableError, WrongIn
-from hardware.twin.session import SessionPlan, render_session
+from app.errors import Refusal
+from app.formats.images import read_grey
+from app.formats.session.calibration_session import read_session
+from app.metrology.adjustment.block.calibrate import calibrate_joint
+from app.metrology.arm.kinematics import flange_poses
+from app.metrology.targets.crenellated_block import corners
+from app.metrology.transforms import Floats
+from app.workflows.calibrate import joint_inputs
+from hardware.simulator.devices.kinematics import UnreachableError, WrongIn
+from hardware.simulator.session import SessionPlan, render_session
 from tests.bench.block_peers import by_opencv, clicked, errors_um
 from tests.bench.board_measures import Solved
 

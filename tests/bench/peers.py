@@ -20,16 +20,18 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
-from app.files.images import read_grey
-from app.files.session import BoardSession, read_any_session
-from app.metrology.adjustment.board_joint import calibrate_board, see_board
-from app.metrology.adjustment.board_problem import BoardInputs
-from app.metrology.adjustment.board_start import SeenBoard
-from app.metrology.adjustment.board_view import on_sheet
-from app.metrology.adjustment.sheet import corners_at
-from app.metrology.camera import Camera, project
-from app.metrology.chessboard.board import Chessboard, corner_points
-from app.metrology.frames import (
+from app.formats.images import read_grey
+from app.formats.session.calibration_session import BoardSession, read_any_session
+from app.metrology.adjustment.board.calibrate import calibrate_board, see_board
+from app.metrology.adjustment.board.initial_guess import SeenBoard
+from app.metrology.adjustment.board.observations import on_sheet
+from app.metrology.adjustment.board.problem import BoardInputs
+from app.metrology.adjustment.board.surface import corners_at
+from app.metrology.image import Image
+from app.metrology.sensor.camera import Camera, project
+from app.metrology.sensor.laser_plane import LaserPlane
+from app.metrology.targets.chessboard import Chessboard, corner_points
+from app.metrology.transforms import (
     Floats,
     apply,
     inverse,
@@ -37,8 +39,6 @@ from app.metrology.frames import (
     rotation_from_vector,
     vector_from_rotation,
 )
-from app.metrology.image import Image
-from app.metrology.laser_plane import LaserPlane
 from tests.bench.block_peers import print_samples
 from tests.bench.board_measures import (
     Frame,

@@ -14,13 +14,13 @@ from pathlib import Path
 
 import numpy as np
 
-from app.files.calibrate import joint_inputs
-from app.files.session import read_session
-from app.metrology.adjustment.joint import calibrate_joint
-from app.metrology.crenellated import corners
-from app.metrology.refusal import Refusal
-from hardware.twin.kinematics import UnreachableError, WrongIn
-from hardware.twin.session import SessionPlan, render_session
+from app.errors import Refusal
+from app.formats.session.calibration_session import read_session
+from app.metrology.adjustment.block.calibrate import calibrate_joint
+from app.metrology.targets.crenellated_block import corners
+from app.workflows.calibrate import joint_inputs
+from hardware.simulator.devices.kinematics import UnreachableError, WrongIn
+from hardware.simulator.session import SessionPlan, render_session
 from tests.bench.block_peers import errors_um
 from tests.bench.board_measures import Solved
 from tests.bench.many_poses import rms

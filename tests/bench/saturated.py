@@ -20,8 +20,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.frames import Floats
 from app.metrology.stripe import Stripe, extract_stripe
+from app.metrology.transforms import Floats
 
 Grey = NDArray[np.uint8]
 Line = tuple[Floats, Floats]  # points along and across

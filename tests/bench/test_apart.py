@@ -6,8 +6,8 @@ from multiprocessing.connection import Connection
 
 import pytest
 
-from app.bench import apart
-from app.metrology.refusal import Refusal
+from app.bench.station import subprocess_station as apart
+from app.errors import Refusal
 
 
 def _gone(pipe: Connection) -> None:

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.bench.detection import (
+from app.bench.metrology.detection import (
     DetectionBench,
     certificate_of,
     corner_errors,
@@ -13,7 +13,7 @@ from app.bench.detection import (
     found_in,
     search,
 )
-from hardware.twin.nuisances import Shot, draw_shot
+from hardware.simulator.rendering.degradations import Shot, draw_shot
 
 SEED = 3
 

@@ -6,8 +6,8 @@ import cv2
 import numpy as np
 import pytest
 
-from app.bench.real_lines import local_noise_px, run
-from app.metrology.refusal import Refusal
+from app.bench.stripe.real_lines import local_noise_px, run
+from app.errors import Refusal
 
 
 def test_noise_is_told_and_a_curve_is_not() -> None:

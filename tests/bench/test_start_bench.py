@@ -5,10 +5,10 @@ from pathlib import Path
 
 import pytest
 
-from app.bench import start
-from app.bench.start import Rounds, StartRow, columns, run, table
-from app.bench.started import Copy, copy_at
-from app.metrology.refusal import Refusal
+from app.bench.station import start
+from app.bench.station.start import Rounds, StartRow, columns, run, table
+from app.bench.station.started import Copy, copy_at
+from app.errors import Refusal
 
 COMPILES = """#!/bin/sh
 if [ ! -e "$PYTHONPYCACHEPREFIX" ]; then sleep 0.3; mkdir "$PYTHONPYCACHEPREFIX"; fi

@@ -1,6 +1,6 @@
 """The bench of the 3D view, on a short scan."""
 
-from app.bench.view import PIECE, run, table
+from app.bench.station.view import PIECE, run, table
 
 
 def test_a_second_viewer_gets_all_and_the_colours_change() -> None:

@@ -1,7 +1,7 @@
 """The bench of many viewers, with a few of them for a few seconds."""
 
-from app.bench.viewers import run, table
-from hardware.twin.swift import Pace
+from app.bench.station.viewers import run, table
+from hardware.simulator.devices.fast_simulator import Pace
 
 
 def test_viewers_get_states_pictures_and_points_while_one_takes_nothing() -> None:

@@ -14,12 +14,12 @@ from dataclasses import replace
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from app.bench.simulated import USUAL, Draw, SetUp, Station, drawn, station_of
-from app.metrology.adjustment.evidence import Touches
-from app.metrology.adjustment.faults import about_block_faults
-from app.metrology.adjustment.solve import adjust
-from app.metrology.frames import Floats
+from app.bench.metrology.simulated import USUAL, Draw, SetUp, Station, drawn, station_of
+from app.metrology.adjustment.core.gauss_newton import adjust
+from app.metrology.adjustment.core.observations import Touches
+from app.metrology.adjustment.outliers.fault_hypotheses import about_block_faults
 from app.metrology.limits import LIMITS
+from app.metrology.transforms import Floats
 
 FACES = ("crest", "front", "left", "right")
 STATIONS, POSES, PER_FACE = 4, 6, 10

@@ -8,24 +8,24 @@ import cv2
 import numpy as np
 import pytest
 
-from app.files.arm import write_arm
-from app.files.calibration import CalibrationFile, read_calibration
-from app.files.clouds import read_cloud
-from app.files.images import write_png
-from app.files.objects import write_object
-from app.files.recording_writer import RecordingWriter
-from app.files.sensor import SensorSheet, write_sensor
-from app.files.session import Contacts, ImageRow, write_contacts, write_images
-from app.metrology.adjustment.reaching import joints_for
-from app.metrology.arm import flange_pose
-from app.metrology.camera import Camera
-from app.metrology.frames import Floats, apply, inverse, rigid
-from app.metrology.laser_plane import LaserPlane
-from app.metrology.reconstruct import sensor_points
+from app.formats.clouds.files import read_cloud
+from app.formats.datasheets.arm import write_arm
+from app.formats.datasheets.sensor import SensorSheet, write_sensor
+from app.formats.datasheets.target import write_object
+from app.formats.images import write_png
+from app.formats.recording.writer import RecordingWriter
+from app.formats.results.calibration import CalibrationFile, read_calibration
+from app.formats.session.calibration_session import Contacts, ImageRow, write_contacts, write_images
+from app.metrology.adjustment.planning.inverse_kinematics import joints_for
+from app.metrology.arm.kinematics import flange_pose
+from app.metrology.sensor.camera import Camera
+from app.metrology.sensor.laser_plane import LaserPlane
+from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.stripe import Stripe
+from app.metrology.transforms import Floats, apply, inverse, rigid
 from app.report.reports import report_as
 from tests.cli.test_cli import crenel, names_in, refused
-from tests.files.builders import ARM, edit_json, edit_text
+from tests.formats.builders import ARM, edit_json, edit_text
 from tests.metrology.boards import (
     BOARD,
     NORMAL,

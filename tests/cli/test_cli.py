@@ -15,13 +15,13 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner, Result
 
-from app.cli import cli
-from app.files.clouds import cloud_writer, read_cloud
-from app.files.recording_writer import RecordingWriter
-from app.files.report import GaugeReport
-from tests.files.builders import ARM, edit_text, joints_every, write_session
-from tests.files.test_documents import calibration_file
-from tests.files.test_rebuild import MS, NAMES, record_stripe
+from app.cli.main import cli
+from app.formats.clouds.files import cloud_writer, read_cloud
+from app.formats.recording.writer import RecordingWriter
+from app.formats.results.gauge_report import GaugeReport
+from tests.formats.builders import ARM, edit_text, joints_every, write_session
+from tests.formats.test_documents import calibration_file
+from tests.formats.test_rebuild import MS, NAMES, record_stripe
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -58,7 +58,7 @@ def stripe_picture(tmp_path: Path) -> Path:
 @pytest.fixture
 def scan(tmp_path: Path) -> dict[str, Path]:
     """A recording, its calibration and its arm."""
-    from app.files.arm import write_arm
+    from app.formats.datasheets.arm import write_arm
 
     paths = {name: tmp_path / name for name in ("scan.mcap", "calibration.json", "arm.json")}
     with RecordingWriter(paths["scan.mcap"], NAMES) as writer:
@@ -342,7 +342,12 @@ def test_calibrate_refuses_a_bad_session_and_leaves_nothing(tmp_path: Path) -> N
 
 def process(*arguments: str | Path, cwd: Path, first: str = "") -> subprocess.Popen[str]:
     return subprocess.Popen(
-        [sys.executable, "-c", f"{first}from app.cli import main; main()", *map(str, arguments)],
+        [
+            sys.executable,
+            "-c",
+            f"{first}from app.cli.main import main; main()",
+            *map(str, arguments),
+        ],
         cwd=cwd,
         env={**os.environ, "PYTHONPATH": str(ROOT)},
         stdout=subprocess.PIPE,
@@ -370,7 +375,7 @@ def test_a_disk_that_takes_no_more_is_told(tmp_path: Path, scan: dict[str, Path]
 
 def test_help_imports_nothing_heavy(tmp_path: Path) -> None:
     code = (
-        "import sys\nfrom app.cli import cli\n"
+        "import sys\nfrom app.cli.main import cli\n"
         "try:\n    cli(['--help'])\nexcept SystemExit:\n    pass\n"
         "heavy = {'cv2', 'scipy', 'fastapi', 'viser', 'foxglove', 'uvicorn', 'mcap'}\n"
         "print(sorted(heavy & set(sys.modules)), file=sys.stderr)"

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from app.files.arm import read_arm
-from hardware.twin.arm_sessions import ArmSessionPlan, render_arm_session
+from app.formats.datasheets.arm import read_arm
+from hardware.simulator.arm_sessions import ArmSessionPlan, render_arm_session
 from tests.cli.test_cli import crenel, names_in, refused
 
 PLAN = ArmSessionPlan(

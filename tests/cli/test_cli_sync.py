@@ -6,19 +6,19 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.files.arm import write_arm
-from app.files.clouds import read_cloud
-from app.files.recording import ARM_DELAY
-from app.files.recording_writer import RecordingWriter
-from app.metrology.arm import flange_pose
-from app.metrology.camera import project
-from app.metrology.frames import Floats
-from app.metrology.primitives import fit_plane
+from app.formats.clouds.files import read_cloud
+from app.formats.datasheets.arm import write_arm
+from app.formats.recording.reader import ARM_DELAY
+from app.formats.recording.writer import RecordingWriter
+from app.metrology.arm.kinematics import flange_pose
+from app.metrology.fitting.plane_sphere import fit_plane
+from app.metrology.sensor.camera import project
 from app.metrology.stripe import Stripe
+from app.metrology.transforms import Floats
 from tests.cli.test_cli import crenel, names_in, refused
-from tests.files.builders import ARM, HEIGHT, POSE_DEG, WIDTH, little_calibration
-from tests.files.test_documents import calibration_file
-from tests.files.test_rebuild import MS, NAMES
+from tests.formats.builders import ARM, HEIGHT, POSE_DEG, WIDTH, little_calibration
+from tests.formats.test_documents import calibration_file
+from tests.formats.test_rebuild import MS, NAMES
 
 DELAY_MS = 12.0
 

@@ -9,18 +9,18 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.files.arm import write_arm
-from app.files.cloud_points import Points
-from app.files.recording_writer import RecordingWriter
-from app.metrology.refusal import Refusal
-from app.replay import Replay, ReplayState
+from app.errors import Refusal
+from app.formats.clouds.points import Points
+from app.formats.datasheets.arm import write_arm
+from app.formats.recording.writer import RecordingWriter
+from app.server.live_replay import Replay, ReplayState
 from app.station.bus import Bus
 from hardware.clock import now_ns
 from hardware.interfaces import JointSample
 from tests.entering import client
-from tests.files.builders import ARM, HEIGHT, WIDTH, joints_every, little_calibration, q_at
-from tests.files.test_documents import calibration_file
-from tests.files.test_rebuild import MS, NAMES, expected, record_image, record_stripe
+from tests.formats.builders import ARM, HEIGHT, WIDTH, joints_every, little_calibration, q_at
+from tests.formats.test_documents import calibration_file
+from tests.formats.test_rebuild import MS, NAMES, expected, record_image, record_stripe
 
 ROOT = Path(__file__).resolve().parents[2]
 PORT = ("--port", "0")
@@ -176,7 +176,7 @@ def test_the_command_serves_the_display(tmp_path: Path) -> None:
     calibration_file().write(tmp_path / "calibration.json")
     write_arm(tmp_path / "arm.json", ARM)
     scan(tmp_path / "scan.mcap")
-    script = "from app.cli import main; main()"
+    script = "from app.cli.main import main; main()"
     with subprocess.Popen(
         [
             sys.executable,

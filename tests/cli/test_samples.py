@@ -10,11 +10,11 @@ import cv2
 import numpy as np
 import pytest
 
-from app.files.calibration import CalibrationFile, read_calibration
-from app.metrology.frames import apply, rigid_fit
-from app.metrology.reconstruct import sensor_points
+from app.formats.results.calibration import CalibrationFile, read_calibration
+from app.metrology.sensor.triangulation import sensor_points
+from app.metrology.transforms import apply, rigid_fit
 from tests.cli.test_cli import crenel, names_in, refused
-from tests.files.builders import edit_json
+from tests.formats.builders import edit_json
 
 
 @pytest.fixture(scope="module")

@@ -10,22 +10,22 @@ import pytest
 from google.protobuf.descriptor_pb2 import FieldDescriptorProto as Field
 from google.protobuf.descriptor_pb2 import FileDescriptorSet
 
-import app.files
-from app.files.arm import read_any_arm
-from app.files.arm_identification import read_observations
-from app.files.calibration import CalibrationFile, read_calibration
-from app.files.clouds import cloud_writer, read_cloud
-from app.files.documents import Document
-from app.files.flange_poses import COLUMNS as POSE_COLUMNS
-from app.files.gauge import DEFAULT_LIMITS, read_gauge
-from app.files.images import write_png
-from app.files.mask import Mask
-from app.files.nominal import read_nominal
-from app.files.objects import read_certificate, read_object
-from app.files.recording import SCHEMAS, STATION_METADATA
-from app.files.scan_settings import ScanSettings
-from app.files.sensor import read_sensor
-from app.files.session import (
+import app.formats
+from app.formats.clouds.files import cloud_writer, read_cloud
+from app.formats.csv_table import read_table
+from app.formats.datasheets.arm import read_any_arm
+from app.formats.datasheets.gauge import DEFAULT_LIMITS, read_gauge
+from app.formats.datasheets.gauge_nominal import read_nominal
+from app.formats.datasheets.sensor import read_sensor
+from app.formats.datasheets.target import read_certificate, read_object
+from app.formats.images import write_png
+from app.formats.json_document import Document
+from app.formats.recording.reader import SCHEMAS, STATION_METADATA
+from app.formats.recording.stripe_message import STRIPE_SCHEMA, stripe_descriptors
+from app.formats.results.calibration import CalibrationFile, read_calibration
+from app.formats.results.delay import Sync
+from app.formats.session.arm_session import read_observations
+from app.formats.session.calibration_session import (
     BoardSession,
     ImageRow,
     Session,
@@ -33,13 +33,13 @@ from app.files.session import (
     write_contacts,
     write_images,
 )
-from app.files.stripe_schema import STRIPE_SCHEMA, stripe_descriptors
-from app.files.sync import Sync
-from app.files.tables import read_table
-from app.metrology.arm import Arm, RobotArm
-from app.metrology.chessboard.board import Chessboard
-from app.metrology.gauges import NominalPlane, NominalSphere
-from app.settings_file import StationFile, read_file
+from app.formats.session.pose_columns import COLUMNS as POSE_COLUMNS
+from app.formats.settings.mask import Mask
+from app.formats.settings.scan_settings import ScanSettings
+from app.metrology.arm.kinematics import Arm, RobotArm
+from app.metrology.gauges.errors import NominalPlane, NominalSphere
+from app.metrology.targets.chessboard import Chessboard
+from app.settings.station_toml import StationFile, read_file
 
 PAGE = (Path(__file__).parents[2] / "docs/formats.md").read_text(encoding="utf-8")
 EXAMPLE = re.compile(r"^```(?:json|csv|toml|xyz) (\S+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
@@ -188,8 +188,8 @@ def test_station_toml_has_every_key_and_the_defaults(examples: Path) -> None:
 
 
 def test_every_document_of_the_package_is_named() -> None:
-    for module in pkgutil.iter_modules(app.files.__path__):
-        importlib.import_module(f"app.files.{module.name}")
+    for module in pkgutil.walk_packages(app.formats.__path__, "app.formats."):
+        importlib.import_module(module.name)
     assert "crenel/tip-check" in formats()
     missing = {name for name in formats() if f"`{name}`" not in PAGE and f'"{name}"' not in PAGE}
     assert not missing

@@ -48,7 +48,7 @@ def browser() -> Iterator[Browser]:
         running.close()
 
 
-QUIET = ("app.station.watchdog", "app.api.observer")
+QUIET = ("app.monitoring.loop_watchdog", "app.operations.publishers")
 
 
 class Demo:
@@ -62,7 +62,7 @@ class Demo:
         self.process = subprocess.Popen(
             command
             or [
-                *(sys.executable, "-c", "from app.cli import main; main()"),
+                *(sys.executable, "-c", "from app.cli.main import main; main()"),
                 *("demo", "--no-open", "--port", "0", "--data", str(data)),
             ],
             cwd=ROOT,

@@ -7,10 +7,10 @@ import signal
 import sys
 from pathlib import Path
 
-from app.demonstration import parts_of
-from app.serving import listen
-from app.start import Plan, run
-from hardware.twin.station import Twin, TwinConfig
+from app.server.demo import parts_of
+from app.server.listener import listen
+from app.server.startup import Plan, run
+from hardware.simulator.station import Twin, TwinConfig
 
 
 def serve(data: Path) -> None:

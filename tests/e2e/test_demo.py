@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import Browser, ConsoleMessage, Page, expect
 
-from app.files.clouds import read_cloud
+from app.formats.clouds.files import read_cloud
 from tests.e2e.conftest import Demo
 
 STEPS = ("devices", "setup", "touch", "place", "capture", "solve")

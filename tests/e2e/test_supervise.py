@@ -17,11 +17,11 @@ import pytest
 from jsonschema import Draft202012Validator
 from playwright.sync_api import Browser, Page, expect
 
-from app.files.recording import StripeRecord, open_recording
+from app.formats.recording.reader import StripeRecord, open_recording
 from app.store.store import Store
-from app.supervise.messages import schema
+from app.supervision.messages import schema
 from tests.e2e.conftest import ROOT, Demo, wait_in_page
-from tests.supervise.mosquitto import BINARY, Mosquitto
+from tests.supervision.mosquitto import BINARY, Mosquitto
 
 TOLD = """
 const Plain = Notification;
@@ -85,7 +85,7 @@ def page_of(browser: Browser, width: int, height: int) -> Page:
 def test_a_wall_shows_every_station_and_which_is_lost(
     broker: Mosquitto, request: pytest.FixtureRequest, pictures: Path
 ) -> None:
-    words = [sys.executable, "-m", "tests.supervise.publishing", str(broker.port), "hall-3"]
+    words = [sys.executable, "-m", "tests.supervision.publishing", str(broker.port), "hall-3"]
     with subprocess.Popen(words, cwd=ROOT, stdout=subprocess.DEVNULL) as other:
         try:
             wall: Page = request.getfixturevalue("wall")

@@ -5,12 +5,12 @@ from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
-from app.demonstration import parts_of
-from app.serving import listen
-from app.start import Plan, run
+from app.server.demo import parts_of
+from app.server.listener import listen
+from app.server.startup import Plan, run
 from app.store.store import Store
-from app.supervise.broker_settings import BrokerSettings
-from hardware.twin.station import Twin
+from app.supervision.broker_settings import BrokerSettings
+from hardware.simulator.station import Twin
 from tests.api.calibrated import use_truth
 
 

@@ -6,18 +6,18 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from app.files.sensor import SensorSheet
-from app.guide.faces import touch_report
-from app.guide.journal import fold
-from app.guide.library import Library
-from app.guide.live import Chosen, ConnectedArm, ConnectedSensor, Live
-from app.guide.outcome import from_payload
-from app.guide.state import CalibrationState, after
-from app.metrology.arm import Arm, geometric_jacobian, tip_centres
-from app.metrology.crenellated import Crenellated, probing_face
-from app.metrology.objects import CalibrationObject
-from app.station.device_state import DeviceState
-from app.station.stillness import Stillness
+from app.formats.datasheets.sensor import SensorSheet
+from app.guide.calibration.live import Chosen, ConnectedArm, ConnectedSensor, Live
+from app.guide.calibration.outcome import from_payload
+from app.guide.calibration.state import CalibrationState, after
+from app.guide.calibration.touch.report import touch_report
+from app.guide.common.datasheet_library import Library
+from app.guide.common.journal import fold
+from app.metrology.arm.kinematics import Arm, geometric_jacobian, tip_centres
+from app.metrology.targets.crenellated_block import Crenellated, probing_face
+from app.metrology.targets.target import CalibrationObject
+from app.station.devices.link_state import DeviceState
+from app.station.devices.stillness import Stillness
 
 CHOICES = {"arm": "a", "object": "b", "sensor": "s"}
 

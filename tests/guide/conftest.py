@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from app.metrology.arm import Arm, Joint, Tip
-from app.metrology.crenellated import Crenellated
+from app.metrology.arm.kinematics import Arm, Joint, Tip
+from app.metrology.targets.crenellated_block import Crenellated
 
 
 @pytest.fixture(scope="session")

@@ -24,16 +24,16 @@ from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, rule, run_state_machine_as_test
 from starlette.types import ASGIApp
 
-from app.api.context import Context
-from app.api.wiring import Parts, close_context
-from app.demonstration import parts_of
 from app.guide.arm.rules import ONLY_IN as OF_ARM
-from app.guide.permissions import ALWAYS, ONLY_IN
+from app.guide.calibration.rules import ALWAYS, ONLY_IN
 from app.guide.verify.rules import ALWAYS as ALWAYS_VERIFYING
 from app.guide.verify.rules import ONLY_IN as OF_VERIFICATION
-from app.main import build_app
+from app.operations.context import Context
+from app.server.application import build_app
+from app.server.composition import Parts, close_context
+from app.server.demo import parts_of
 from app.store.store import Store
-from hardware.twin.station import Twin
+from hardware.simulator.station import Twin
 from tests.api.calibrated import use_truth
 from tests.guide.builders import captured, point
 from tests.guide.test_verify_session import cloud

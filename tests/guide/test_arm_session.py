@@ -8,19 +8,19 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app.files.arm_identification import read_bars, write_observations
+from app.formats.session.arm_session import read_bars, write_observations
+from app.guide.arm.auto_sampling import HOLD_NS, TURN_RAD, pick
 from app.guide.arm.flow import view_of
 from app.guide.arm.live import ArmLive
+from app.guide.arm.observations import observations_of
 from app.guide.arm.rules import LEAST, why_not
-from app.guide.arm.sampling import HOLD_NS, TURN_RAD, pick
 from app.guide.arm.state import ArmState, after
-from app.guide.arm.taken import observations_of
 from app.guide.arm.view import ArmView
-from app.guide.journal import fold
-from app.guide.library import Library
-from app.guide.view import Action, Busy
-from app.metrology.arm import Arm, tip_centres
-from app.station.joints import JointWindow
+from app.guide.common.datasheet_library import Library
+from app.guide.common.journal import fold
+from app.guide.common.view import Action, Busy
+from app.metrology.arm.kinematics import Arm, tip_centres
+from app.station.devices.joint_buffer import JointWindow
 from tests.guide.builders import CONNECTED, REST_RAD, Row, reach_tip
 
 MS = 1_000_000

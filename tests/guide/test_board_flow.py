@@ -5,17 +5,17 @@ from dataclasses import asdict
 import numpy as np
 import pytest
 
-from app.guide.board_touching import WANTED, suggested_on_board
-from app.guide.board_views import VIEWS, next_view, planned_view, still_missing
-from app.guide.calibration_flow import view_of
-from app.guide.faces import face_in_use, faces_of
-from app.guide.framing import first_outline
-from app.guide.state import CalibrationState
-from app.guide.view import BoardGeometry, CameraPicture, ChoicesPicture, ObjectPicture
-from app.metrology.adjustment.pose_advice import Hold
-from app.metrology.arm import Arm, tip_centres
-from app.metrology.chessboard.board import Chessboard
-from app.metrology.crenellated import FACES, Crenellated
+from app.guide.calibration.flow import view_of
+from app.guide.calibration.poses.board_views import VIEWS, next_view, planned_view, still_missing
+from app.guide.calibration.state import CalibrationState
+from app.guide.calibration.steps.first_pose import first_outline
+from app.guide.calibration.touch.board import WANTED, suggested_on_board
+from app.guide.calibration.touch.report import face_in_use, faces_of
+from app.guide.common.view import BoardGeometry, CameraPicture, ChoicesPicture, ObjectPicture
+from app.metrology.adjustment.planning.next_pose import Hold
+from app.metrology.arm.kinematics import Arm, tip_centres
+from app.metrology.targets.chessboard import Chessboard
+from app.metrology.targets.crenellated_block import FACES, Crenellated
 from tests.guide.builders import REST_RAD, captured, live_of, point, reach_tip, started, state_after
 
 BOARD = Chessboard("sheet 7", "C-7", (7, 6), 10.0, 0.05, 0.05)

@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 
 import pytest
 
-from app.guide import buttons
-from app.guide.buttons import Buttons, Press
+from app.guide.common import buttons
+from app.guide.common.buttons import Buttons, Press
 
 PATIENCE_S = 20.0
 

@@ -7,20 +7,25 @@ from dataclasses import asdict, replace
 import numpy as np
 import pytest
 
-from app.guide.calibration_flow import view_of
-from app.guide.faces import touch_report
-from app.guide.live import Live
-from app.guide.outcome import Outcome, from_payload, to_payload
-from app.guide.permissions import why_not
-from app.guide.result_view import BudgetRow, CalibrationResult, MapPoint, PlaneKnown, PoseRow
-from app.guide.state import STEPS, CalibrationState
-from app.guide.touch_report import TouchReport
-from app.guide.touching import suggested_places
-from app.guide.view import Action, Busy, FlowView, ObjectPicture, ResultPicture, StillPicture
-from app.metrology.arm import Arm
-from app.metrology.crenellated import Crenellated
-from app.station.findings import Finding, Quality
-from app.station.stillness import Stillness
+from app.findings import Finding, Quality
+from app.guide.calibration.flow import view_of
+from app.guide.calibration.live import Live
+from app.guide.calibration.outcome import Outcome, from_payload, to_payload
+from app.guide.calibration.rules import why_not
+from app.guide.calibration.state import STEPS, CalibrationState
+from app.guide.calibration.touch.block import suggested_places
+from app.guide.calibration.touch.report import TouchReport, touch_report
+from app.guide.common.result_view import (
+    BudgetRow,
+    CalibrationResult,
+    MapPoint,
+    PlaneKnown,
+    PoseRow,
+)
+from app.guide.common.view import Action, Busy, FlowView, ObjectPicture, ResultPicture, StillPicture
+from app.metrology.arm.kinematics import Arm
+from app.metrology.targets.crenellated_block import Crenellated
+from app.station.devices.stillness import Stillness
 from tests.guide.builders import (
     CONNECTED,
     captured,

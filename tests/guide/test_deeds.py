@@ -1,9 +1,10 @@
 """Who did what is told in words, not by the commands' own names."""
 
-from app.guide import commands, permissions
 from app.guide.arm import commands as arm_commands
 from app.guide.arm import rules as arm_rules
-from app.guide.deeds import DEEDS, deed_of
+from app.guide.calibration import commands
+from app.guide.calibration import rules as permissions
+from app.guide.common.audit_labels import DEEDS, deed_of
 from app.guide.verify import commands as verify_commands
 from app.guide.verify import rules as verify_rules
 

@@ -5,7 +5,7 @@ from datetime import UTC, datetime, timedelta
 
 import pytest
 
-from app.guide.due import (
+from app.guide.common.validity import (
     DUE,
     Checked,
     Known,

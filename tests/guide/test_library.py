@@ -3,12 +3,12 @@
 import json
 from pathlib import Path
 
-from app.files.objects import write_object
-from app.guide.library import Library, read_library
-from app.guide.sheets import best_guess
-from app.guide.state import CalibrationState
-from app.metrology.chessboard.board import Chessboard
-from app.metrology.crenellated import Crenellated
+from app.formats.datasheets.target import write_object
+from app.guide.calibration.session_datasheets import best_guess
+from app.guide.calibration.state import CalibrationState
+from app.guide.common.datasheet_library import Library, read_library
+from app.metrology.targets.chessboard import Chessboard
+from app.metrology.targets.crenellated_block import Crenellated
 
 BOARD = Chessboard("sheet 7", "", (7, 6), 10.0, 0.05)
 

@@ -9,19 +9,19 @@ from types import SimpleNamespace
 
 import pytest
 
-from app.api.context import Context
-from app.api.encoding import encoded
-from app.api.examining import Examiner
-from app.api.records import home_of
-from app.api.standing import set_aside
-from app.api.wiring import Parts, close_context, open_context
-from app.demonstration import parts_of
-from app.files.moments import utc_now
-from app.guide.library import read_library
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
+from app.guide.common.datasheet_library import read_library
+from app.operations.context import Context
+from app.operations.health_checks import Examiner
+from app.operations.home import home_of
+from app.operations.unreadable_files import set_aside
+from app.server.composition import Parts, close_context, open_context
+from app.server.demo import parts_of
 from app.store.scans import ScanRecord
 from app.store.store import Store
-from hardware.twin.station import Twin
+from app.timestamps import utc_now
+from app.wire.encoding import encoded
+from hardware.simulator.station import Twin
 from tests.api.calibrated import use_truth
 
 PAGE_BYTES = 4096

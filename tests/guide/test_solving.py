@@ -9,24 +9,24 @@ import cv2
 import numpy as np
 import pytest
 
-from app.files.calibrate import joint_inputs, origin_of
-from app.files.calibration_sheet import joint_sheet
-from app.files.images import read_grey, write_png
-from app.files.session import read_session
-from app.guide.comparing import compare
-from app.guide.live import Chosen
-from app.guide.looking import look_at
-from app.guide.result_view import Comparison
-from app.guide.session_folder import SessionFolder
-from app.guide.solving import solve
-from app.metrology.adjustment.block_start import SeenPose
-from app.metrology.adjustment.joint import calibrate_joint
+from app.errors import Refusal
+from app.formats.images import read_grey, write_png
+from app.formats.results.calibration_builder import joint_sheet
+from app.formats.session.calibration_session import read_session
+from app.guide.calibration.comparison import compare
+from app.guide.calibration.live import Chosen
+from app.guide.calibration.poses.detection import look_at
+from app.guide.calibration.session_folder import SessionFolder
+from app.guide.calibration.solve import solve
+from app.guide.common.result_view import Comparison
+from app.metrology.adjustment.block.calibrate import calibrate_joint
+from app.metrology.adjustment.core.observations import SeenPose
 from app.metrology.limits import LIMITS
-from app.metrology.refusal import Refusal
-from app.station.capture import Capture
-from app.station.joints import JointMean
+from app.station.devices.capture import Capture
+from app.station.devices.joint_buffer import JointMean
+from app.workflows.calibrate import joint_inputs, origin_of
 from hardware.interfaces import Frame
-from hardware.twin.session import SessionPlan, render_session
+from hardware.simulator.session import SessionPlan, render_session
 
 
 @dataclass(frozen=True)

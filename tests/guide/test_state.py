@@ -7,9 +7,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.guide import state as state_module
-from app.guide.confirming import CONFIRMATIONS
-from app.guide.state import STEPS
+from app.guide.calibration import state as state_module
+from app.guide.calibration.commands import CONFIRMATIONS
+from app.guide.calibration.state import STEPS
 from tests.guide.builders import captured, point, started, state_after
 
 CONFIRMED = {

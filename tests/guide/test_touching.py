@@ -7,11 +7,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.guide.faces import face_progress, next_face, same_place, touch_report
-from app.guide.state import CalibrationState
-from app.guide.touching import WANTED, suggested_places, wanted_on
-from app.metrology.arm import Arm
-from app.metrology.crenellated import FACES, Crenellated, probing_face
+from app.guide.calibration.state import CalibrationState
+from app.guide.calibration.touch.block import WANTED, suggested_places, wanted_on
+from app.guide.calibration.touch.report import face_progress, next_face, same_place, touch_report
+from app.metrology.arm.kinematics import Arm
+from app.metrology.targets.crenellated_block import FACES, Crenellated, probing_face
 from tests.guide.builders import point, started, state_after, touched
 
 widths = st.floats(1.5, 12.0)

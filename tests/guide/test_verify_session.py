@@ -7,16 +7,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.files.gauge import DEFAULT_LIMITS, GaugeFile
-from app.files.gauge_cloud import Fit
-from app.files.verification_figures import errors_of, figures_of, verdict_of
-from app.guide.journal import fold
+from app.formats.datasheets.gauge import DEFAULT_LIMITS, GaugeFile
+from app.guide.common.journal import fold
 from app.guide.verify.flow import view_of
 from app.guide.verify.live import Gauges, Judged, VerifyLive
 from app.guide.verify.rules import why_not
 from app.guide.verify.state import VerifyState, after
-from app.metrology.gauges import NominalPlane, NominalSphere
-from app.metrology.touched_gauge import TouchedPlane, TouchedSphere
+from app.metrology.gauges.errors import NominalPlane, NominalSphere
+from app.metrology.gauges.probed_gauge import TouchedPlane, TouchedSphere
+from app.workflows.measure_gauge import Fit
+from app.workflows.verification_metrics import errors_of, figures_of, verdict_of
 from tests.guide.builders import CONNECTED, Row
 
 PLANE = GaugeFile(shape="plane", name="Plate")

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from hardware.twin.kinematics import ArmModel, tip_centre
-from hardware.twin.motion import Motion
-from hardware.twin.swinging import (
+from hardware.simulator.devices.kinematics import ArmModel, tip_centre
+from hardware.simulator.devices.motion import Motion
+from hardware.simulator.operator.swinging import (
     BAR_MM,
     BARS,
     bar_end,
@@ -14,7 +14,7 @@ from hardware.twin.swinging import (
     way_into_seat,
     way_onto_ball,
 )
-from hardware.twin.variety import demo_arm, random_arm
+from hardware.simulator.scene.random_scenes import demo_arm, random_arm
 
 ARMS = {
     "demonstration": demo_arm(),

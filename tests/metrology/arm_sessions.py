@@ -4,11 +4,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from app.metrology.arm import Arm, Joint, Tip, tip_centres
-from app.metrology.arm_model.observations import Bar, Observations, Seat, Sphere
-from app.metrology.frames import Floats, apply, rigid_fit
-from hardware.twin.arm_sessions import ArmSession
-from hardware.twin.kinematics import ArmModel, flange_poses
+from app.metrology.arm.identification.observations import Bar, Observations, Seat, Sphere
+from app.metrology.arm.kinematics import Arm, Joint, Tip, tip_centres
+from app.metrology.transforms import Floats, apply, rigid_fit
+from hardware.simulator.arm_sessions import ArmSession
+from hardware.simulator.devices.kinematics import ArmModel, flange_poses
 
 
 def papers_of(model: ArmModel) -> Arm:

@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from app.metrology.adjustment.board_joint import see_board
-from app.metrology.adjustment.board_problem import BoardInputs
-from app.metrology.arm import RobotArm, Tip
-from app.metrology.chessboard.board import Chessboard
-from app.metrology.frames import Floats, inverse, rigid
+from app.metrology.adjustment.board.calibrate import see_board
+from app.metrology.adjustment.board.problem import BoardInputs
+from app.metrology.arm.kinematics import RobotArm, Tip
+from app.metrology.targets.chessboard import Chessboard
+from app.metrology.transforms import Floats, inverse, rigid
 
 SIZE = (640, 512)  # width, height
 K = np.array([[1150.0, 0, 322.0], [0, 1150.0, 251.0], [0, 0, 1]])

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from app.metrology.arm import Arm, Joint, LinkError, Tip
-from app.metrology.crenellated import Crenellated, probing_face
-from app.metrology.frames import Floats, apply, rigid, rotation_from_vector
+from app.metrology.arm.kinematics import Arm, Joint, LinkError, Tip
+from app.metrology.targets.crenellated_block import Crenellated, probing_face
+from app.metrology.transforms import Floats, apply, rigid, rotation_from_vector
 
 BLOCK = Crenellated(
     name="block",

@@ -5,13 +5,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.camera import Camera
-from app.metrology.crenellated import Crenellated
-from hardware.twin.camera import LaserSheet, Optics, looking_at, sheet_through
-from hardware.twin.noise import Detector
-from hardware.twin.render import Renderer
-from hardware.twin.variety import made_from, random_comb
-from hardware.twin.world import Box, Comb, Light, Scene, Thing
+from app.metrology.sensor.camera import Camera
+from app.metrology.targets.crenellated_block import Crenellated
+from hardware.simulator.rendering.noise import Detector
+from hardware.simulator.rendering.render import Renderer
+from hardware.simulator.scene.camera import LaserSheet, Optics, looking_at, sheet_through
+from hardware.simulator.scene.random_scenes import made_from, random_comb
+from hardware.simulator.scene.world import Box, Comb, Light, Scene, Thing
 
 WIDTH, HEIGHT = 800, 640
 

@@ -7,21 +7,21 @@ from pathlib import Path
 
 import numpy as np
 
-from app.files.arm import read_arm
-from app.files.objects import read_object
-from app.metrology.adjustment.board_joint import BoardCalibration, calibrate_board, see_board
-from app.metrology.adjustment.board_problem import BoardInputs
-from app.metrology.adjustment.board_start import SeenBoard
-from app.metrology.camera import Camera
-from app.metrology.chessboard.board import Chessboard
-from app.metrology.frames import Floats, apply, inverse
-from app.metrology.laser_plane import LaserPlane
-from app.metrology.reconstruct import sensor_points
-from hardware.twin.holding import sensor_over_board
-from hardware.twin.kinematics import reach
-from hardware.twin.noise import Digits
-from hardware.twin.station import Twin, TwinConfig
-from hardware.twin.world import Board
+from app.formats.datasheets.arm import read_arm
+from app.formats.datasheets.target import read_object
+from app.metrology.adjustment.board.calibrate import BoardCalibration, calibrate_board, see_board
+from app.metrology.adjustment.board.initial_guess import SeenBoard
+from app.metrology.adjustment.board.problem import BoardInputs
+from app.metrology.sensor.camera import Camera
+from app.metrology.sensor.laser_plane import LaserPlane
+from app.metrology.sensor.triangulation import sensor_points
+from app.metrology.targets.chessboard import Chessboard
+from app.metrology.transforms import Floats, apply, inverse
+from hardware.simulator.devices.kinematics import reach
+from hardware.simulator.operator.holding import sensor_over_board
+from hardware.simulator.rendering.noise import Digits
+from hardware.simulator.scene.world import Board
+from hardware.simulator.station import Twin, TwinConfig
 
 COUNT = 8
 

@@ -2,14 +2,14 @@
 
 import numpy as np
 
-from app.metrology.camera import Camera, project
-from app.metrology.crenellated import Crenellated
-from app.metrology.detection.corners import EdgePoints
+from app.metrology.calibration.observation_model import coordinates, with_coordinates
+from app.metrology.detection.detect_block import EdgePoints
 from app.metrology.detection.visibility import visible_parts
-from app.metrology.frames import Floats, rotation_from_vector
-from app.metrology.laser_plane import LaserPlane
-from app.metrology.scene import coordinates, with_coordinates
+from app.metrology.sensor.camera import Camera, project
+from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.stripe import Stripe
+from app.metrology.targets.crenellated_block import Crenellated
+from app.metrology.transforms import Floats, rotation_from_vector
 
 
 def camera_over(

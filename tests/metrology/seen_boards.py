@@ -6,18 +6,18 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from app.metrology.adjustment.board_joint import BoardCalibration
-from app.metrology.adjustment.board_problem import BoardInputs
-from app.metrology.adjustment.board_start import SeenBoard
-from app.metrology.adjustment.board_view import on_sheet
-from app.metrology.adjustment.sheet import board_papers, corners_at
-from app.metrology.camera import Camera, project
-from app.metrology.chessboard.board import Chessboard, middle_of
-from app.metrology.chessboard.corners import BoardDetection
-from app.metrology.frames import Floats, apply, inverse, rigid
-from app.metrology.laser_plane import LaserPlane
-from app.metrology.reconstruct import sensor_points
+from app.metrology.adjustment.board.calibrate import BoardCalibration
+from app.metrology.adjustment.board.initial_guess import SeenBoard
+from app.metrology.adjustment.board.observations import on_sheet
+from app.metrology.adjustment.board.problem import BoardInputs
+from app.metrology.adjustment.board.surface import board_papers, corners_at
+from app.metrology.chessboard.detect_board import BoardDetection
+from app.metrology.sensor.camera import Camera, project
+from app.metrology.sensor.laser_plane import LaserPlane
+from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.stripe import Stripe
+from app.metrology.targets.chessboard import Chessboard, middle_of
+from app.metrology.transforms import Floats, apply, inverse, rigid
 from tests.metrology.boards import (
     K1,
     NORMAL,

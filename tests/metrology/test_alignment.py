@@ -7,10 +7,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.metrology.alignment import align, refuse_wrong_faces
-from app.metrology.contacts import what_is_missing
-from app.metrology.frames import Floats, inverse, vector_from_rotation
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
+from app.metrology.probing.alignment import align, refuse_wrong_faces
+from app.metrology.probing.contacts import what_is_missing
+from app.metrology.transforms import Floats, inverse, vector_from_rotation
 from tests.metrology.builders import BLOCK, TIP_RADIUS_MM, contacts_on, random_pose
 
 FACE_SETS = (
@@ -181,6 +181,6 @@ def test_an_unknown_face_and_bad_numbers_are_refused() -> None:
 
 
 def _normal_arm(T_arm_obj: np.ndarray, face: str) -> np.ndarray:
-    from app.metrology.crenellated import probing_face
+    from app.metrology.targets.crenellated_block import probing_face
 
     return T_arm_obj[:3, :3] @ probing_face(BLOCK, face)[0]

@@ -5,7 +5,7 @@ import warnings
 import numpy as np
 import pytest
 
-from app.metrology.arm import (
+from app.metrology.arm.kinematics import (
     Arm,
     error_transform,
     flange_pose,
@@ -14,7 +14,7 @@ from app.metrology.arm import (
     tip_centres,
     tip_covariances,
 )
-from app.metrology.frames import Floats, vector_from_rotation
+from app.metrology.transforms import Floats, vector_from_rotation
 from tests.metrology.builders import random_arm
 
 pytestmark = pytest.mark.usefixtures("variant")
@@ -86,7 +86,7 @@ def test_the_tip_scatters_as_its_covariance_says() -> None:
 def test_the_error_transform_follows_its_definition() -> None:
     from scipy.spatial.transform import Rotation
 
-    from app.metrology.arm import LinkError
+    from app.metrology.arm.kinematics import LinkError
 
     error = LinkError(0.1, -0.2, 0.3, 0.01, -0.02, 0.03)
     T = error_transform(error)

@@ -5,19 +5,19 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.metrology.arm import Arm, tip_centres, tip_covariances
-from app.metrology.arm_model.adjustment import reduced, settle_centres, start
-from app.metrology.arm_model.observations import Observations
-from app.metrology.arm_model.parameters import (
+from app.metrology.arm.identification.least_squares import reduced, settle_centres, start
+from app.metrology.arm.identification.observations import Observations
+from app.metrology.arm.identification.parameter_selection import candidates, limits, select
+from app.metrology.arm.identification.parameters import (
     encoder_covariances,
     parameter_names,
     parameter_values,
     tip_jacobian,
     with_parameters,
 )
-from app.metrology.arm_model.selection import candidates, limits, select
-from hardware.twin.arm_sessions import ArmSessionPlan, draw_arm_session
-from hardware.twin.kinematics import ArmModel, Link
+from app.metrology.arm.kinematics import Arm, tip_centres, tip_covariances
+from hardware.simulator.arm_sessions import ArmSessionPlan, draw_arm_session
+from hardware.simulator.devices.kinematics import ArmModel, Link
 from tests.metrology.arm_sessions import observed, papers_of
 from tests.metrology.builders import random_arm
 

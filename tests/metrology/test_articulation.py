@@ -5,15 +5,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.metrology.arm import tip_centres
-from app.metrology.arm_model.articulation import (
+from app.errors import Refusal
+from app.metrology.arm.identification.articulation import (
     ArticulationLimits,
     check_articulation,
     spread_um,
     verdict_of,
 )
-from app.metrology.refusal import Refusal
-from hardware.twin.arm_sessions import ArmSession, ArmSessionPlan, draw_arm_session
+from app.metrology.arm.kinematics import tip_centres
+from hardware.simulator.arm_sessions import ArmSession, ArmSessionPlan, draw_arm_session
 from tests.metrology.arm_sessions import observed, papers_of
 
 

@@ -7,20 +7,20 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from app.files.images import read_grey
-from app.files.session import BoardSession, read_any_session
-from app.metrology.adjustment.board_joint import BoardCalibration, calibrate_board, see_board
-from app.metrology.adjustment.board_lines import line_scatter
-from app.metrology.adjustment.board_problem import BoardInputs
-from app.metrology.adjustment.board_view import BoardView
-from app.metrology.adjustment.sheet import board_papers, height_of, surface
-from app.metrology.camera import Camera
-from app.metrology.frames import Floats, apply, inverse, rigid
-from app.metrology.laser_plane import LaserPlane
-from app.metrology.projection import COUNT
-from app.metrology.reconstruct import sensor_points
-from app.metrology.refusal import Refusal
-from app.metrology.scene import Scene
+from app.errors import Refusal
+from app.formats.images import read_grey
+from app.formats.session.calibration_session import BoardSession, read_any_session
+from app.metrology.adjustment.board.calibrate import BoardCalibration, calibrate_board, see_board
+from app.metrology.adjustment.board.laser_lines import line_scatter
+from app.metrology.adjustment.board.observations import BoardView
+from app.metrology.adjustment.board.problem import BoardInputs
+from app.metrology.adjustment.board.surface import board_papers, height_of, surface
+from app.metrology.calibration.observation_model import Scene
+from app.metrology.sensor.camera import Camera
+from app.metrology.sensor.laser_plane import LaserPlane
+from app.metrology.sensor.projection import COUNT
+from app.metrology.sensor.triangulation import sensor_points
+from app.metrology.transforms import Floats, apply, inverse, rigid
 from tests.metrology.boards import (
     BOARD,
     K1,

@@ -6,18 +6,18 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from app.metrology.adjustment.board_bundle import bundle
-from app.metrology.adjustment.board_joint import calibrate_board, see_board
-from app.metrology.adjustment.board_problem import BoardInputs
-from app.metrology.adjustment.board_start import board_camera
-from app.metrology.adjustment.board_view import BoardView
-from app.metrology.adjustment.mounting import mounting_by_motion
-from app.metrology.adjustment.robot_noise import PosesSeen, robot_noise
-from app.metrology.chessboard.board import middle_of
-from app.metrology.findings import Finding
-from app.metrology.frames import Floats, rigid
+from app.errors import Refusal
+from app.metrology.adjustment.board.bundle import bundle
+from app.metrology.adjustment.board.calibrate import calibrate_board, see_board
+from app.metrology.adjustment.board.initial_guess import board_camera
+from app.metrology.adjustment.board.observations import BoardView
+from app.metrology.adjustment.board.problem import BoardInputs
+from app.metrology.adjustment.core.hand_eye import mounting_by_motion
+from app.metrology.adjustment.core.robot_noise import PosesSeen, robot_noise
+from app.metrology.calibration.findings import Finding
 from app.metrology.limits import Limits
-from app.metrology.refusal import Refusal
+from app.metrology.targets.chessboard import middle_of
+from app.metrology.transforms import Floats, rigid
 from app.strings.sentences import sentences_of
 from tests.metrology.boards import POSES, T_ARM_OBJ, T_FLANGE_CAM, TIP, seen_from
 from tests.metrology.seen_boards import PAPER, Errors, error_um, session

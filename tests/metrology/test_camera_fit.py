@@ -4,18 +4,18 @@ import cv2
 import numpy as np
 import pytest
 
-from app.metrology.camera import Camera, project
-from app.metrology.camera_fit import CameraFit, Observations, fit_camera
-from app.metrology.crenellated import corners
-from app.metrology.detection.corners import Corner
+from app.errors import Refusal
+from app.metrology.calibration.camera_refinement import CameraFit, Observations, fit_camera
+from app.metrology.calibration.laser_plane_fit import fit_laser_plane
+from app.metrology.calibration.observation_model import Scene, corner_rows, edge_rows, stripe_rows
+from app.metrology.detection.detect_block import Corner
 from app.metrology.detection.visibility import visible_corners
-from app.metrology.faugeras import solve_faugeras
-from app.metrology.frames import Floats, apply, rigid_fit
-from app.metrology.laser_plane import fit_laser_plane
-from app.metrology.projection import COUNT, project_with_jacobian, stepped
-from app.metrology.reconstruct import sensor_points
-from app.metrology.refusal import Refusal
-from app.metrology.scene import Scene, corner_rows, edge_rows, stripe_rows
+from app.metrology.sensor.camera import Camera, project
+from app.metrology.sensor.faugeras import solve_faugeras
+from app.metrology.sensor.projection import COUNT, project_with_jacobian, stepped
+from app.metrology.sensor.triangulation import sensor_points
+from app.metrology.targets.crenellated_block import corners
+from app.metrology.transforms import Floats, apply, rigid_fit
 from tests.metrology.builders import BLOCK
 from tests.metrology.seen_block import (
     as_made,

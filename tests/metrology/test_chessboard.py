@@ -5,12 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.metrology.chessboard.board import Chessboard, corner_points, ways_to_number
-from app.metrology.chessboard.corners import detect_board, outshining
-from app.metrology.detection.evidence import DetectionRefusal
-from app.metrology.frames import Floats, apply
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
+from app.metrology.chessboard.detect_board import detect_board, outshining
+from app.metrology.detection.failure_evidence import DetectionRefusal
 from app.metrology.stripe import extract_stripe
+from app.metrology.targets.chessboard import Chessboard, corner_points, ways_to_number
+from app.metrology.transforms import Floats, apply
 from tests.metrology.boards import BOARD, K1, POSES, K, Look, picture, seen_from
 
 CROSSED = POSES[6]

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from app.metrology.clock_delay import clock_delay
-from app.metrology.clock_pass import PlanePass
-from app.metrology.frames import Floats
-from app.metrology.joint_stamps import angles_at
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
+from app.metrology.arm.joint_interpolation import angles_at
+from app.metrology.time_delay.delay import clock_delay
+from app.metrology.time_delay.plane_pass import PlanePass
+from app.metrology.transforms import Floats
 
 Path = Callable[[Floats], Floats]
 AT_NS = 10**12

@@ -6,19 +6,19 @@ import cv2
 import numpy as np
 import pytest
 
-from app.metrology.camera import project
-from app.metrology.crenellated import corners as corners_of
+from app.errors import Refusal
 from app.metrology.detection.acceptance import too_little_left
 from app.metrology.detection.corner_fit import corners_where_edges_meet
-from app.metrology.detection.corners import ObjectDetection, detect_object
-from app.metrology.detection.directions import Directions
-from app.metrology.detection.edge_points import stations
-from app.metrology.detection.edge_survey import survey
-from app.metrology.detection.identify import placings
-from app.metrology.detection.segments import Segments
+from app.metrology.detection.detect_block import ObjectDetection, detect_object
+from app.metrology.detection.edges.measure_all import survey
+from app.metrology.detection.edges.stations import stations
+from app.metrology.detection.search.line_segments import Segments
+from app.metrology.detection.search.pose_hypotheses import placings
+from app.metrology.detection.search.vanishing_points import Directions
 from app.metrology.detection.visibility import wireframe
-from app.metrology.refusal import Refusal
+from app.metrology.sensor.camera import project
 from app.metrology.stripe import extract_stripe
+from app.metrology.targets.crenellated_block import corners as corners_of
 from tests.metrology.rendered_block import Rendered, rendered
 
 

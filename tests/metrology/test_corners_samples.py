@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 from scipy.optimize import least_squares
 
-from app.metrology.camera import Camera, project
-from app.metrology.crenellated import Crenellated
-from app.metrology.crenellated import corners as corners_of
-from app.metrology.detection.corners import ObjectDetection, detect_object
-from app.metrology.frames import rotation_from_vector
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
+from app.metrology.detection.detect_block import ObjectDetection, detect_object
+from app.metrology.sensor.camera import Camera, project
+from app.metrology.targets.crenellated_block import Crenellated
+from app.metrology.targets.crenellated_block import corners as corners_of
+from app.metrology.transforms import rotation_from_vector
 
 PICTURES = [("one-pose", 0), ("many-poses", 0), ("many-poses", 7), ("metal", 0), ("metal", 2)]
 

@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.metrology.drift import ARCSEC, Mounted, drift
-from app.metrology.frames import rigid, rotation_from_vector
-from app.metrology.laser_plane import LaserPlane
-from tests.files.builders import little_calibration
+from app.metrology.calibration.drift import ARCSEC, Mounted, drift
+from app.metrology.sensor.laser_plane import LaserPlane
+from app.metrology.transforms import rigid, rotation_from_vector
+from tests.formats.builders import little_calibration
 
 UV = np.array([(u, v) for u in (10, 20, 30, 40, 50) for v in (15, 24, 33)], dtype=float)
 

@@ -5,14 +5,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.metrology.camera import project
-from app.metrology.crenellated import Crenellated, corners
-from app.metrology.detection.edge_ends import ends_elsewhere, ends_of, in_place_by
-from app.metrology.detection.edge_sizes import in_place, planes
-from app.metrology.detection.edge_strays import missized
-from app.metrology.detection.edge_survey import Survey, survey
-from app.metrology.detection.objection import Objection
+from app.metrology.detection.edges.dimension_test import in_place, planes
+from app.metrology.detection.edges.edge_ends import ends_elsewhere, ends_of, in_place_by
+from app.metrology.detection.edges.measure_all import Survey, survey
+from app.metrology.detection.edges.other_edges import missized
+from app.metrology.detection.rejection import Objection
 from app.metrology.detection.visibility import wireframe
+from app.metrology.sensor.camera import project
+from app.metrology.targets.crenellated_block import Crenellated, corners
 from tests.metrology.rendered_block import Rendered, rendered
 
 BLUR_PX, MADE_MM = 0.7, 0.002

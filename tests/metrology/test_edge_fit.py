@@ -3,15 +3,15 @@
 import numpy as np
 from numpy.testing import assert_allclose
 
-from app.metrology.camera import Camera, project
-from app.metrology.detection.edge_fit import (
+from app.metrology.detection.edges.camera_from_edges import (
     WITH_K2,
     fit_edges,
     moved,
     residuals,
     residuals_with_jacobian,
 )
-from app.metrology.frames import Floats, rotation_from_vector
+from app.metrology.sensor.camera import Camera, project
+from app.metrology.transforms import Floats, rotation_from_vector
 
 
 def _camera() -> Camera:

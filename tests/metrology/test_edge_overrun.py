@@ -5,11 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.metrology.crenellated import Crenellated
-from app.metrology.detection.edge_overrun import overrun
-from app.metrology.detection.edge_survey import survey
-from app.metrology.detection.objection import Objection
+from app.metrology.detection.edges.edge_overrun import overrun
+from app.metrology.detection.edges.measure_all import survey
+from app.metrology.detection.rejection import Objection
 from app.metrology.detection.visibility import wireframe
+from app.metrology.targets.crenellated_block import Crenellated
 from tests.metrology.rendered_block import Rendered, rendered
 
 MADE_MM = 0.002

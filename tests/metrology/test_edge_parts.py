@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from app.metrology.detection.acceptance import judged
-from app.metrology.detection.edge_sizes import unseen
-from app.metrology.detection.edge_survey import Survey, survey
+from app.metrology.detection.edges.dimension_test import unseen
+from app.metrology.detection.edges.measure_all import Survey, survey
 from app.metrology.detection.visibility import wireframe
 from tests.metrology.rendered_block import Rendered, rendered
 

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from app.metrology.detection.edge_points import Stations
-from app.metrology.detection.edge_scatter import scatter
+from app.metrology.detection.edges.scatter import scatter
+from app.metrology.detection.edges.stations import Stations
 
 PARTS, POINTS, SIGMA_PX = 40, 30, 0.02
 

@@ -5,13 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.metrology.camera import project
-from app.metrology.detection.edge_points import stations
-from app.metrology.detection.edge_sizes import planes, shifts, unseen
-from app.metrology.detection.edge_survey import survey
-from app.metrology.detection.objection import in_words
-from app.metrology.detection.picture import grey_picture
+from app.metrology.detection.edges.dimension_test import planes, shifts, unseen
+from app.metrology.detection.edges.measure_all import survey
+from app.metrology.detection.edges.stations import stations
+from app.metrology.detection.image_quality import grey_picture
+from app.metrology.detection.rejection import in_words
 from app.metrology.detection.visibility import wireframe
+from app.metrology.sensor.camera import project
 from tests.metrology.rendered_block import Rendered, rendered
 
 

@@ -5,9 +5,9 @@ import pytest
 from numpy.typing import NDArray
 from scipy.special import erf
 
-from app.metrology.detection.edge_points import Stations
-from app.metrology.detection.edge_step import measure
-from app.metrology.frames import Floats
+from app.metrology.detection.edges.stations import Stations
+from app.metrology.detection.edges.step_fit import measure
+from app.metrology.transforms import Floats
 
 SIDE = 160
 # The pixels' own width blurs a lens blur of 0.8 px to this.

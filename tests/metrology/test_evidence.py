@@ -6,16 +6,16 @@ import cv2
 import numpy as np
 import pytest
 
-from app.bench.detection import certificate_of, found_in
-from app.metrology.camera import project
-from app.metrology.crenellated import corners as corners_of
-from app.metrology.detection.corners import DetectionRefusal, detect_object
-from app.metrology.detection.evidence import with_evidence
-from app.metrology.detection.objection import Objection
-from app.metrology.detection.picture import PictureFinding, edge_blur_px
-from app.metrology.detection.refusals import contradicted
-from app.metrology.refusal import Refusal
-from hardware.twin.nuisances import draw_shot
+from app.bench.metrology.detection import certificate_of, found_in
+from app.errors import Refusal
+from app.metrology.detection.detect_block import DetectionRefusal, detect_object
+from app.metrology.detection.errors import contradicted
+from app.metrology.detection.failure_evidence import with_evidence
+from app.metrology.detection.image_quality import PictureFinding, edge_blur_px
+from app.metrology.detection.rejection import Objection
+from app.metrology.sensor.camera import project
+from app.metrology.targets.crenellated_block import corners as corners_of
+from hardware.simulator.rendering.degradations import draw_shot
 from tests.metrology.rendered_block import Rendered, rendered
 
 

@@ -6,10 +6,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.metrology.crenellated import Crenellated, corners
-from app.metrology.faugeras import LARGEST_CONDITION, solve_faugeras
-from app.metrology.frames import Floats, inverse, rigid, rotation_from_vector
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
+from app.metrology.sensor.faugeras import LARGEST_CONDITION, solve_faugeras
+from app.metrology.targets.crenellated_block import Crenellated, corners
+from app.metrology.transforms import Floats, inverse, rigid, rotation_from_vector
 
 BLOCK = Crenellated("b", "1", (-22, -14, -7, -2, 5, 10, 17, 22), -12, 12, 15, 0, -12, 0.002)
 LEVELS = np.array(

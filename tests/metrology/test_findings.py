@@ -6,9 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.metrology.alignment import align
-from app.metrology.detection.corners import ObjectDetection
-from app.metrology.findings import (
+from app.errors import Refusal
+from app.metrology.calibration.findings import (
     Finding,
     Limits,
     Quality,
@@ -17,8 +16,9 @@ from app.metrology.findings import (
     about_unseen,
     gravest_first,
 )
-from app.metrology.one_pose import OnePoseInputs, calibrate_one_pose
-from app.metrology.refusal import Refusal
+from app.metrology.calibration.one_pose import OnePoseInputs, calibrate_one_pose
+from app.metrology.detection.detect_block import ObjectDetection
+from app.metrology.probing.alignment import align
 from tests.metrology.builders import BLOCK, TIP_RADIUS_MM, contacts_on, random_pose
 from tests.metrology.seen_block import camera_over
 from tests.metrology.test_one_pose import read_inputs

@@ -6,7 +6,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from app.metrology.frames import (
+from app.errors import Refusal
+from app.metrology.transforms import (
     apply,
     inverse,
     nearest_rotation,
@@ -15,7 +16,6 @@ from app.metrology.frames import (
     rotation_from_vector,
     vector_from_rotation,
 )
-from app.metrology.refusal import Refusal
 
 vectors = st.lists(st.floats(-3.0, 3.0), min_size=3, max_size=3).map(np.array)
 

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from app.metrology.frames import rotation_from_vector
-from app.metrology.gauges import (
+from app.errors import Refusal
+from app.metrology.gauges.errors import (
     NominalPlane,
     NominalSphere,
     angle_between_rad,
@@ -12,7 +12,7 @@ from app.metrology.gauges import (
     check_sphere,
     spread,
 )
-from app.metrology.refusal import Refusal
+from app.metrology.transforms import rotation_from_vector
 
 ARCSEC = np.pi / 180 / 3600
 

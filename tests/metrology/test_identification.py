@@ -6,15 +6,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.metrology.arm import Arm, Tip, tip_covariances
-from app.metrology.arm_model.identification import Identification, identify
-from app.metrology.arm_model.observations import Observations
-from app.metrology.arm_model.parameters import parameter_values
-from app.metrology.arm_model.selection import candidates
-from app.metrology.arm_model.solving import solve
-from app.metrology.frames import Floats
-from app.metrology.refusal import Refusal
-from hardware.twin.arm_sessions import ArmSession, ArmSessionPlan, draw_arm_session
+from app.errors import Refusal
+from app.metrology.arm.identification.identify import Identification, identify
+from app.metrology.arm.identification.observations import Observations
+from app.metrology.arm.identification.parameter_selection import candidates
+from app.metrology.arm.identification.parameters import parameter_values
+from app.metrology.arm.identification.robust_solve import solve
+from app.metrology.arm.kinematics import Arm, Tip, tip_covariances
+from app.metrology.transforms import Floats
+from hardware.simulator.arm_sessions import ArmSession, ArmSessionPlan, draw_arm_session
 from tests.metrology.arm_sessions import (
     fresh_poses,
     length_errors_um,

@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from app.metrology.camera import Camera, project
-from app.metrology.crenellated import Crenellated
-from app.metrology.detection.directions import Directions
-from app.metrology.detection.identify import placings
-from app.metrology.detection.segments import Segments
+from app.metrology.detection.search.line_segments import Segments
+from app.metrology.detection.search.pose_hypotheses import placings
+from app.metrology.detection.search.vanishing_points import Directions
 from app.metrology.detection.visibility import visible_parts
-from app.metrology.frames import rotation_from_vector
+from app.metrology.sensor.camera import Camera, project
+from app.metrology.targets.crenellated_block import Crenellated
+from app.metrology.transforms import rotation_from_vector
 
 BLOCK = Crenellated(
     "Block",

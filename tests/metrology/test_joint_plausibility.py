@@ -6,9 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from app.metrology.arm import Arm, Joint, Tip
-from app.metrology.frames import Floats
-from app.metrology.joint_plausibility import EQUAL_FROZEN, JointJudge, outside_limits
+from app.metrology.arm.joint_plausibility import EQUAL_FROZEN, JointJudge, outside_limits
+from app.metrology.arm.kinematics import Arm, Joint, Tip
+from app.metrology.transforms import Floats
 
 MS = 1_000_000
 FINE, COARSE = 2 * np.pi / 2**22, 2 * np.pi / 2**14

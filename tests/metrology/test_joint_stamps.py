@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from app.metrology.joint_stamps import angles_at
+from app.metrology.arm.joint_interpolation import angles_at
 
 STAMPS_NS = np.array([1_000, 2_000, 3_000, 9_000])
 Q_RAD = np.array([[0.0, 3.1], [0.2, -3.1], [0.4, -3.0], [1.0, -2.0]])

@@ -5,18 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.metrology.camera import Camera, project, rays
-from app.metrology.frames import Floats
-from app.metrology.laser_plane import (
-    LaserPlane,
-    LaserPlaneFit,
-    fit_laser_plane,
-    levels_of,
-    tangents,
-)
-from app.metrology.line_scatter import neighbours_alike
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
+from app.metrology.calibration.laser_plane_fit import LaserPlaneFit, fit_laser_plane, levels_of
+from app.metrology.sensor.camera import Camera, project, rays
+from app.metrology.sensor.laser_plane import LaserPlane, tangents
+from app.metrology.sensor.residual_correlation import neighbours_alike
 from app.metrology.stripe import Stripe
+from app.metrology.transforms import Floats
 from tests.metrology.builders import BLOCK
 from tests.metrology.seen_block import camera_over, laser_plane, stripe_on
 

@@ -5,10 +5,14 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.metrology.cylinder import across, cylinder_distances, cylinder_jacobian, fit_cylinder
-from app.metrology.fit_uncertainty import parameter_covariance
-from app.metrology.measured_shape import ShapeName, measure_shape
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
+from app.metrology.fitting.cylinder import (
+    across,
+    cylinder_distances,
+    cylinder_jacobian,
+    fit_cylinder,
+)
+from app.metrology.fitting.shape import ShapeName, measure_shape, parameter_covariance
 
 seeds = st.integers(0, 10**6)
 FRAMES = 60

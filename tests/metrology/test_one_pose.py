@@ -9,18 +9,18 @@ import cv2
 import numpy as np
 import pytest
 
-from app.metrology.arm import Arm, Joint, LinkError, Tip, flange_pose
-from app.metrology.crenellated import Crenellated, corners
-from app.metrology.frames import Floats, apply, rigid, rigid_fit, rotation_from_vector
-from app.metrology.laser_plane import in_frame
-from app.metrology.one_pose import (
+from app.errors import Refusal
+from app.metrology.arm.kinematics import Arm, Joint, LinkError, Tip, flange_pose
+from app.metrology.calibration.one_pose import (
     OnePoseCalibration,
     OnePoseInputs,
     calibrate_one_pose,
     probe_matrix,
 )
-from app.metrology.reconstruct import arm_points, sensor_points
-from app.metrology.refusal import Refusal
+from app.metrology.sensor.laser_plane import in_frame
+from app.metrology.sensor.triangulation import arm_points, sensor_points
+from app.metrology.targets.crenellated_block import Crenellated, corners
+from app.metrology.transforms import Floats, apply, rigid, rigid_fit, rotation_from_vector
 
 SESSIONS = ("one-pose", "many-poses", "metal")
 

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from app.metrology.frames import rigid, rotation_from_vector
-from app.metrology.pass_speed import pass_speed
+from app.metrology.sensor.motion_blur import pass_speed
+from app.metrology.transforms import rigid, rotation_from_vector
 
 LINE = np.column_stack([np.linspace(-10, 10, 101), np.zeros(101), np.full(101, 150.0)])
 

@@ -4,8 +4,8 @@ import cv2
 import numpy as np
 import pytest
 
-from app.metrology.detection.picture import edge_blur_px, grey_picture, picture_findings
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
+from app.metrology.detection.image_quality import edge_blur_px, grey_picture, picture_findings
 from tests.metrology.rendered_block import rendered
 
 

@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.metrology.primitives import fit_plane, fit_sphere
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
+from app.metrology.fitting.plane_sphere import fit_plane, fit_sphere
 
 seeds = st.integers(0, 10**6)
 

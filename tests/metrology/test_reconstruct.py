@@ -4,11 +4,11 @@ import cv2
 import numpy as np
 import pytest
 
-from app.metrology.arm import flange_poses
-from app.metrology.camera import Camera, project
-from app.metrology.frames import apply, inverse, rotation_from_vector
-from app.metrology.laser_plane import LaserPlane
-from app.metrology.reconstruct import arm_points, frame_points, sensor_points
+from app.metrology.arm.kinematics import flange_poses
+from app.metrology.sensor.camera import Camera, project
+from app.metrology.sensor.laser_plane import LaserPlane
+from app.metrology.sensor.triangulation import arm_points, frame_points, sensor_points
+from app.metrology.transforms import apply, inverse, rotation_from_vector
 from tests.metrology.builders import random_arm, random_pose
 
 pytestmark = pytest.mark.usefixtures("variant")

@@ -9,10 +9,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from app.metrology.frames import Floats
+from app.errors import Refusal
 from app.metrology.image import saturation_level
-from app.metrology.refusal import Refusal
 from app.metrology.stripe import Stripe, extract_stripe
+from app.metrology.transforms import Floats
 
 WIDTH, HEIGHT = 640, 256
 

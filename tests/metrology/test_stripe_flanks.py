@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from app.metrology.frames import Floats
 from app.metrology.stripe import Stripe, extract_stripe
+from app.metrology.transforms import Floats
 
 WIDTH, HEIGHT = 640, 320
 U = np.arange(WIDTH)

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from app.bench.extraction import judged
-from app.bench.stripe_frames import spoiled, taken
-from app.bench.stripe_methods import crenel_line
-from app.metrology.frames import Floats
-from app.metrology.refusal import Refusal
+from app.bench.stripe.extraction import judged
+from app.bench.stripe.frames import spoiled, taken
+from app.bench.stripe.methods import crenel_line
+from app.errors import Refusal
 from app.metrology.stripe import Choice, Stripe, StripeSettings, StripeTracker, extract_stripe
+from app.metrology.transforms import Floats
 
 pytestmark = pytest.mark.usefixtures("variant")
 

@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.metrology.arm import Arm, Joint, Tip, flange_poses, tip_centres
-from app.metrology.tip_check import check_tip
+from app.metrology.arm.kinematics import Arm, Joint, Tip, flange_poses, tip_centres
+from app.metrology.gauges.tip_check import check_tip
 from tests.guide.builders import REST_RAD, reach_tip
 
 RADIUS_MM = 12.5

@@ -3,14 +3,14 @@
 import numpy as np
 import pytest
 
-from app.metrology.arm import Arm, Joint, Tip, flange_pose, tip_centres
-from app.metrology.conformity import decide
-from app.metrology.deviation_map import deviation_map
-from app.metrology.gauge_cloud import gauge_plane, gauge_sphere, zone_mm
-from app.metrology.measured_shape import measure_shape
-from app.metrology.primitives import PlaneFit
-from app.metrology.refusal import Refusal
-from app.metrology.touched_gauge import touched_plane, touched_sphere
+from app.errors import Refusal
+from app.metrology.arm.kinematics import Arm, Joint, Tip, flange_pose, tip_centres
+from app.metrology.fitting.deviation_map import deviation_map
+from app.metrology.fitting.plane_sphere import PlaneFit
+from app.metrology.fitting.shape import measure_shape
+from app.metrology.gauges.conformity import decide
+from app.metrology.gauges.probed_gauge import touched_plane, touched_sphere
+from app.metrology.gauges.scanned_gauge import gauge_plane, gauge_sphere, zone_mm
 from tests.guide.builders import REST_RAD, reach_tip
 
 RNG = np.random.default_rng(7)

@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from app.guide.board_views import VIEWS
-from app.metrology.adjustment.pose_advice import held
-from app.metrology.camera import project
-from app.metrology.frames import inverse
-from hardware.twin.station import TwinConfig
+from app.guide.calibration.poses.board_views import VIEWS
+from app.metrology.adjustment.planning.next_pose import held
+from app.metrology.sensor.camera import project
+from app.metrology.transforms import inverse
+from hardware.simulator.station import TwinConfig
 from tests.metrology.rendered_boards import RenderedBoards, errors_um
 
 

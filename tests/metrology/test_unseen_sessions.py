@@ -6,12 +6,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.files.calibrate import one_pose_inputs
-from app.files.session import read_session
-from app.metrology.frames import apply, rigid_fit
-from app.metrology.one_pose import calibrate_one_pose
-from app.metrology.reconstruct import sensor_points
-from hardware.twin.session import SessionPlan, render_session
+from app.formats.session.calibration_session import read_session
+from app.metrology.calibration.one_pose import calibrate_one_pose
+from app.metrology.sensor.triangulation import sensor_points
+from app.metrology.transforms import apply, rigid_fit
+from app.workflows.calibrate import one_pose_inputs
+from hardware.simulator.session import SessionPlan, render_session
 
 PLANS = {
     "upside down, seven joints": SessionPlan(joints=7, roll_rad=np.pi),

@@ -7,9 +7,9 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from app.metrology.crenellated import Crenellated, corners, edges
 from app.metrology.detection.visibility import visible_corners, visible_parts
-from app.metrology.frames import Floats
+from app.metrology.targets.crenellated_block import Crenellated, corners, edges
+from app.metrology.transforms import Floats
 from tests.metrology.builders import BLOCK
 
 CAMERA_MM = np.array([13.0, -70.0, 120.0])

@@ -7,17 +7,17 @@ import pytest
 from numpy.typing import NDArray
 from scipy.ndimage import map_coordinates
 
-from app.metrology.camera import Camera, normalised, project
-from app.metrology.detection.directions import perpendicular_directions
-from app.metrology.detection.edge_fit import residuals_with_jacobian
-from app.metrology.detection.edge_points import Stations, profiles, search, stations
-from app.metrology.detection.edge_step import measure
-from app.metrology.detection.identify import placings
-from app.metrology.detection.segments import Segments
+from app.metrology.detection.edges.camera_from_edges import residuals_with_jacobian
+from app.metrology.detection.edges.stations import Stations, profiles, search, stations
+from app.metrology.detection.edges.step_fit import measure
+from app.metrology.detection.search.line_segments import Segments
+from app.metrology.detection.search.pose_hypotheses import placings
+from app.metrology.detection.search.vanishing_points import perpendicular_directions
 from app.metrology.detection.visibility import seen, visible_corners, wireframe
-from app.metrology.frames import Floats, rotation_from_vector
-from app.metrology.line_images import across_lines
-from app.metrology.line_scatter import neighbours_alike, variances_of_lines
+from app.metrology.sensor.camera import Camera, normalised, project
+from app.metrology.sensor.line_projection import across_lines
+from app.metrology.sensor.residual_correlation import neighbours_alike, variances_of_lines
+from app.metrology.transforms import Floats, rotation_from_vector
 from app.native.product import CRENEL
 from tests.metrology.builders import BLOCK
 

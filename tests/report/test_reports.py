@@ -11,36 +11,35 @@ import pytest
 from reportlab.pdfbase.pdfmetrics import stringWidth
 from typer.testing import CliRunner
 
-from app.cli import cli
-from app.files.acceptance import ACCEPTANCE, Acceptance, ComparisonPart
-from app.files.arm import write_arm
-from app.files.arm_check import ARM_CHECK, ArmCheckFile
-from app.files.arm_identification import write_observations
-from app.files.calibrate import calibrate_session
-from app.files.calibration import CalibrationFile, Input
-from app.files.documents import sha256_of
-from app.files.gauge_cloud import MAP, MapFile
-from app.files.identify import Signature, identify_folder
-from app.files.software import SOFTWARE
-from app.files.tip_check import TIP_CHECK, TipCheckFile
-from app.files.verification import VerificationFile, write_verification
-from app.metrology.arm_model.observations import Observations, Seat, Sphere
-from app.metrology.refusal import Refusal
-from app.report.calibration import calibration_report
+from app.cli.main import cli
+from app.errors import Refusal
+from app.formats.datasheets.arm import write_arm
+from app.formats.json_document import sha256_of
+from app.formats.results.acceptance import ACCEPTANCE, Acceptance, ComparisonPart
+from app.formats.results.arm_checks import ARM_CHECK, TIP_CHECK, ArmCheckFile, TipCheckFile
+from app.formats.results.calibration import CalibrationFile, Input
+from app.formats.results.verification import VerificationFile, write_verification
+from app.formats.session.arm_session import write_observations
+from app.formats.software import SOFTWARE
+from app.metrology.arm.identification.observations import Observations, Seat, Sphere
 from app.report.content import Pictures, Report, Section, Text, Verdict
+from app.report.contents.calibration import calibration_report
+from app.report.contents.verification import LABELS
 from app.report.figure import Figure, magnification
-from app.report.language import said_by
-from app.report.page import page
-from app.report.paper import paper
+from app.report.formatting import moment, tied
+from app.report.html import page
+from app.report.pdf import paper
 from app.report.reports import report_as, report_of
-from app.report.verification import LABELS
-from app.report.words import moment, tied
+from app.report.translation import said_by
 from app.strings.files import languages
 from app.strings.sentences import sentences_of
-from hardware.twin.arm_sessions import ArmSessionPlan, render_arm_session
-from hardware.twin.session import SessionPlan, render_session
-from tests.files.builders import ARM
-from tests.files.test_verification import SHEET
+from app.workflows.calibrate import calibrate_session
+from app.workflows.identify_arm import Signature, identify_folder
+from app.workflows.measure_gauge import MAP, MapFile
+from hardware.simulator.arm_sessions import ArmSessionPlan, render_arm_session
+from hardware.simulator.session import SessionPlan, render_session
+from tests.formats.builders import ARM
+from tests.formats.test_verification import SHEET
 from tests.said import TWO_WORDS
 
 HOSTILE = '<script>alert(1)</script>"><img src=x onerror=alert(1)> & 井上'

@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.metrology.arm import Arm, Joint, Tip
+from app.metrology.arm.kinematics import Arm, Joint, Tip
 from app.station.bus import Bus
-from app.station.rig import Rig
+from app.station.devices.rig import Rig
 from hardware.clock import now_ns
 from hardware.errors import DeviceError
 from hardware.interfaces import (

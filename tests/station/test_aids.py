@@ -3,17 +3,22 @@
 import numpy as np
 import pytest
 
-from app.guide.framing import first_outline
-from app.metrology.camera import Camera
-from app.metrology.detection.picture import measured, picture_findings
-from app.metrology.laser_plane import LaserPlane
-from app.metrology.reconstruct import sensor_points
+from app.guide.calibration.steps.first_pose import first_outline
+from app.metrology.detection.image_quality import measured, picture_findings
+from app.metrology.sensor.camera import Camera
+from app.metrology.sensor.laser_plane import LaserPlane
+from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.stripe import Stripe
-from app.station.aids import distance_aid, exposure_aid, focus_aid, framing_aid, line_aid
-from app.station.distance import distance_of
-from app.station.distance_band import DistanceWatch
-from app.station.overexposure import CELL_PX, saturation
-from tests.files.builders import BLOCK
+from app.station.preview.capture_aids import (
+    distance_aid,
+    exposure_aid,
+    focus_aid,
+    framing_aid,
+    line_aid,
+)
+from app.station.preview.image_quality import CELL_PX, saturation
+from app.station.working_distance import DistanceWatch, distance_of
+from tests.formats.builders import BLOCK
 
 WIDTH, HEIGHT = 640, 480
 

@@ -8,7 +8,7 @@ import time
 
 SCRIPT = """
 import sys, time
-from app.station.awake import AWAKE
+from app.station.devices.awake_clock import AWAKE
 begin_s, awake_s = time.monotonic(), AWAKE.now_s()
 print("ready", flush=True)
 sys.stdin.readline()

@@ -5,10 +5,10 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 
-from app.files.cloud_points import Points, packed
-from app.station.colours import APART, BALANCE, NO_VALUE, SCALE, oklab, painted, srgb
-from app.station.painter import TRAITS, Painter, Target
-from app.station.scene import Scene
+from app.formats.clouds.points import Points, packed
+from app.station.view3d.cloud_colouring import TRAITS, Painter, Target
+from app.station.view3d.colormaps import APART, BALANCE, NO_VALUE, SCALE, oklab, painted, srgb
+from app.station.view3d.scene import Scene
 from tests.station.conftest import until
 from tests.station.viewer import Viewer
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from app.station.exposure import TARGET, better_exposure_us, brightness
+from app.station.devices.auto_exposure import TARGET, better_exposure_us, brightness
 from hardware.interfaces import Frame
 
 RANGE_US = (20.0, 100_000.0)

@@ -2,7 +2,7 @@
 
 import pytest
 
-from app.station.findings import figures, signed
+from app.findings import figures, signed
 
 
 @pytest.mark.parametrize(

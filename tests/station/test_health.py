@@ -10,15 +10,15 @@ from pathlib import Path
 
 import pytest
 
-from app.metrology.refusal import Refusal
-from app.station import health
-from app.station.host import Memory, WallClock, memory, writable
-from app.station.log_book import FILE, FILE_BYTES, LogBook
-from app.station.losses import Losses, LossWindow
-from app.station.temperature import Temperature, TemperatureWatch
-from app.station.watchdog import LoopWatchdog, Stalls
+from app.errors import Refusal
+from app.monitoring import health
+from app.monitoring.log_store import FILE, FILE_BYTES, LogBook
+from app.monitoring.loop_watchdog import LoopWatchdog, Stalls
+from app.monitoring.system_info import Memory, WallClock, memory, writable
+from app.station.devices.link_state import Losses, LossWindow
+from app.station.devices.temperature import Temperature, TemperatureWatch
+from hardware.simulator.scene.room import RoomThermometer
 from hardware.thermometer import FileThermometer
-from hardware.twin.room import RoomThermometer
 
 
 def hold_up(seconds: float) -> None:

@@ -1,6 +1,6 @@
 """The check of what stations publish."""
 
-from app.station.health_messages import TOLD_S, messages
+from app.monitoring.health_topics import TOLD_S, messages
 from app.strings.sentences import sentences_of
 
 

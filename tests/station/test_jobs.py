@@ -5,7 +5,7 @@ import threading
 
 import pytest
 
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
 from app.station.bus import Bus
 from app.station.jobs import Job, Jobs, Progress
 

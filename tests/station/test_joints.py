@@ -7,9 +7,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.metrology.arm import tip_centres
-from app.station.joints import KEPT_SAMPLES, JointRing, JointWindow, mean_of
-from app.station.stillness import stillness
+from app.metrology.arm.kinematics import tip_centres
+from app.station.devices.joint_buffer import KEPT_SAMPLES, JointRing, JointWindow, mean_of
+from app.station.devices.stillness import stillness
 from hardware.interfaces import JointSample
 from tests.station.conftest import REST_RAD, six_axis_arm
 

@@ -5,16 +5,16 @@ import sys
 import time
 from pathlib import Path
 
-from app.files.recording import JointRecord, StripeRecord, open_recording
+from app.formats.recording.reader import JointRecord, StripeRecord, open_recording
 
 ROOT = Path(__file__).resolve().parents[2]
 SCAN = """
 import sys, time
 from pathlib import Path
 from app.station.bus import Bus
-from app.station.rig import Rig
-from app.station.scanner import Scanner
-from app.station.scene import Scene
+from app.station.devices.rig import Rig
+from app.station.scan.scanner import Scanner
+from app.station.view3d.scene import Scene
 from tests.station.conftest import Bench, ScriptedArm, ScriptedSensor, six_axis_arm, until
 from tests.station.test_scanner import calibration
 

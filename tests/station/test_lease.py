@@ -2,9 +2,9 @@
 
 import pytest
 
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
 from app.station.bus import Bus
-from app.station.lease import LAPSES_S, Control, Lease, Person
+from app.station.control_lease import LAPSES_S, Control, Lease, Person
 
 ANNA, BEN, TABLET = Person("a", "Anna"), Person("b", "Ben"), Person("t", "Anna")
 

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from app.files.names import printable
-from app.serving import FirstLine
-from app.station.log_book import FILE, LogBook
-from app.station.log_text import FIRST, FORGOTTEN_S, Repeats
+from app.formats.file_names import printable
+from app.monitoring.log_store import FILE, LogBook
+from app.monitoring.log_text import FIRST, FORGOTTEN_S, Repeats
+from app.server.listener import FirstLine
 
 HOSTILE = "\x1b[31m red \x00\x7f\x9b\u2028 next \u202e back \ud800 end"
 

@@ -9,15 +9,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
 from app.station.bus import Bus
-from app.station.pipeline import ScanCalibration
-from app.station.rig import Rig
-from app.station.scanner import Scanner
-from app.station.scene import Scene
+from app.station.devices.rig import Rig
+from app.station.scan.pipeline import ScanCalibration
+from app.station.scan.scanner import Scanner
+from app.station.view3d.scene import Scene
 from hardware.registry import arm_driver
-from hardware.twin.faults import Faults
-from hardware.twin.station import Twin
+from hardware.simulator.devices.faults import Faults
+from hardware.simulator.station import Twin
 from tests.station.conftest import until
 from tests.station.test_on_the_twin import CONFIG, true_calibration
 

@@ -5,9 +5,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.files.recording import StripeRecord, open_recording
-from app.station.rig import Rig
-from app.station.scanner import Scanner
+from app.formats.recording.reader import StripeRecord, open_recording
+from app.station.devices.rig import Rig
+from app.station.scan.scanner import Scanner
 from tests.station.conftest import HEIGHT, WIDTH, Bench, until
 from tests.station.test_scanner import scanner, scene
 

@@ -8,21 +8,21 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.files.arm import read_arm
-from app.files.clouds import read_cloud
-from app.metrology.camera import Camera
-from app.metrology.laser_plane import LaserPlane
-from app.metrology.primitives import fit_sphere
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
+from app.formats.clouds.files import read_cloud
+from app.formats.datasheets.arm import read_arm
+from app.metrology.fitting.plane_sphere import fit_sphere
+from app.metrology.sensor.camera import Camera
+from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.stripe import extract_stripe
 from app.station.bus import Bus
-from app.station.pipeline import ScanCalibration
-from app.station.rig import Rig
-from app.station.scanner import Scanner
-from app.station.scene import Scene
+from app.station.devices.rig import Rig
+from app.station.scan.pipeline import ScanCalibration
+from app.station.scan.scanner import Scanner
+from app.station.view3d.scene import Scene
 from hardware.interfaces import Button, ButtonEvent
 from hardware.registry import arm_driver
-from hardware.twin.station import Twin, TwinConfig
+from hardware.simulator.station import Twin, TwinConfig
 from tests.station.conftest import until
 
 CONFIG = TwinConfig(imperfection_um=0.0, width_px=640, height_px=512, pace=1.5, frames_hz=20.0)

@@ -11,14 +11,14 @@ import cv2
 import numpy as np
 import pytest
 
-from app.files.images import read_grey
-from app.files.mask import Mask
-from app.files.objects import read_block
-from app.files.scan_settings import ScanSettings
+from app.formats.datasheets.target import read_block
+from app.formats.images import read_grey
+from app.formats.settings.mask import Mask
+from app.formats.settings.scan_settings import ScanSettings
 from app.metrology.stripe import Stripe, extract_stripe
 from app.station.bus import Bus
-from app.station.preview import STRIPE_POINTS, Preview, PreviewImage, decimated, jpeg
-from app.station.rig import Rig
+from app.station.devices.rig import Rig
+from app.station.preview.preview import STRIPE_POINTS, Preview, PreviewImage, decimated, jpeg
 from tests.station.conftest import HEIGHT, REST_RAD, WIDTH, Bench, until
 
 

@@ -6,9 +6,9 @@ import time
 import numpy as np
 import pytest
 
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
 from app.station.bus import Bus
-from app.station.rig import Rig
+from app.station.devices.rig import Rig
 from hardware.clock import now_ns
 from hardware.interfaces import Button, ButtonEvent
 from tests.station.conftest import REST_RAD, Bench, until

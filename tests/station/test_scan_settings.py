@@ -7,19 +7,19 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.files.calibration import Calibration, SerialNumbers
-from app.files.clouds import read_cloud
-from app.files.rebuild import rebuild
-from app.files.recording import EXTRACTION, ImageRecord, StripeRecord, open_recording
-from app.files.scan_settings import AUTOMATIC, ScanSettings
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
+from app.formats.clouds.files import read_cloud
+from app.formats.recording.reader import EXTRACTION, ImageRecord, StripeRecord, open_recording
+from app.formats.results.calibration import Calibration, SerialNumbers
+from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
 from app.station.bus import Bus
+from app.station.devices.rig import Rig
 from app.station.jobs import Jobs
 from app.station.operator_settings import OperatorSettings, PassRecord
-from app.station.preview import Preview
-from app.station.rig import Rig
-from app.station.scanner import Scanner
-from tests.files.test_mask import settings
+from app.station.preview.preview import Preview
+from app.station.scan.scanner import Scanner
+from app.workflows.reconstruct import rebuild
+from tests.formats.test_mask import settings
 from tests.station.conftest import HEIGHT, REST_RAD, WIDTH, Bench, until
 from tests.station.test_scanner import calibration, scanner, scene
 

@@ -10,22 +10,22 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.files.calibration import Calibration, SerialNumbers
-from app.files.clouds import read_cloud
-from app.files.rebuild import rebuild
-from app.files.recording import open_recording
-from app.metrology.camera import Camera
-from app.metrology.frames import rigid, rotation_from_vector
-from app.metrology.laser_plane import LaserPlane
-from app.metrology.refusal import Refusal
-from app.station import scan_folders
+from app.errors import Refusal
+from app.findings import capital
+from app.formats.clouds.files import read_cloud
+from app.formats.recording.reader import open_recording
+from app.formats.results.calibration import Calibration, SerialNumbers
+from app.metrology.sensor.camera import Camera
+from app.metrology.sensor.laser_plane import LaserPlane
+from app.metrology.transforms import rigid, rotation_from_vector
 from app.station.bus import Bus
-from app.station.findings import capital
-from app.station.pipeline import ScanCalibration
-from app.station.rig import Rig
-from app.station.scan_state import ScanResult, ScanState
-from app.station.scanner import Scanner
-from app.station.scene import Scene
+from app.station.devices.rig import Rig
+from app.station.scan import storage as scan_folders
+from app.station.scan.pipeline import ScanCalibration
+from app.station.scan.scanner import Scanner
+from app.station.scan.state import ScanResult, ScanState
+from app.station.view3d.scene import Scene
+from app.workflows.reconstruct import rebuild
 from tests.station.conftest import HEIGHT, REST_RAD, WIDTH, Bench, six_axis_arm, until
 
 

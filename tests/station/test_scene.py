@@ -9,15 +9,15 @@ import viser
 from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect
 
-from app.files.cloud_points import Points, packed
-from app.metrology.arm import Joint, flange_pose, link_transforms, tip_centres
-from app.metrology.camera import Camera, project
-from app.metrology.crenellated import Crenellated, corners
-from app.metrology.frames import rigid, rotation_from_vector
-from app.metrology.laser_plane import LaserPlane
-from app.station.ruler import round_length_mm
-from app.station.scene import WINDOW_MESSAGES, Scene
-from app.station.shapes import block_mesh, box, link_path, measuring_field, tube
+from app.formats.clouds.points import Points, packed
+from app.metrology.arm.kinematics import Joint, flange_pose, link_transforms, tip_centres
+from app.metrology.sensor.camera import Camera, project
+from app.metrology.sensor.laser_plane import LaserPlane
+from app.metrology.targets.crenellated_block import Crenellated, corners
+from app.metrology.transforms import rigid, rotation_from_vector
+from app.station.view3d.meshes import block_mesh, box, link_path, measuring_field, tube
+from app.station.view3d.scale_bar import round_length_mm
+from app.station.view3d.scene import WINDOW_MESSAGES, Scene
 from tests.station.conftest import REST_RAD, six_axis_arm, until
 from tests.station.viewer import Viewer
 

@@ -8,18 +8,19 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.files.calibration import Calibration, SerialNumbers
-from app.files.rebuild import rebuilt_points
-from app.files.recording import JointRecord, open_recording
-from app.files.sync import Sync, sync
-from app.metrology.arm import Arm, flange_poses
-from app.metrology.primitives import fit_plane
+from app.formats.recording.reader import JointRecord, open_recording
+from app.formats.results.calibration import Calibration, SerialNumbers
+from app.formats.results.delay import Sync
+from app.metrology.arm.kinematics import Arm, flange_poses
+from app.metrology.fitting.plane_sphere import fit_plane
 from app.station.bus import Bus
-from app.station.rig import Rig
-from app.station.scanner import Scanner
-from app.station.scene import Scene
+from app.station.devices.rig import Rig
+from app.station.scan.scanner import Scanner
+from app.station.view3d.scene import Scene
+from app.workflows.estimate_delay import sync
+from app.workflows.reconstruct import rebuilt_points
 from hardware.registry import arm_driver
-from hardware.twin.station import Twin
+from hardware.simulator.station import Twin
 from tests.station.conftest import until
 from tests.station.test_on_the_twin import CONFIG, true_calibration
 

@@ -8,18 +8,24 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from app.files.cloud_points import Points, packed
-from app.files.clouds import cloud_writer
-from app.metrology.frames import Floats
-from app.metrology.measured_shape import measure_shape
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
+from app.formats.clouds.files import cloud_writer
+from app.formats.clouds.points import Points, packed
+from app.metrology.fitting.shape import measure_shape
+from app.metrology.transforms import Floats
 from app.station.bus import Bus
-from app.station.distance import distance_of
-from app.station.fits import figures_of
-from app.station.picked import MOST_FITTED, ShownCloud, pick
-from app.station.picking import FrontSurface, Rectangle, ViewCamera
-from app.station.scene import Scene
-from app.station.viewing import StoredScan, Viewing
+from app.station.view3d.scene import Scene
+from app.station.view3d.selection import (
+    MOST_FITTED,
+    FrontSurface,
+    Rectangle,
+    ShownCloud,
+    ViewCamera,
+    pick,
+)
+from app.station.view3d.shape_fits import figures_of
+from app.station.view3d.view_controller import StoredScan, Viewing
+from app.station.working_distance import distance_of
 from tests.station.conftest import until
 from tests.station.viewer import Viewer
 

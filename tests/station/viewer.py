@@ -9,7 +9,7 @@ import numpy as np
 import zstandard
 from websockets.sync.client import connect
 
-from app.station.scene import Scene
+from app.station.view3d.scene import Scene
 
 DTYPES = {"<f4": np.float32, "<u4": np.uint32, "|u1": np.uint8}
 

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from app.metrology.refusal import Refusal
-from app.station.log_book import LogBook
-from app.store import sign_ins
+from app.errors import Refusal
+from app.monitoring.log_store import LogBook
+from app.store import login_sessions as sign_ins
 from app.store.accounts import Role
 from app.store.database import Database
 from app.store.schemas import FIRST, KNOWN_BROWSERS, SCHEMA_VERSION, SCHEMAS

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
 from app.store.accounts import Role
 from app.store.backup import LAST, NOTE, backup, last_backup
 from app.store.database import Database

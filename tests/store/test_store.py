@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
 from app.store.calibrations import Figures
 from app.store.scans import ScanRecord
 from app.store.store import Store

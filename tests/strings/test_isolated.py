@@ -2,8 +2,8 @@
 
 import pytest
 
-from app.report.page import escape
-from app.report.paper import _shown
+from app.report.html import escape
+from app.report.pdf import _shown
 from app.strings.isolated import with_isolated
 
 HEBREW, ARABIC = "זרוע מדידה", "ذراع القياس"

@@ -1,4 +1,4 @@
-"""The rooms import one way only."""
+"""The packages import one way only."""
 
 import ast
 from collections.abc import Iterator
@@ -9,47 +9,53 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 
 NUMERICS = {"numpy", "scipy", "cv2"}
-ROOMS_ALLOWED = {
-    # how C code is built, loaded and called: beneath all that has loops
-    "app.native": {"app.native"},
-    "app.metrology": {"app.metrology", "app.native"},
-    "app.files": {"app.files", "app.metrology", "app.native"},
-    # it measures all of them, up to the whole station
-    "app.bench": {
-        "app.bench",
-        "app.demonstration",
-        "app.main",
-        "app.serving",
-        "app.start",
-        "app.console",
-        "app.store",
-        "app.api",
-        "app.station",
-        "app.metrology",
-        "app.native",
-        "app.files",
-        "hardware",
-    },
-    "app.station": {"app.station", "app.metrology", "app.native", "app.files", "hardware"},
-    "app.guide": {"app.guide", "app.station", "app.files", "app.metrology"},
-    "app.store": {"app.store", "app.files", "app.metrology"},
-    "app.supervise": {"app.supervise", "app.station", "app.files", "app.metrology"},
-    "app.strings": {"app.strings"},
-    "app.report": {"app.report", "app.strings", "app.files", "app.metrology"},
-    "app.api": {
-        "app.report",
-        "app.strings",
-        "app.api",
-        "app.store",
-        "app.supervise",
+LEAVES = {"app.errors", "app.findings", "app.progress", "app.timestamps"}
+"""What every package but the simulator may import."""
+LAYERS: dict[str, set[str]] = {
+    "app.native": set(),
+    "app.metrology": {"app.native"},
+    "app.formats": {"app.metrology", "app.native"},
+    "app.workflows": {"app.formats", "app.metrology"},
+    "app.store": {"app.formats"},
+    "app.security": {"app.store"},
+    "app.station": {"app.workflows", "app.formats", "app.metrology", "app.native", "hardware"},
+    "app.guide": {"app.station", "app.workflows", "app.formats", "app.metrology"},
+    "app.monitoring": {"app.station", "app.formats"},
+    "app.supervision": {"app.station", "app.formats"},
+    "app.strings": set(),
+    "app.report": {"app.strings", "app.workflows", "app.formats", "app.metrology"},
+    "app.settings": {"app.guide", "app.supervision", "app.formats", "app.metrology"},
+    "app.wire": {"app.guide", "app.station", "app.formats", "app.metrology"},
+    "app.operations": {
+        "app.wire",
+        "app.settings",
+        "app.security",
+        "app.supervision",
+        "app.monitoring",
         "app.guide",
+        "app.store",
         "app.station",
-        "app.files",
-        "app.metrology",
-        "hardware",
+        "app.workflows",
+        "app.formats",
     },
-    "hardware": {"hardware", "app.native"},
+    "app.api": {
+        "app.operations",
+        "app.wire",
+        "app.report",
+        "app.security",
+        "app.supervision",
+        "app.monitoring",
+        "app.guide",
+        "app.store",
+        "app.station",
+        "app.strings",
+        "app.workflows",
+        "app.formats",
+    },
+    "hardware": {"app.native"},
 }
+"""What each package may import beside itself. ``app.server`` puts them together, ``app.cli`` and
+``app.bench`` stand above it."""
 
 
 def imported_modules(path: Path) -> Iterator[str]:
@@ -62,20 +68,57 @@ def imported_modules(path: Path) -> Iterator[str]:
             yield node.module
 
 
-def is_within(module: str, room: str) -> bool:
-    return module == room or module.startswith(room + ".")
+def is_within(module: str, package: str) -> bool:
+    return module == package or module.startswith(package + ".")
 
 
-@pytest.mark.parametrize("room", ROOMS_ALLOWED)
-def test_a_room_imports_only_what_it_may(room: str) -> None:
-    files = sorted((ROOT / room.replace(".", "/")).rglob("*.py"))
+@pytest.mark.parametrize("package", LAYERS)
+def test_a_package_imports_only_what_is_below_it(package: str) -> None:
+    files = sorted((ROOT / package.replace(".", "/")).rglob("*.py"))
     assert files
+    allowed = {package, *LAYERS[package]} | (set() if package == "hardware" else LEAVES)
     for path in files:
         for module in imported_modules(path):
             if module.split(".")[0] in {"app", "hardware", "tests"}:
-                assert any(is_within(module, allowed) for allowed in ROOMS_ALLOWED[room]), (
+                assert any(is_within(module, one) for one in allowed), (
                     f"{path.relative_to(ROOT)} imports {module}"
                 )
+
+
+def test_the_layers_have_an_order() -> None:
+    below = {package: set(allowed) for package, allowed in LAYERS.items()}
+    while below:
+        lowest = [package for package, others in below.items() if not others & set(below)]
+        assert lowest, sorted(below)
+        for package in lowest:
+            del below[package]
+
+
+def test_packages_beside_each_other_import_one_way() -> None:
+    edges: dict[tuple[str, str], str] = {}
+    for top in ("app", "hardware"):
+        for path in sorted((ROOT / top).rglob("*.py")):
+            package = ".".join(path.relative_to(ROOT).parent.parts)
+            for module in imported_modules(path):
+                target = (
+                    module
+                    if (ROOT / module.replace(".", "/")).is_dir()
+                    else (module.rpartition(".")[0])
+                )
+                if module.split(".")[0] in {"app", "hardware"} and target != package:
+                    edges[package, target] = f"{path.relative_to(ROOT)} imports {module}"
+    for (package, target), where in edges.items():
+        if not (is_within(package, target) or is_within(target, package)):
+            assert (target, package) not in edges, f"{where}; {edges[target, package]}"
+
+
+def test_no_folder_has_many_modules_and_few_are_small() -> None:
+    small = 0
+    for folder in [ROOT / "app", *(path for path in (ROOT / "app").rglob("*") if path.is_dir())]:
+        modules = [path for path in folder.glob("*.py") if path.name != "__init__.py"]
+        assert len(modules) <= 16, folder
+        small += sum(len(path.read_text().splitlines()) < 40 for path in modules)
+    assert small <= 45
 
 
 def test_the_mathematics_uses_numerical_libraries_only() -> None:
@@ -92,7 +135,7 @@ def test_the_mathematics_uses_numerical_libraries_only() -> None:
             )
 
 
-def test_the_twin_shares_nothing_with_the_solver() -> None:
+def test_the_simulator_shares_nothing_with_the_solver() -> None:
     for path in sorted((ROOT / "hardware").rglob("*.py")):
         for module in imported_modules(path):
             shared = is_within(module, "app") and not is_within(module, "app.native")

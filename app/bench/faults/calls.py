@@ -6,7 +6,7 @@ By a small library that is preloaded into its process (``c/disk_calls.c``); Linu
 import sys
 from pathlib import Path
 
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
 from app.native.build import BuildError, build_plain
 
 CODE = Path(__file__).parent / "c" / "disk_calls.c"

@@ -15,8 +15,8 @@ from app.bench.faults.furnished import Kept, furnish
 from app.bench.faults.looking import TRACE, look_at
 from app.bench.faults.row import FaultRow
 from app.bench.faults.station import ENDED, Station
-from app.files.progress import Progress, no_progress
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
+from app.progress import Progress, no_progress
 
 NOBODY = 65534
 SAMPLED = 30

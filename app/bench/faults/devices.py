@@ -19,11 +19,18 @@ import httpx
 from websockets.sync.client import connect
 from websockets.sync.connection import Connection
 
-from app.bench.apart import GUEST, PATIENCE_S, breaks_told, served, sign_in, stuck
-from app.demonstration import parts_of
-from app.files.progress import Progress, no_progress
-from hardware.twin.faults import Faults
-from hardware.twin.station import Twin, TwinConfig
+from app.bench.station.subprocess_station import (
+    GUEST,
+    PATIENCE_S,
+    breaks_told,
+    served,
+    sign_in,
+    stuck,
+)
+from app.progress import Progress, no_progress
+from app.server.demo import parts_of
+from hardware.simulator.devices.faults import Faults
+from hardware.simulator.station import Twin, TwinConfig
 
 View = dict[str, Any]
 KIND = "devices"

@@ -13,8 +13,8 @@ from app.bench.faults.furnished import Kept, furnish
 from app.bench.faults.looking import look_at
 from app.bench.faults.row import FaultRow
 from app.bench.faults.station import Station
-from app.files.progress import Progress, no_progress
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
+from app.progress import Progress, no_progress
 
 TRIES = 30
 FURTHEST = 400

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from app.bench.apart import breaks_told
 from app.bench.faults import damage, disk, floods, kills
 from app.bench.faults.row import FaultRow
-from app.files.progress import Progress, no_progress
-from app.metrology.refusal import Refusal
+from app.bench.station.subprocess_station import breaks_told
+from app.errors import Refusal
+from app.progress import Progress, no_progress
 
 Try = Callable[[Path, int, Progress], list[FaultRow]]
 """Of a folder, a seed and a progress."""

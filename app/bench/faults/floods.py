@@ -8,13 +8,13 @@ from pathlib import Path
 
 import httpx
 
-from app.bench.apart import memory_mb
 from app.bench.faults.hostile import FLOODS, Address, Sent
 from app.bench.faults.row import FaultRow
 from app.bench.faults.served import prepare
 from app.bench.faults.station import Station
-from app.files.progress import Progress, no_progress
-from app.metrology.refusal import Refusal
+from app.bench.station.subprocess_station import memory_mb
+from app.errors import Refusal
+from app.progress import Progress, no_progress
 
 SECONDS = 20.0
 THREADS = 4

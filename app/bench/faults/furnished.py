@@ -9,7 +9,7 @@ from pathlib import Path
 
 from app.bench.faults.served import prepare
 from app.bench.faults.station import Station
-from app.files.progress import Progress, no_progress
+from app.progress import Progress, no_progress
 
 SCANS = 2
 SCAN_S = 0.6

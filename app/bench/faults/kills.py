@@ -10,10 +10,10 @@ from typing import Any
 from app.bench.faults.row import FaultRow
 from app.bench.faults.served import prepare
 from app.bench.faults.station import Station, View
-from app.files.progress import Progress, no_progress
-from app.files.recording import open_recording
-from app.files.recording_stream import blocks
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
+from app.formats.recording.reader import open_recording
+from app.formats.recording.stream import blocks
+from app.progress import Progress, no_progress
 
 SCANS = 20
 LONGEST_S = 3.0

@@ -12,11 +12,11 @@ import numpy as np
 import typer
 
 from app.console import refusing
-from app.demonstration import parts_of, put_papers
-from app.serving import listen
-from app.start import Plan, run
+from app.server.demo import parts_of, put_papers
+from app.server.listener import listen
+from app.server.startup import Plan, run
 from app.store.store import Store
-from hardware.twin.station import Twin, TwinConfig
+from hardware.simulator.station import Twin, TwinConfig
 
 CONFIG = TwinConfig(pace=4.0)
 HOST = "127.0.0.1"

@@ -15,8 +15,8 @@ from typing import Any
 import httpx
 from websockets.sync.client import ClientConnection, connect
 
-from app.bench.apart import PATIENCE_S, stuck
-from app.metrology.refusal import Refusal
+from app.bench.station.subprocess_station import PATIENCE_S, stuck
+from app.errors import Refusal
 
 View = dict[str, Any]
 LINK = re.compile(r"(http://\S+)#code=(\w+)")

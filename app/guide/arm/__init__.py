@@ -1,1 +1,1 @@
-"""The arm's own flows: the daily articulation check, and its identification from several seats."""
+"""Guided checks of the arm: its tip on a sphere, articulation, and identification."""

@@ -2,15 +2,15 @@
 
 from collections.abc import Callable
 
-from app.guide.arguments import Args
-from app.guide.arm import works
-from app.guide.arm.checking import finish_seat
+from app.errors import Refusal
+from app.guide.arm import tasks as works
+from app.guide.arm.evaluate import finish_seat
 from app.guide.arm.guide import ArmGuide
-from app.guide.arm.hand_work import hand_work
+from app.guide.arm.simulated_operator import hand_work
 from app.guide.arm.view import ArmView
-from app.guide.buttons import Press
-from app.guide.commanding import AT_ANY_REV, start_hand, start_job, stop_hand
-from app.metrology.refusal import Refusal
+from app.guide.common.arguments import Args
+from app.guide.common.buttons import Press
+from app.guide.common.commands import AT_ANY_REV, start_hand, start_job, stop_hand
 
 
 def command(guide: ArmGuide, name: str, args: Args, rev: int, key: str) -> ArmView:

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 
+from app.findings import Finding, Quality
 from app.guide.arm.live import ArmLive
 from app.guide.arm.picture import picture_of
 from app.guide.arm.rules import (
@@ -16,10 +17,16 @@ from app.guide.arm.state import ArmState, Kind, SeatTaken
 from app.guide.arm.tip import QUALITY as TIP_QUALITY
 from app.guide.arm.tip import finding_of as tip_finding
 from app.guide.arm.view import ArmPicture, ArmView
-from app.guide.view import Action, ChoiceOption, LiveNumber, Step, StepProgress, Vec3
-from app.guide.wording import sentence
-from app.metrology.frames import Floats
-from app.station.findings import Finding, Quality
+from app.guide.common.view import (
+    Action,
+    ChoiceOption,
+    LiveNumber,
+    Step,
+    StepProgress,
+    Vec3,
+    sentence,
+)
+from app.metrology.transforms import Floats
 
 WHERE = ("near the base", "far out", "to the left", "to the right", "high up", "low down")
 STEPS = (("seat", "Seat the tip"), ("swing", "Swing the arm"), ("result", "Result"))

@@ -5,30 +5,30 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from app.files.arm import read_arm
-from app.files.arm_identification import ARM, write_observations
-from app.files.atomic import ensure_folder, write_atomically
-from app.files.failures import files_refused
-from app.files.opening import read_bounded
-from app.guide.arguments import ARM as ARGUMENTS
+from app.errors import Refusal
+from app.formats.atomic_write import ensure_folder, write_atomically
+from app.formats.datasheets.arm import read_arm
+from app.formats.io_errors import files_refused
+from app.formats.open_file import read_bounded
+from app.formats.session.arm_session import ARM, write_observations
+from app.guide.arm.arguments import ARGUMENTS
+from app.guide.arm.auto_sampling import HOLD_NS, pick
 from app.guide.arm.flow import view_of
+from app.guide.arm.history import KIND, ArmJournal, ArmPast
 from app.guide.arm.live import ArmLive
-from app.guide.arm.past import KIND, ArmJournal, ArmPast
+from app.guide.arm.observations import observations_of
 from app.guide.arm.rules import why_not
-from app.guide.arm.sampling import HOLD_NS, pick
 from app.guide.arm.state import POINTS, ArmState, Artefact, Purpose, after
-from app.guide.arm.taken import observations_of
 from app.guide.arm.view import ArmView
-from app.guide.hand import Hand
-from app.guide.library import Library, read_library
-from app.guide.session import Flow, GuidedSession, new_session_id
-from app.guide.signing import UNSIGNED, Signing
+from app.guide.common.datasheet_library import Library, read_library
+from app.guide.common.guided_session import Flow, GuidedSession, new_session_id
+from app.guide.common.provenance import UNSIGNED, Signing
+from app.guide.common.simulated_operator import Hand
 from app.guide.verify.gauges import read_gauges
-from app.metrology.arm import Arm
-from app.metrology.refusal import Refusal
+from app.metrology.arm.kinematics import Arm
 from app.station.bus import Bus
+from app.station.devices.rig import Rig
 from app.station.jobs import Jobs
-from app.station.rig import Rig
 
 FLOW = Flow(KIND, "arm", ArmState(), after, view_of, why_not, ARGUMENTS)
 FRESH_S = 2.0

@@ -2,12 +2,12 @@
 
 from dataclasses import dataclass
 
+from app.findings import Finding
 from app.guide.arm.state import Angles
-from app.guide.library import Library
-from app.guide.view import Busy
-from app.metrology.arm import Arm
-from app.station.device_state import DeviceState
-from app.station.findings import Finding
+from app.guide.common.datasheet_library import Library
+from app.guide.common.view import Busy
+from app.metrology.arm.kinematics import Arm
+from app.station.devices.link_state import DeviceState
 
 
 @dataclass(frozen=True)

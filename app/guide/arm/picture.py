@@ -18,14 +18,13 @@ from app.guide.arm.view import (
     ParameterLine,
     SeatLine,
 )
+from app.guide.common.view import Vec3, signed_um
 from app.guide.verify.view import TouchLine
-from app.guide.view import Vec3
-from app.guide.wording import signed_um
-from app.metrology.arm import Arm, tip_centres
-from app.metrology.arm_model.articulation import spread_um
-from app.metrology.arm_model.parameters import encoder_covariances, tip_jacobian
-from app.metrology.deviation_map import flat_places
-from app.metrology.frames import Floats
+from app.metrology.arm.identification.articulation import spread_um
+from app.metrology.arm.identification.parameters import encoder_covariances, tip_jacobian
+from app.metrology.arm.kinematics import Arm, tip_centres
+from app.metrology.fitting.deviation_map import flat_places
+from app.metrology.transforms import Floats
 
 SHOWN = 240
 """Points of a seat that are drawn."""

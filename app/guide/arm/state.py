@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
-from app.guide.journal import Row
+from app.guide.common.journal import Row
 
 Purpose = Literal["check", "tip", "identify"]
 Kind = Literal["seat", "bar", "sphere"]

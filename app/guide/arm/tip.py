@@ -3,9 +3,9 @@
 from collections.abc import Mapping
 from typing import Any
 
+from app.findings import Finding, Quality
 from app.guide.arm.view import TipResult
-from app.metrology.tip_check import TipCheck
-from app.station.findings import Finding, Quality
+from app.metrology.gauges.tip_check import TipCheck
 
 LIMIT_UM = 150.0
 """Of the diameter's error and of the scatter, until the operator sets another: an arm of the

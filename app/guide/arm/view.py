@@ -3,11 +3,11 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from app.files.verification import Decision
+from app.findings import Finding, Quality
+from app.formats.results.verification import Decision
 from app.guide.arm.state import Artefact, Purpose
+from app.guide.common.view import Action, Busy, ChoiceOption, LiveNumber, Step, StepProgress, Vec3
 from app.guide.verify.view import TouchLine
-from app.guide.view import Action, Busy, ChoiceOption, LiveNumber, Step, StepProgress, Vec3
-from app.station.findings import Finding, Quality
 
 
 @dataclass(frozen=True)

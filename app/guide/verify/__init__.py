@@ -1,1 +1,1 @@
-"""The verification of the calibration in use on a gauge: touched, scanned, judged."""
+"""The guided verification on a plane or a sphere."""

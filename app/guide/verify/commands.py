@@ -3,16 +3,16 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from app.guide.arguments import Args
-from app.guide.buttons import Press
-from app.guide.commanding import AT_ANY_REV, start_hand, start_job, stop_hand
-from app.guide.verify import works
+from app.errors import Refusal
+from app.guide.common.arguments import Args
+from app.guide.common.buttons import Press
+from app.guide.common.commands import AT_ANY_REV, start_hand, start_job, stop_hand
+from app.guide.verify import tasks as works
 from app.guide.verify.guide import VerifyGuide
-from app.guide.verify.hand_work import hand_work
+from app.guide.verify.simulated_operator import hand_work
 from app.guide.verify.state import STEPS, Cloud
+from app.guide.verify.tasks import Temperatures
 from app.guide.verify.view import VerifyView
-from app.guide.verify.works import Temperatures
-from app.metrology.refusal import Refusal
 from app.station.jobs import Progress
 
 

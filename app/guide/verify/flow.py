@@ -4,7 +4,10 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from app.files.gauge import GaugeFile
+from app.errors import Refusal
+from app.findings import Finding, Quality
+from app.formats.datasheets.gauge import GaugeFile
+from app.guide.common.view import Action, LiveNumber, Step, StepProgress, sentence
 from app.guide.verify.live import VerifyLive
 from app.guide.verify.picture import picture_of, touch_rms_um
 from app.guide.verify.rules import (
@@ -20,11 +23,7 @@ from app.guide.verify.view import (
     GaugeOption,
     VerifyView,
 )
-from app.guide.view import Action, LiveNumber, Step, StepProgress
-from app.guide.wording import sentence
-from app.metrology.refusal import Refusal
-from app.metrology.touched_gauge import TouchedPlane, TouchedSphere
-from app.station.findings import Finding, Quality
+from app.metrology.gauges.probed_gauge import TouchedPlane, TouchedSphere
 
 TITLES = {
     "gauge": "Choose the gauge",

@@ -2,11 +2,11 @@
 
 from pathlib import Path
 
-from app.files.gauge import GaugeFile, read_gauge
-from app.files.names import check_name
+from app.errors import Refusal
+from app.findings import Finding
+from app.formats.datasheets.gauge import GaugeFile, read_gauge
+from app.formats.file_names import check_name
 from app.guide.verify.live import Gauges
-from app.metrology.refusal import Refusal
-from app.station.findings import Finding
 
 SUFFIXES = (".nominal.json", ".json")
 

@@ -8,40 +8,40 @@ from typing import Protocol
 
 import numpy as np
 
-from app.files.arm import read_arm
-from app.files.atomic import ensure_folder, write_atomically
-from app.files.calibration import Calibration, read_calibration
-from app.files.failures import files_refused
-from app.files.gauge import DEFAULT_LIMITS, GaugeFile, VerificationLimits, read_gauge
-from app.files.gauge_cloud import Fit
-from app.files.opening import read_bounded
-from app.files.session import ARM, Contacts, write_contacts
-from app.files.verification import GAUGE, TOUCHES
-from app.files.verification_figures import Touched, errors_of, figures_of, verdict_of
-from app.guide.arguments import VERIFICATION
-from app.guide.hand import Hand
-from app.guide.journal import Check, Journal, Row
-from app.guide.session import Flow, GuidedSession, new_session_id
-from app.guide.session_folder import CALIBRATION
-from app.guide.signing import UNSIGNED, Signing
+from app.errors import Refusal
+from app.formats.atomic_write import ensure_folder, write_atomically
+from app.formats.datasheets.arm import read_arm
+from app.formats.datasheets.gauge import DEFAULT_LIMITS, GaugeFile, VerificationLimits, read_gauge
+from app.formats.io_errors import files_refused
+from app.formats.open_file import read_bounded
+from app.formats.results.calibration import Calibration, read_calibration
+from app.formats.results.verification import GAUGE, TOUCHES
+from app.formats.session.calibration_session import ARM, Contacts, write_contacts
+from app.guide.calibration.session_folder import CALIBRATION
+from app.guide.common.guided_session import Flow, GuidedSession, new_session_id
+from app.guide.common.journal import Check, Journal, Row
+from app.guide.common.provenance import UNSIGNED, Signing
+from app.guide.common.simulated_operator import Hand
+from app.guide.common.view import sentence
+from app.guide.verify.arguments import ARGUMENTS
 from app.guide.verify.flow import view_of
 from app.guide.verify.gauges import gauge_path, read_gauges
 from app.guide.verify.live import Gauges, Judged, VerifyLive
 from app.guide.verify.rules import why_not
 from app.guide.verify.state import ENDS, Cloud, VerifyState, after
 from app.guide.verify.view import VerifyView
-from app.guide.wording import sentence
-from app.metrology.arm import Arm, tip_centres
-from app.metrology.refusal import Refusal
-from app.metrology.touched_gauge import touched_plane, touched_sphere
+from app.metrology.arm.kinematics import Arm, tip_centres
+from app.metrology.gauges.probed_gauge import touched_plane, touched_sphere
 from app.station.bus import Bus
+from app.station.devices.rig import Rig
 from app.station.jobs import Jobs
-from app.station.rig import Rig
-from app.station.scanner import Scanner
-from app.station.scene import Scene
+from app.station.scan.scanner import Scanner
+from app.station.view3d.scene import Scene
+from app.workflows.measure_gauge import Fit
+from app.workflows.verification_metrics import Touched, errors_of, figures_of, verdict_of
 
 KIND = "verify"
-FLOW = Flow(KIND, "verify", VerifyState(), after, view_of, why_not, VERIFICATION)
+FLOW = Flow(KIND, "verify", VerifyState(), after, view_of, why_not, ARGUMENTS)
 FRESH_S = 2.0
 """Gauges that were added to the data folder are seen after this time."""
 SAME_PLACE_MM = 0.3

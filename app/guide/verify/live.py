@@ -3,15 +3,15 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from app.files.gauge import GaugeFile, VerificationLimits
-from app.files.gauge_cloud import Fit
-from app.files.verification import FigurePart, VerificationVerdict
-from app.files.verification_figures import Errors, Touched
-from app.guide.view import Busy
-from app.metrology.arm import Arm
-from app.metrology.refusal import Refusal
-from app.station.device_state import DeviceState
-from app.station.findings import Finding
+from app.errors import Refusal
+from app.findings import Finding
+from app.formats.datasheets.gauge import GaugeFile, VerificationLimits
+from app.formats.results.verification import FigurePart, VerificationVerdict
+from app.guide.common.view import Busy
+from app.metrology.arm.kinematics import Arm
+from app.station.devices.link_state import DeviceState
+from app.workflows.measure_gauge import Fit
+from app.workflows.verification_metrics import Errors, Touched
 
 
 @dataclass(frozen=True)

@@ -4,6 +4,8 @@ from dataclasses import asdict
 
 import numpy as np
 
+from app.errors import Refusal
+from app.guide.common.view import sentence
 from app.guide.verify.live import VerifyLive
 from app.guide.verify.state import Cloud, VerifyState
 from app.guide.verify.view import (
@@ -14,12 +16,10 @@ from app.guide.verify.view import (
     VerdictLine,
     VerifyPicture,
 )
-from app.guide.wording import sentence
-from app.metrology.arm import tip_centres
-from app.metrology.deviation_map import flat_places
-from app.metrology.frames import Floats
-from app.metrology.refusal import Refusal
-from app.metrology.touched_gauge import TouchedPlane, TouchedSphere
+from app.metrology.arm.kinematics import tip_centres
+from app.metrology.fitting.deviation_map import flat_places
+from app.metrology.gauges.probed_gauge import TouchedPlane, TouchedSphere
+from app.metrology.transforms import Floats
 
 
 def picture_of(state: VerifyState, live: VerifyLive) -> VerifyPicture:

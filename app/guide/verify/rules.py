@@ -2,10 +2,10 @@
 
 from collections.abc import Callable, Mapping
 
+from app.errors import Refusal
 from app.guide.verify.live import VerifyLive
 from app.guide.verify.state import STEPS, VerifyState
-from app.metrology.refusal import Refusal
-from app.metrology.touched_gauge import PLANE_LEAST, SPHERE_LEAST
+from app.metrology.gauges.probed_gauge import PLANE_LEAST, SPHERE_LEAST
 
 CLOUDS_WANTED = 3
 """A spread is known to a factor of two; the paper took ten."""

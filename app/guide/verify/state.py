@@ -4,8 +4,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from app.guide.journal import Row
-from app.guide.undoing import put_back, taken_back
+from app.guide.common.journal import Row
+from app.guide.common.undo import put_back, taken_back
 
 STEPS = ("gauge", "touch", "scan", "review")
 Payload = Mapping[str, Any]

@@ -4,10 +4,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from app.files.gauge import Shape
-from app.files.verification import Decision, Result
-from app.guide.view import Action, Busy, LiveNumber, Step, StepProgress
-from app.station.findings import Finding
+from app.findings import Finding
+from app.formats.datasheets.gauge import Shape
+from app.formats.results.verification import Decision, Result
+from app.guide.common.view import Action, Busy, LiveNumber, Step, StepProgress
 
 CloudState = Literal["scanning", "measuring", "good", "refused", "aside"]
 

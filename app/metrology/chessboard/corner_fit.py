@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.frames import Floats
 from app.metrology.image import Image
+from app.metrology.transforms import Floats
 
 # Of the distance to the next corner, how much is looked at; in px, at least and at most.
 WINDOW_SHARE, LEAST_WINDOW_PX, MOST_WINDOW_PX = 0.35, 4.0, 20.0

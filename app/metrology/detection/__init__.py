@@ -1,1 +1,6 @@
-"""Finding the object in a picture: its edges, its corners, and what is wrong where it is not."""
+"""The crenellated block in an image.
+
+Entry point: ``detect_block``. ``search`` finds poses that explain the line segments, ``edges``
+measures all edges from there, ``acceptance`` decides, and ``failure_evidence`` and ``errors`` say
+why not.
+"""

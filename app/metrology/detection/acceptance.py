@@ -1,22 +1,27 @@
-"""Whether what was found is the object of the certificate, and enough of it to be used."""
+"""What speaks against a placing of the block, and where in the picture."""
 
 from functools import partial
 
 import numpy as np
 
-from app.metrology.camera import project
-from app.metrology.crenellated import Crenellated
-from app.metrology.detection.edge_ends import ends_elsewhere, ends_of, in_place_by
-from app.metrology.detection.edge_overrun import overrun
-from app.metrology.detection.edge_parts import astray, parts_of, without_lone_one, without_odd_ones
-from app.metrology.detection.edge_sizes import shifts
-from app.metrology.detection.edge_strays import missized
-from app.metrology.detection.edge_survey import Survey
-from app.metrology.detection.locate import Search
-from app.metrology.detection.objection import Objection, elsewhere
-from app.metrology.detection.refusals import WHOLE
+from app.metrology.detection.edges.dimension_test import shifts
+from app.metrology.detection.edges.edge_ends import ends_elsewhere, ends_of, in_place_by
+from app.metrology.detection.edges.edge_overrun import overrun
+from app.metrology.detection.edges.measure_all import Survey
+from app.metrology.detection.edges.other_edges import missized
+from app.metrology.detection.edges.outlier_edges import (
+    astray,
+    parts_of,
+    without_lone_one,
+    without_odd_ones,
+)
+from app.metrology.detection.errors import WHOLE
+from app.metrology.detection.rejection import Objection, elsewhere
+from app.metrology.detection.search.coarse_pose import Search
 from app.metrology.detection.visibility import seen
-from app.metrology.frames import Floats
+from app.metrology.sensor.camera import project
+from app.metrology.targets.crenellated_block import Crenellated
+from app.metrology.transforms import Floats
 
 # A plane of the block that all edges together put this many standard deviations elsewhere,
 # and so many blurs, or pixels: less is an edge's finish, and how the light falls on it.

@@ -4,12 +4,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.metrology.camera import project
-from app.metrology.crenellated import Crenellated
-from app.metrology.crenellated import corners as corners_of
-from app.metrology.detection.edge_survey import Survey
+from app.metrology.detection.edges.measure_all import Survey
 from app.metrology.detection.visibility import seen, visible_corners
-from app.metrology.frames import Floats
+from app.metrology.sensor.camera import project
+from app.metrology.targets.crenellated_block import Crenellated
+from app.metrology.targets.crenellated_block import corners as corners_of
+from app.metrology.transforms import Floats
 
 # Edges that cross at less than this make no corner.
 _FLATTEST_RAD = np.deg2rad(8.0)

@@ -4,8 +4,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.frames import Floats
 from app.metrology.stripe import Stripe
+from app.metrology.transforms import Floats
 
 _WIDEST_PX = 16
 _PROBED = 400

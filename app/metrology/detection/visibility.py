@@ -11,8 +11,8 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.crenellated import Crenellated, corners, edges
-from app.metrology.frames import Floats
+from app.metrology.targets.crenellated_block import Crenellated, corners, edges
+from app.metrology.transforms import Floats
 from app.native.arguments import BOOL, F64, I64, Array, Function
 from app.native.product import CRENEL
 

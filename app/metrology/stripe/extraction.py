@@ -6,8 +6,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from app.errors import Refusal
 from app.metrology.image import Image
-from app.metrology.refusal import Refusal
 from app.metrology.stripe.points import Stripe, empty_stripe, stripe_of
 from app.metrology.stripe.settings import AUTOMATIC, StripeSettings, check_settings
 from app.metrology.stripe.workspace import (

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.metrology.frames import Floats
+from app.metrology.transforms import Floats
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Literal
 
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
 
 Choice = Literal["continuity", "strength", "first", "last"]
 CHOICES: tuple[Choice, ...] = ("continuity", "strength", "first", "last")

@@ -1,4 +1,4 @@
-/** The guided calibration. The Python side of each shape is in app/guide/view.py. */
+/** The guided calibration. The Python side of each shape is in app/guide/common/view.py. */
 
 import type { CalibrationResult, PosePicture } from "./resultTypes";
 import type { Action, ChoiceOption, Finding, LiveNumber, Quality, Step, Vec3 } from "./types";

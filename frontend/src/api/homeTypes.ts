@@ -1,4 +1,4 @@
-/** What is valid, what is due, what comes next. The Python side of each shape is in app/api/schema.py and app/guide/due.py. */
+/** What is valid, what is due, what comes next. The Python side of each shape is in app/wire/schema.py and app/guide/common/validity.py. */
 
 import type { Finding, Quality } from "./types";
 

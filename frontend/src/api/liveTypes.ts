@@ -1,4 +1,4 @@
-/** What goes over the live connection. The Python side is in app/api/schema.py. */
+/** What goes over the live connection. The Python side is in app/wire/schema.py. */
 
 import type { Control, You } from "./accessTypes";
 import type { ArmView } from "./armTypes";

@@ -1,4 +1,4 @@
-/** A calibration's result and its pictures. The Python side of each shape is in app/guide/result_view.py and app/guide/view.py. */
+/** A calibration's result and its pictures. The Python side of each shape is in app/guide/common/result_view.py and app/guide/common/view.py. */
 
 import type { Action, Quality, Vec3 } from "./types";
 

@@ -1,4 +1,4 @@
-/** Scans, and recordings that are shown again. The Python side of each shape is in app/api/schema.py and app/replay.py. */
+/** Scans, and recordings that are shown again. The Python side of each shape is in app/wire/schema.py and app/server/live_replay.py. */
 
 import type { Finding } from "./types";
 

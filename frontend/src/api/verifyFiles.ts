@@ -1,4 +1,4 @@
-/** What is read of the server's own files; their formats stand in app/files. */
+/** What is read of the server's own files; their formats stand in app/formats/results. */
 
 import type { CloudLine, FigureLine, VerdictLine } from "./verifyTypes";
 

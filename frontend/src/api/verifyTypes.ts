@@ -1,4 +1,4 @@
-/** Verifications. The Python side of each shape is in app/guide/verify/view.py and app/api/verify_schema.py. */
+/** Verifications. The Python side of each shape is in app/guide/verify/view.py and app/wire/schema.py. */
 
 import type { Action, Finding, LiveNumber, Step } from "./types";
 import type { StudyFile } from "./verifyFiles";

@@ -1,4 +1,4 @@
-/** What is told of stations. The Python side is in app/supervise, app/station and app/api. */
+/** What is told of stations. The Python side is in app/supervision, app/operations and app/monitoring. */
 
 type Quality = "good" | "attention" | "bad" | "neutral";
 

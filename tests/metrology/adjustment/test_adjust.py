@@ -5,17 +5,17 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.bench.calibration import SET_UPS, bound, run
-from app.bench.simulated import Draw, SetUp, drawn, station_of
-from app.metrology.adjustment.linear import linearise
-from app.metrology.adjustment.mounting import mounting_by_motion
-from app.metrology.adjustment.solve import adjust
-from app.metrology.adjustment.state import SENSOR, layout_of
-from app.metrology.adjustment.uncertainty import BUDGET, known, measuring_volume, sources
-from app.metrology.camera import Camera
-from app.metrology.frames import apply, inverse, rigid, rotation_from_vector
-from app.metrology.reconstruct import sensor_points
-from app.metrology.refusal import Refusal
+from app.bench.metrology.calibration import SET_UPS, bound, run
+from app.bench.metrology.simulated import Draw, SetUp, drawn, station_of
+from app.errors import Refusal
+from app.metrology.adjustment.core.gauss_newton import adjust
+from app.metrology.adjustment.core.hand_eye import mounting_by_motion
+from app.metrology.adjustment.core.linearise import linearise
+from app.metrology.adjustment.core.parameters import SENSOR, layout_of
+from app.metrology.adjustment.core.uncertainty import BUDGET, known, measuring_volume, sources
+from app.metrology.sensor.camera import Camera
+from app.metrology.sensor.triangulation import sensor_points
+from app.metrology.transforms import apply, inverse, rigid, rotation_from_vector
 
 SMALL = SetUp("three poses", 3, joints=7, contacts_per_face=5, seed=3)
 

@@ -7,13 +7,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.files.calibrate import joint_inputs
-from app.files.session import read_session
-from app.metrology.adjustment.joint import JointCalibration, JointInputs, calibrate_joint
-from app.metrology.findings import Finding
-from app.metrology.frames import apply
-from app.metrology.reconstruct import sensor_points
-from app.metrology.refusal import Refusal
+from app.errors import Refusal
+from app.formats.session.calibration_session import read_session
+from app.metrology.adjustment.block.calibrate import JointCalibration, JointInputs, calibrate_joint
+from app.metrology.calibration.findings import Finding
+from app.metrology.sensor.triangulation import sensor_points
+from app.metrology.transforms import apply
+from app.workflows.calibrate import joint_inputs
 
 # Points of the picture that are rebuilt with two calibrations and compared.
 PIXELS = np.array([[u, v] for u in (200.0, 640.0, 1080.0) for v in (400.0, 500.0, 600.0)])

@@ -4,16 +4,16 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from app.metrology.adjustment.board_joint import BoardCalibration, calibrate_board
-from app.metrology.adjustment.board_problem import BoardInputs
-from app.metrology.adjustment.pose_advice import PoseAdvice, held, next_poses
-from app.metrology.adjustment.reaching import REACHED_MM, joints_for
-from app.metrology.adjustment.state import SENSOR
-from app.metrology.adjustment.uncertainty import by_sensor, measuring_volume
-from app.metrology.arm import Arm, Joint, Tip, flange_pose
-from app.metrology.chessboard.board import middle_of
-from app.metrology.frames import Floats, inverse, rigid
-from app.metrology.laser_plane import LaserPlane
+from app.metrology.adjustment.board.calibrate import BoardCalibration, calibrate_board
+from app.metrology.adjustment.board.problem import BoardInputs
+from app.metrology.adjustment.core.parameters import SENSOR
+from app.metrology.adjustment.core.uncertainty import by_sensor, measuring_volume
+from app.metrology.adjustment.planning.inverse_kinematics import REACHED_MM, joints_for
+from app.metrology.adjustment.planning.next_pose import PoseAdvice, held, next_poses
+from app.metrology.arm.kinematics import Arm, Joint, Tip, flange_pose
+from app.metrology.sensor.laser_plane import LaserPlane
+from app.metrology.targets.chessboard import middle_of
+from app.metrology.transforms import Floats, inverse, rigid
 from tests.metrology.boards import NORMAL, POSES, SIZE, T_FLANGE_CAM, seen_from
 from tests.metrology.seen_boards import PAPER, Errors, seen_at
 

@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from app.bench.simulated import USUAL, SetUp, Station, drawn, station_of
-from app.metrology.adjustment.evidence import Touches
-from app.metrology.adjustment.faults import about_block_faults
-from app.metrology.adjustment.scales import Scales
-from app.metrology.adjustment.solve import adjust
-from app.metrology.findings import Finding
-from app.metrology.frames import Floats
+from app.bench.metrology.simulated import USUAL, SetUp, Station, drawn, station_of
+from app.metrology.adjustment.core.gauss_newton import adjust
+from app.metrology.adjustment.core.observations import Touches
+from app.metrology.adjustment.core.variance_components import Scales
+from app.metrology.adjustment.outliers.fault_hypotheses import about_block_faults
+from app.metrology.calibration.findings import Finding
 from app.metrology.limits import LIMITS
+from app.metrology.transforms import Floats
 
 THREE = ("crest", "front", "left")
 ALL_AROUND = ("crest", "front", "back", "left", "right")

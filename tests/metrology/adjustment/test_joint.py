@@ -8,16 +8,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.files.calibrate import joint_inputs
-from app.files.session import read_session
-from app.metrology.adjustment.joint import JointCalibration, JointInputs, calibrate_joint
-from app.metrology.adjustment.not_seen import NotSeen
-from app.metrology.adjustment.pose_advice import held, next_poses
-from app.metrology.adjustment.touch_advice import next_touches, place_um
-from app.metrology.frames import apply, rigid_fit
+from app.errors import Refusal
+from app.formats.session.calibration_session import read_session
+from app.metrology.adjustment.block.calibrate import JointCalibration, JointInputs, calibrate_joint
+from app.metrology.adjustment.core.observations import NotSeen
+from app.metrology.adjustment.planning.next_pose import held, next_poses
+from app.metrology.adjustment.planning.next_touches import next_touches, place_um
 from app.metrology.limits import Limits
-from app.metrology.reconstruct import sensor_points
-from app.metrology.refusal import Refusal
+from app.metrology.sensor.triangulation import sensor_points
+from app.metrology.transforms import apply, rigid_fit
+from app.workflows.calibrate import joint_inputs
 
 
 @pytest.fixture(scope="module")

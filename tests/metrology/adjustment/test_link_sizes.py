@@ -5,12 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.bench.simulated import SetUp, drawn, station_of
-from app.metrology.adjustment.linear import normal
-from app.metrology.adjustment.link_sizes import FACTORS
-from app.metrology.adjustment.scales import Scales, size_prior, usual_scales
-from app.metrology.adjustment.solve import Adjusted, adjust, embedded
-from app.metrology.adjustment.state import SENSOR
+from app.bench.metrology.simulated import SetUp, drawn, station_of
+from app.metrology.adjustment.core.gauss_newton import Adjusted, adjust, embedded
+from app.metrology.adjustment.core.linearise import normal
+from app.metrology.adjustment.core.link_error_prior import FACTORS
+from app.metrology.adjustment.core.parameters import SENSOR
+from app.metrology.adjustment.core.variance_components import Scales, size_prior, usual_scales
 
 POOR = Scales(links_rad=3e-5, links_mm=0.012, noise=1.0, touch_mm=0.004)
 SET_UPS = (

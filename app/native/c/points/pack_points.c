@@ -1,7 +1,7 @@
 /* Points of a cloud as records behind one another, as files and the display are handed them. */
 #include "../export.h"
 
-/* As POINT in app/files/cloud_points.py. */
+/* As POINT in app/formats/clouds/points.py. */
 typedef struct __attribute__((packed)) {
     double x, y, z;
     float intensity, uncertainty_um;

@@ -1,4 +1,4 @@
-/* Messages of the sensor: crenel.StripeProfile (app/files/stripe_schema.py).
+/* Messages of the sensor: crenel.StripeProfile (app/formats/recording/stripe_message.py).
  *
  * 1 timestamp, 2 width_px, 3 height_px, 4 u, 5 v, 6 intensity, 7 sigma_px, 8 axis. Lists are
  * packed. */

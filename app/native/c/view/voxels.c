@@ -1,4 +1,4 @@
-/* Which cubes of space already show a point (app/station/voxels.py).
+/* Which cubes of space already show a point (app/station/view3d/voxel_lod.py).
  *
  * Cubes of one size are remembered as bits, 4 x 4 x 4 to a brick. Bricks stand in a table of a
  * power of two of slots, at most half of them taken; a brick's key is never 0. */

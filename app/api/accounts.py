@@ -1,0 +1,114 @@
+"""What administrators do: accounts, wall screens, and the audit log."""
+
+from typing import Annotated
+
+from fastapi import APIRouter, Query, Request
+from starlette.status import HTTP_204_NO_CONTENT
+
+from app.api.auth import ROLE_NAMES
+from app.api.authorization import TheVisitor
+from app.api.problems import NotFound
+from app.operations.context import Context, TheContext
+from app.store.accounts import Account, Role
+from app.store.audit import AuditEntry
+from app.strings.files import ENGLISH
+from app.strings.sentences import saying
+from app.wire.schema import AccountChange, AccountSummary, NewAccount, NewWall, WallSummary
+
+router = APIRouter(prefix="/api")
+AUDIT_SHOWN = 500
+Name = Annotated[str, Query(max_length=200)]
+"""Of an account; in no path, since browsers take some names there for folders."""
+
+
+@router.get("/accounts")
+def accounts(context: TheContext) -> list[AccountSummary]:
+    """Every account, by name."""
+    return [_summary(account) for account in context.store.accounts.all()]
+
+
+@router.post("/accounts")
+def add(asked: NewAccount, request: Request, context: TheContext) -> AccountSummary:
+    """A new account."""
+    request.state.detail = f"{asked.name}, {asked.role}"
+    return _summary(context.store.accounts.add(asked.name, Role[asked.role], asked.password))
+
+
+@router.post("/account")
+def change(
+    name: Name, asked: AccountChange, request: Request, context: TheContext
+) -> AccountSummary:
+    """Another role, or a new password; the person is signed out everywhere."""
+    account = _account(context, name)
+    changed = [asked.role or "", "new password" if asked.password is not None else ""]
+    request.state.detail = ", ".join([account.name, *filter(None, changed)])
+    if asked.role is not None:
+        context.store.accounts.set_role(account.name, Role[asked.role])
+    if asked.password is not None:
+        context.store.accounts.set_password(account.name, asked.password)
+    _sign_out(context, account)
+    return _summary(_account(context, account.name))
+
+
+@router.delete("/account", status_code=HTTP_204_NO_CONTENT)
+def remove(name: Name, request: Request, context: TheContext) -> None:
+    """Removes an account; the person is signed out everywhere."""
+    request.state.detail = name
+    account = _account(context, name)
+    context.store.accounts.remove(account.name)
+    _sign_out(context, account)
+
+
+@router.get("/walls")
+def walls(context: TheContext) -> list[WallSummary]:
+    """Every wall-screen link."""
+    found = context.store.sign_ins.walls()
+    return [WallSummary(link.id, link.name, link.made_by, link.made_at) for link in found]
+
+
+@router.post("/walls")
+def add_wall(
+    asked: NewWall, request: Request, context: TheContext, visitor: TheVisitor
+) -> WallSummary:
+    """A new wall-screen link; its token is told this once."""
+    request.state.detail = asked.name
+    link, token = context.store.sign_ins.add_wall(asked.name, visitor.name)
+    return WallSummary(link.id, link.name, link.made_by, link.made_at, token)
+
+
+@router.delete("/walls/{wall_id}", status_code=HTTP_204_NO_CONTENT)
+def remove_wall(wall_id: str, context: TheContext) -> None:
+    """A wall-screen link that shows nothing from now on."""
+    if all(link.id != wall_id for link in context.store.sign_ins.walls()):
+        raise NotFound(f"There is no wall-screen link {wall_id}.")
+    context.store.sign_ins.remove_wall(wall_id)
+
+
+@router.get("/audit")
+def audit(
+    context: TheContext,
+    words: Annotated[str, Query(max_length=100)] = "",
+    lang: Annotated[str, Query(pattern="^[a-z]{2}$")] = ENGLISH,
+) -> list[AuditEntry]:
+    """The last entries of the audit log that have all the words, newest first.
+
+    They are sought as written, and as the reader's language has them.
+    """
+    return context.store.audit.newest(AUDIT_SHOWN, words, saying(lang) or str)
+
+
+def _account(context: Context, name: str) -> Account:
+    account = context.store.accounts.get(name)
+    if account is None:
+        raise NotFound(f"There is no account {name}.")
+    return account
+
+
+def _sign_out(context: Context, account: Account) -> None:
+    """Everywhere, and out of control."""
+    context.store.sign_ins.end_all(account.name)
+    context.lease.leave_all(account.name)
+
+
+def _summary(account: Account) -> AccountSummary:
+    return AccountSummary(account.name, ROLE_NAMES[account.role], account.made_at)

@@ -1,0 +1,206 @@
+"""Signing in and out, and whose turn it is."""
+
+from http import HTTPStatus
+
+from fastapi import APIRouter, Request, Response
+
+from app.api.authorization import (
+    ThePerson,
+    TheVisitor,
+    address_of,
+    known_as,
+    set_cookie,
+    set_known,
+    token_of,
+    visitor_of,
+)
+from app.operations.context import Context, TheContext
+from app.security.errors import Denied
+from app.station.control_lease import Control
+from app.store.accounts import Role
+from app.store.login_sessions import Visitor
+from app.wire.readiness import READY, Readiness
+from app.wire.schema import (
+    Answer,
+    Code,
+    FirstAdmin,
+    NewPassword,
+    Reason,
+    RoleName,
+    Session,
+    SignIn,
+    You,
+)
+
+router = APIRouter(prefix="/api")
+ROLE_NAMES: dict[Role, RoleName] = {
+    Role.viewer: "viewer",
+    Role.operator: "operator",
+    Role.admin: "admin",
+}
+
+
+@router.get("/session")
+def session(request: Request, context: TheContext) -> Session:
+    """Who is signed in here, or how one signs in."""
+    return _session(context, visitor_of(request))
+
+
+@router.get("/starting")
+def starting() -> Readiness:
+    """Whether the station is ready: it is, once this answers; before, its start does."""
+    return READY
+
+
+@router.post("/session")
+def sign_in(asked: SignIn, request: Request, response: Response, context: TheContext) -> Session:
+    """Signs this browser in."""
+    account = context.entrance.sign_in(
+        asked.name, asked.password, address_of(request), known_as(request)
+    )
+    if account is None:
+        context.store.audit.note(asked.name, address_of(request), "signed in", "wrong password")
+        raise Denied(
+            HTTPStatus.UNAUTHORIZED,
+            "wrong-password",
+            "Name and password do not belong together.",
+            "Try again, or ask an administrator for a new password",
+        )
+    _know(account.name, request, response, context)
+    return _begin(account.name, request, response, context)
+
+
+@router.post("/session/code")
+def enter(asked: Code, request: Request, response: Response, context: TheContext) -> Session:
+    """Lets the guest of a demonstration in."""
+    guest = context.entrance.enter(asked.code, address_of(request))
+    if guest is None:
+        raise _wrong_code(context, request, "entered by the console's code")
+    return _begin(guest, request, response, context)
+
+
+@router.post("/session/admin")
+def first_admin(
+    asked: FirstAdmin, request: Request, response: Response, context: TheContext
+) -> Session:
+    """Makes the first administrator, and signs this browser in."""
+    account = context.entrance.make_admin(
+        asked.code, asked.name, asked.password, address_of(request)
+    )
+    if account is None:
+        raise _wrong_code(context, request, "made the first administrator")
+    _know(account.name, request, response, context)
+    return _begin(account.name, request, response, context)
+
+
+@router.post("/session/wall")
+def wall(asked: Code, request: Request, response: Response, context: TheContext) -> Session:
+    """Makes this browser a wall screen."""
+    visitor = context.entrance.wall(asked.code, address_of(request))
+    if visitor is None:
+        raise Denied(
+            HTTPStatus.UNAUTHORIZED,
+            "wall-link",
+            "This link is not good any more.",
+            "Ask an administrator for a new one",
+        )
+    set_cookie(response, request, asked.code, wall=True)
+    context.store.audit.note(visitor.name, address_of(request), "opened as a wall screen")
+    return _session(context, visitor)
+
+
+@router.delete("/session")
+def sign_out(request: Request, response: Response, context: TheContext) -> Session:
+    """Signs this browser out; its control goes on to whoever asked, or is free."""
+    visitor, token = visitor_of(request), token_of(request)
+    if visitor is not None:
+        context.lease.leave(visitor.id)
+        context.store.sign_ins.end(token)
+        context.store.audit.note(visitor.name, address_of(request), "signed out")
+    set_cookie(response, request, "", wall=False)
+    return _session(context, None)
+
+
+@router.post("/session/password")
+def change_password(
+    asked: NewPassword,
+    request: Request,
+    response: Response,
+    context: TheContext,
+    visitor: TheVisitor,
+) -> Session:
+    """Changes the own password; every other browser of this person is signed out."""
+    address, browser = address_of(request), known_as(request)
+    if context.entrance.sign_in(visitor.name, asked.old, address, browser) is None:
+        raise Denied(
+            HTTPStatus.FORBIDDEN, "wrong-password", "The old password is wrong.", "Try again"
+        )
+    context.store.accounts.set_password(visitor.name, asked.new)
+    context.store.sign_ins.end_all(visitor.name)
+    context.lease.leave_all(visitor.name)
+    return _begin(visitor.name, request, response, context)
+
+
+@router.post("/control/ask")
+def ask(context: TheContext, person: ThePerson) -> Control:
+    """Asks for control; takes it where it is free."""
+    context.lease.ask(person)
+    return context.lease.control
+
+
+@router.post("/control/answer")
+def answer(asked: Answer, context: TheContext, person: ThePerson) -> Control:
+    """Hands over to whoever asked, or keeps control."""
+    context.lease.answer(person, asked.give)
+    return context.lease.control
+
+
+@router.post("/control/release")
+def release(context: TheContext, person: ThePerson) -> Control:
+    """Lets go of control."""
+    context.lease.release(person)
+    return context.lease.control
+
+
+@router.post("/control/take")
+def take(asked: Reason, request: Request, context: TheContext, person: ThePerson) -> Control:
+    """Takes control over, for a reason that all are told."""
+    request.state.detail = asked.reason
+    context.lease.take_over(person, asked.reason)
+    return context.lease.control
+
+
+def you(visitor: Visitor | None) -> You | None:
+    """A visitor as their own browser knows them."""
+    if visitor is None:
+        return None
+    return You(visitor.id, visitor.name, ROLE_NAMES[visitor.role], visitor.wall)
+
+
+def _begin(name: str, request: Request, response: Response, context: Context) -> Session:
+    token = context.store.sign_ins.begin(name, request.headers.get("user-agent", ""))
+    set_cookie(response, request, token, wall=False)
+    context.store.audit.note(name, address_of(request), "signed in")
+    return _session(context, context.store.sign_ins.visitor(token))
+
+
+def _know(name: str, request: Request, response: Response, context: Context) -> None:
+    """Whoever knows a password is kept out by nobody's guesses at this browser any more."""
+    before = known_as(request)
+    if not context.store.sign_ins.knows(before, name):
+        set_known(response, request, context.store.sign_ins.know(before, name))
+
+
+def _session(context: Context, visitor: Visitor | None) -> Session:
+    entrance = context.entrance
+    return Session(context.station.name, you(visitor), entrance.first_start, entrance.by_code)
+
+
+def _wrong_code(context: Context, request: Request, act: str) -> Denied:
+    context.store.audit.note("", address_of(request), act, "wrong code")
+    return Denied(
+        HTTPStatus.UNAUTHORIZED,
+        "wrong-code",
+        "The code is wrong.",
+        "Take the one that the console shows since the station's last start",
+    )

@@ -1,0 +1,202 @@
+"""Who is behind a request, and whether it may do what it asks: the one door of all routes."""
+
+import asyncio
+import logging
+from collections.abc import Iterator
+from contextlib import contextmanager, nullcontext
+from http import HTTPStatus
+from typing import Annotated, cast
+
+from fastapi import Depends
+from fastapi.exceptions import WebSocketException
+from starlette.requests import HTTPConnection
+from starlette.responses import Response
+from starlette.websockets import WebSocket
+
+from app.errors import Refusal
+from app.operations.context import context_of
+from app.security.errors import Denied
+from app.security.permissions import ROUTES, WEBSOCKET, Right, Rule, allowed
+from app.station.control_lease import Person
+from app.store.login_sessions import LONGEST, Visitor
+
+log = logging.getLogger(__name__)
+POLICY_VIOLATION, SIGNED_OUT = 1008, 4401
+LOOKED_AFTER_S = 1.0
+A_YEAR_S = 365 * 86400
+PORTS = {"http": 80, "ws": 80, "https": 443, "wss": 443}
+
+
+def authorise(connection: HTTPConnection) -> Iterator[None]:
+    """Lets a request pass to its route, or raises ``Denied``; notes in the audit log what it did.
+
+    Raises:
+        Denied: nobody is signed in, the role does not do, or the route is in no table.
+        WebSocketException: the same of a live connection.
+        Refusal: somebody else has control.
+    """
+    context, rule = context_of(connection), _rule(connection)
+    if rule.right is Right.enter or (rule.right is Right.scrape and _scraper(connection)):
+        yield
+        return
+    visitor = visitor_of(connection)
+    # who is nobody fills no log
+    with _noted(connection, rule, visitor) if rule.act and visitor else nullcontext():
+        connection.state.visitor = _let_in(connection, rule, visitor)
+        if rule.right is Right.act:
+            context.lease.act(person_of(connection))
+        yield
+
+
+@contextmanager
+def _noted(connection: HTTPConnection, rule: Rule, visitor: Visitor) -> Iterator[None]:
+    """Writes into the audit log what is done inside, or why it was not."""
+    outcome = "failed"
+    try:
+        yield
+        outcome = "done"
+    except Refusal as refusal:
+        outcome = refusal.line
+        raise
+    except Denied as denied:
+        outcome = denied.detail
+        raise
+    finally:
+        words = getattr(connection.state, "detail", "") or ", ".join(
+            str(value) for value in connection.path_params.values()
+        )
+        act = f"{rule.act}: {words}" if words else rule.act
+        context_of(connection).store.audit.note(visitor.name, address_of(connection), act, outcome)
+
+
+def _rule(connection: HTTPConnection) -> Rule:
+    path = getattr(connection.scope.get("route"), "path", "")
+    rule = ROUTES.get((connection.scope.get("method", WEBSOCKET), path))
+    if rule is None:
+        raise Denied(
+            HTTPStatus.FORBIDDEN, "not-allowed", f"Nobody may use {connection.url.path}.", ""
+        )
+    return rule
+
+
+def _let_in(connection: HTTPConnection, rule: Rule, visitor: Visitor | None) -> Visitor:
+    """The visitor, who has the right; control is looked at after this."""
+    if visitor is None:
+        denied = Denied(
+            HTTPStatus.UNAUTHORIZED, "signed-out", "Nobody is signed in here.", "Sign in, and go on"
+        )
+    elif allowed(rule.right, visitor.role, visitor.wall):
+        return visitor
+    elif visitor.wall:
+        denied = Denied(
+            HTTPStatus.FORBIDDEN,
+            "role",
+            "A wall screen may look on, not do this.",
+            "Sign in at a browser of your own",
+        )
+    else:
+        needed = "an administrator" if rule.right is Right.administer else "an operator"
+        denied = Denied(
+            HTTPStatus.FORBIDDEN,
+            "role",
+            f"{visitor.name} may not do this: it takes {needed}.",
+            f"Ask {needed}",
+        )
+    if connection.scope["type"] == "websocket":
+        raise WebSocketException(POLICY_VIOLATION, denied.detail)
+    raise denied
+
+
+def _scraper(connection: HTTPConnection) -> bool:
+    """Whether a program comes with a good token; a wrong one is slowed down as passwords are.
+
+    Raises:
+        TooManyTries: from this address.
+    """
+    kind, _, token = connection.headers.get("authorization", "").partition(" ")
+    if kind.lower() != "bearer":
+        return False
+    return context_of(connection).entrance.scraper(token.strip(), address_of(connection))
+
+
+def token_of(connection: HTTPConnection) -> str:
+    """The sign-in's cookie, or nothing."""
+    return connection.cookies.get(cookie_name(connection), "")
+
+
+def visitor_of(connection: HTTPConnection) -> Visitor | None:
+    """Who is signed in at this browser."""
+    token = token_of(connection)
+    return context_of(connection).store.sign_ins.visitor(token) if token else None
+
+
+def signed_in(connection: HTTPConnection) -> Visitor:
+    """Whom ``authorise`` let pass."""
+    return cast(Visitor, connection.state.visitor)
+
+
+def person_of(connection: HTTPConnection) -> Person:
+    """The same, as control knows them."""
+    visitor = signed_in(connection)
+    return Person(visitor.id, visitor.name)
+
+
+async def until_signed_out(socket: WebSocket) -> None:
+    """Returns once this browser's sign-in is no longer good, or allows something else.
+
+    Control goes with it, also where another program ended the sign-in.
+    """
+    visitor = signed_in(socket)
+    while await asyncio.to_thread(visitor_of, socket) == visitor:
+        await asyncio.sleep(LOOKED_AFTER_S)
+    context_of(socket).lease.leave(visitor.id)
+    await socket.close(SIGNED_OUT, "signed out")
+
+
+TheVisitor = Annotated[Visitor, Depends(signed_in)]
+ThePerson = Annotated[Person, Depends(person_of)]
+
+
+def address_of(connection: HTTPConnection) -> str:
+    """Where the request came from."""
+    return connection.client.host if connection.client else ""
+
+
+def cookie_name(connection: HTTPConnection) -> str:
+    """One for each port, since a browser keeps cookies by the host's name alone."""
+    url = connection.url
+    return cookie_for(url.port or PORTS[url.scheme])
+
+
+def cookie_for(port: int) -> str:
+    """The same, by the port."""
+    return f"crenel-{port}"
+
+
+def known_as(connection: HTTPConnection) -> str:
+    """The token by which this browser is known, or nothing; it lets nobody in."""
+    return connection.cookies.get(f"{cookie_name(connection)}-known", "")
+
+
+def set_cookie(response: Response, connection: HTTPConnection, token: str, wall: bool) -> None:
+    """Signs this browser in with a token; no script can read it, no other page send it."""
+    lasts_s = A_YEAR_S if wall else int(LONGEST.total_seconds())
+    _set(response, connection, cookie_name(connection), token, lasts_s)
+
+
+def set_known(response: Response, connection: HTTPConnection, token: str) -> None:
+    """The browser is known from now on."""
+    _set(response, connection, f"{cookie_name(connection)}-known", token, A_YEAR_S)
+
+
+def _set(
+    response: Response, connection: HTTPConnection, name: str, token: str, lasts_s: int
+) -> None:
+    response.set_cookie(
+        name,
+        token,
+        max_age=lasts_s,
+        httponly=True,
+        samesite="strict",
+        secure=connection.url.scheme == "https",
+    )

@@ -1,0 +1,1 @@
+"""Files that are served: the built client, and files of the data folder."""

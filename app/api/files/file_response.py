@@ -1,0 +1,29 @@
+"""Files of the data folder, sent as they are."""
+
+from pathlib import Path
+
+from starlette.responses import FileResponse, Response
+
+from app.api.problems import NotFound
+from app.formats.io_errors import files_refused
+from app.formats.open_file import open_file
+
+
+def sent_file(
+    path: Path | None, missing: str, media_type: str, name: str = "", cached: bool = False
+) -> Response:
+    """A file to look at, or where it is named to download.
+
+    Args:
+        missing: what is said where there is no ordinary file.
+
+    Raises:
+        NotFound: there is none.
+        Refusal: it cannot be read.
+    """
+    if path is None or not path.is_file():
+        raise NotFound(missing)
+    with files_refused(path):
+        open_file(path).close()
+    headers = {"Cache-Control": "private"} if cached else None
+    return FileResponse(path, media_type=media_type, filename=name or None, headers=headers)

@@ -1,0 +1,44 @@
+"""The files that the client's build left in ``app/static``; light, as ``problem``."""
+
+from pathlib import Path
+
+from starlette.responses import FileResponse, HTMLResponse, Response
+
+STATIC = Path(__file__).resolve().parents[2] / "static"
+FOREVER = "public, max-age=31536000, immutable"
+NOT_BUILT = """<!doctype html>
+<html lang="en"><head><meta charset="utf-8"><title>Crenel</title>
+<style>body{font:16px/1.5 system-ui,sans-serif;max-width:40rem;margin:15vh auto;padding:0 1rem}
+</style></head><body><h1>The client is not built</h1>
+<p>The station runs, and its interface answers under <code>/api</code>, but the pages of the
+operator's client were not built into this copy of the program.</p>
+<p>Install the program with <code>pip install .</code>, which builds them, or build them in
+the source tree: <code>npm ci &amp;&amp; npm run build</code> in <code>frontend</code>.</p>
+</body></html>
+"""
+
+
+def file_response(path: str) -> Response | None:
+    """A built file by its address; None where there is none."""
+    try:
+        file = (STATIC / path).resolve()
+        if not (path and file.is_file() and file.is_relative_to(STATIC)):
+            return None
+    except (OSError, ValueError):  # no file can have such a name
+        return None
+    # names under assets carry a hash of their content
+    hashed = file.is_relative_to(STATIC / "assets")
+    return FileResponse(file, headers={"Cache-Control": FOREVER if hashed else "no-cache"})
+
+
+def page_response(name: str) -> Response:
+    """One of the built pages, whatever the address: it finds its own way."""
+    page = STATIC / name
+    if not page.is_file():
+        return HTMLResponse(NOT_BUILT, 503)
+    return FileResponse(page, headers={"Cache-Control": "no-cache"})
+
+
+def names_a_file(path: str) -> bool:
+    """Whether an address asks for a file, not for a page."""
+    return path.startswith("assets/") or "." in path.rsplit("/", 1)[-1]

@@ -1,0 +1,132 @@
+"""Who is told: notifications by webhook, and programs that read the metrics."""
+
+from dataclasses import dataclass
+from typing import Annotated
+
+from fastapi import APIRouter, Request
+from pydantic import Field
+from starlette.status import HTTP_204_NO_CONTENT
+
+from app.api.authorization import TheVisitor
+from app.api.problems import NotFound
+from app.errors import Refusal
+from app.operations.context import Context, TheContext
+from app.supervision.webhook import WebhookSettings, checked
+from app.wire.schema import Request as Asked
+
+router = APIRouter(prefix="/api")
+
+
+@dataclass(frozen=True)
+class Notifications:
+    """The secret itself is never shown again; ``trouble`` is of the last try."""
+
+    url: str
+    has_secret: bool
+    done: bool
+    fault: bool
+    due: bool
+    sent: int
+    given_up: int
+    waiting: int
+    trouble: str
+
+
+class NotificationsChange(Asked):
+    """``secret``: null leaves it, empty takes it away."""
+
+    url: Annotated[str, Field(max_length=500)]
+    secret: Annotated[str, Field(max_length=200)] | None
+    done: bool
+    fault: bool
+    due: bool
+
+
+class NewScraper(Asked):
+    name: Annotated[str, Field(min_length=1, max_length=60)]
+
+
+@dataclass(frozen=True)
+class ScraperSummary:
+    """``token`` only where it was made just now."""
+
+    id: str
+    name: str
+    made_by: str
+    made_at: str
+    token: str | None = None
+
+
+@router.get("/notifications")
+def notifications(context: TheContext) -> Notifications:
+    """Where notifications go, and how the last ones fared."""
+    return _notifications(context)
+
+
+@router.post("/notifications")
+def change(asked: NotificationsChange, context: TheContext) -> Notifications:
+    """Sets where they go; another address needs its secret given anew."""
+    watch, before = context.watch, context.watch.webhook.settings
+    url = checked(asked.url)
+    kept = before.secret if url == before.url else ""
+    settings = WebhookSettings(
+        url=url,
+        secret=kept if asked.secret is None else asked.secret,
+        done=asked.done,
+        fault=asked.fault,
+        due=asked.due,
+    )
+    watch.webhooks.keep(settings)
+    watch.webhook.settings = settings
+    watch.webhook.trouble = ""
+    return _notifications(context)
+
+
+@router.post("/notifications/test")
+async def try_out(context: TheContext) -> Notifications:
+    """Sends one; how it fared shows a moment later."""
+    if not context.watch.webhook.settings.url:
+        raise Refusal("no-webhook", "There is no address yet", remedy="Give one first")
+    context.watch.tell("test", f"{context.station.name} says hello.")
+    return _notifications(context)
+
+
+@router.get("/scrapers")
+def scrapers(context: TheContext) -> list[ScraperSummary]:
+    """Every token for the metrics."""
+    found = context.store.scrapers.all()
+    return [ScraperSummary(one.id, one.name, one.made_by, one.made_at) for one in found]
+
+
+@router.post("/scrapers")
+def add_scraper(
+    asked: NewScraper, request: Request, context: TheContext, visitor: TheVisitor
+) -> ScraperSummary:
+    """A new token, which is told this once."""
+    request.state.detail = asked.name
+    one, token = context.store.scrapers.add(asked.name, visitor.name)
+    return ScraperSummary(one.id, one.name, one.made_by, one.made_at, token)
+
+
+@router.delete("/scrapers/{scraper_id}", status_code=HTTP_204_NO_CONTENT)
+def remove_scraper(scraper_id: str, context: TheContext) -> None:
+    """A token that is good for nothing from now on."""
+    if all(one.id != scraper_id for one in context.store.scrapers.all()):
+        raise NotFound(f"There is no token {scraper_id}.")
+    context.store.scrapers.remove(scraper_id)
+
+
+def _notifications(context: Context) -> Notifications:
+    webhook = context.watch.webhook
+    settings = webhook.settings
+    return Notifications(
+        url=settings.url,
+        has_secret=bool(settings.secret),
+        done=settings.done,
+        fault=settings.fault,
+        due=settings.due,
+        sent=webhook.sent,
+        given_up=webhook.failed,
+        waiting=webhook.waiting,
+        trouble=webhook.trouble,
+    )

@@ -1,0 +1,84 @@
+"""Scanning, laser, exposure, and Stop."""
+
+from fastapi import APIRouter
+from starlette.status import HTTP_204_NO_CONTENT
+
+from app.errors import Refusal
+from app.guide.common.commands import stop_hand
+from app.operations.context import Context, TheContext
+from app.station.devices.rig import Devices
+from app.wire.schema import Exposure, ScanStart, ScanState, Switch
+
+router = APIRouter(prefix="/api")
+
+
+@router.get("/scan")
+def scan(context: TheContext) -> ScanState:
+    """The running scan, or the last one."""
+    return context.scan_state()
+
+
+@router.post("/scan/start")
+def start_scan(context: TheContext, asked: ScanStart | None = None) -> ScanState:
+    """Starts a scan and switches the laser on."""
+    job = context.jobs.current
+    if job is not None:
+        raise Refusal("busy", "A scan cannot start now", job.text or job.title, "Wait, or stop it")
+    context.scanner.start(asked.name if asked else "")
+    return context.scan_state()
+
+
+@router.post("/scan/stop")
+def stop_scan(context: TheContext) -> ScanState:
+    """Stops the scan and saves it; nothing happens when none runs."""
+    context.scan_hand.stop()
+    context.scanner.stop()
+    return context.scan_state()
+
+
+@router.post("/scan/hand")
+def scan_hand(asked: Switch, context: TheContext) -> ScanState:
+    """Lets the twin's hand move the sensor over the parts, or stops it."""
+    if asked.on:
+        context.scan_hand.start()
+    else:
+        context.scan_hand.stop()
+    return context.scan_state()
+
+
+@router.post("/laser/on")
+def laser_on(context: TheContext) -> Devices:
+    """Switches the laser on."""
+    context.rig.sensor.set_laser(True)
+    return context.rig.devices()
+
+
+@router.post("/laser/off")
+def laser_off(context: TheContext) -> Devices:
+    """Switches the laser off, whoever has control."""
+    context.rig.sensor.laser_off()
+    return context.rig.devices()
+
+
+@router.post("/exposure")
+def exposure(asked: Exposure, context: TheContext) -> Devices:
+    """Sets the exposure, clipped to the sensor's range."""
+    context.rig.sensor.set_exposure_us(asked.exposure_us)
+    return context.rig.devices()
+
+
+@router.post("/stop", status_code=HTTP_204_NO_CONTENT)
+def stop(context: TheContext) -> None:
+    """Laser off, hand stopped, scan stopped; the laser first."""
+    stop_everything(context)
+    context.bus.event("stopped", "Stopped: the laser is off.", "attention")
+
+
+def stop_everything(context: Context) -> None:
+    """In the order of danger; what was scanned is saved."""
+    context.rig.sensor.laser_off()
+    context.scan_hand.stop()
+    for guide in (context.guide, context.arm_guide, context.verify_guide):
+        stop_hand(guide)
+    context.scanner.stop()
+    context.rig.sensor.laser_off()

@@ -1,0 +1,110 @@
+"""The 3D view: which scans it shows, their colours, and shapes fitted in it."""
+
+import contextlib
+import shutil
+from typing import Annotated
+
+from fastapi import APIRouter, Path
+from starlette.status import HTTP_204_NO_CONTENT
+
+from app.api.problems import NotFound
+from app.errors import Refusal
+from app.formats.io_errors import files_refused
+from app.operations.context import Context, TheContext
+from app.operations.recovery import DELETED
+from app.station.view3d.selection import Rectangle
+from app.station.view3d.view_controller import StoredScan, ViewState
+from app.store.scans import ScanRecord
+from app.wire.schema import Colouring, Region, Rename, Switch
+
+router = APIRouter(prefix="/api")
+ScanId = Annotated[str, Path(max_length=128)]
+
+
+@router.get("/view")
+def view(context: TheContext) -> ViewState:
+    """What the 3D view shows."""
+    return context.viewing.state()
+
+
+@router.post("/view/colours")
+def colours(asked: Colouring, context: TheContext) -> ViewState:
+    """Colours the clouds by something else, or within other limits."""
+    limits = None if asked.low is None or asked.high is None else (asked.low, asked.high)
+    context.viewing.colour_by(asked.measure, limits)
+    return context.viewing.state()
+
+
+@router.post("/view/fits")
+def fit(asked: Region, context: TheContext) -> ViewState:
+    """Begins to fit a shape to what a page shows in a rectangle."""
+    rectangle = Rectangle(asked.left, asked.top, asked.right, asked.bottom)
+    context.viewing.fit(asked.view, rectangle, asked.shape)
+    return context.viewing.state()
+
+
+@router.delete("/view/fits/{fit_id}")
+def remove_fit(fit_id: int, context: TheContext) -> ViewState:
+    """Takes a fitted shape away; nothing happens when it is gone already."""
+    context.viewing.remove_fit(fit_id)
+    return context.viewing.state()
+
+
+@router.post("/scans/{scan_id}/shown")
+def show(scan_id: ScanId, asked: Switch, context: TheContext) -> ViewState:
+    """Puts a scan into the picture, or takes it out; its files stay."""
+    if asked.on:
+        context.viewing.show(_stored(_scan(scan_id, context)))
+    else:
+        _refuse_running(scan_id, context, "It cannot be hidden now")
+        context.viewing.hide(scan_id)
+    return context.viewing.state()
+
+
+@router.post("/scans/{scan_id}/name", status_code=HTTP_204_NO_CONTENT)
+def rename(scan_id: ScanId, asked: Rename, context: TheContext) -> None:
+    """Gives a finished scan another name."""
+    scan = _scan(scan_id, context)
+    name = " ".join(asked.name.split())
+    if not name:
+        raise Refusal("no-name", "A scan needs a name", remedy="write one")
+    context.store.scans.rename(scan.id, name)
+    context.viewing.note_records()
+
+
+@router.delete("/scans/{scan_id}", status_code=HTTP_204_NO_CONTENT)
+def delete(scan_id: ScanId, context: TheContext) -> None:
+    """Deletes a finished scan: recording, cloud, and its place in the list."""
+    _refuse_running(scan_id, context, "It cannot be deleted now")
+    scan = _scan(scan_id, context)
+    context.viewing.hide(scan.id)
+    context.scanner.forget(scan.id)
+    # under another name first: killed in between, no half of it is taken for a scan
+    doomed = scan.folder.with_name(f"{DELETED}{scan.folder.name}")
+    with files_refused(scan.folder):
+        if scan.folder.exists():
+            scan.folder.rename(doomed)
+        context.store.scans.delete(scan.id)
+        context.viewing.note_records()
+        # with what a mains failure has left of earlier ones
+        for left in scan.folder.parent.glob(f"{DELETED}*"):
+            with contextlib.suppress(FileNotFoundError):  # another request is at it
+                shutil.rmtree(left)
+    context.bus.event("scan-deleted", f"{scan.name} was deleted")
+
+
+def _scan(scan_id: str, context: Context) -> ScanRecord:
+    scan = context.store.scans.get(scan_id)
+    if scan is None:
+        raise NotFound(f"There is no scan {scan_id}.")
+    return scan
+
+
+def _stored(scan: ScanRecord) -> StoredScan:
+    return StoredScan(scan.id, scan.name, scan.folder, scan.frames, scan.seconds)
+
+
+def _refuse_running(scan_id: str, context: Context, what: str) -> None:
+    state = context.scanner.state()
+    if state.scan_id == scan_id and state.state in ("running", "stopping"):
+        raise Refusal("busy", what, "it is being recorded", "stop the scan first")

@@ -1,0 +1,1 @@
+"""Routes of the three guided sessions."""

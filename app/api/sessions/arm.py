@@ -1,0 +1,59 @@
+"""The arm's own flows: its daily check, and its identification."""
+
+from fastapi import APIRouter, Request
+from starlette.responses import Response
+
+from app.guide.arm.commands import command
+from app.guide.arm.view import (
+    ArmCheckSummary,
+    ArmView,
+    IdentificationSummary,
+    TipCheckSummary,
+)
+from app.guide.common.audit_labels import deed_of
+from app.operations.context import TheContext
+from app.wire.encoding import encoded
+from app.wire.schema import ArmStart, FlowCommand
+
+router = APIRouter(prefix="/api/arm")
+
+
+def _answer(view: ArmView) -> Response:
+    return Response(encoded(view), media_type="application/json")
+
+
+@router.get("", response_model=ArmView)
+def arm(context: TheContext) -> Response:
+    """The present view."""
+    return _answer(context.arm_guide.view())
+
+
+@router.get("/checks")
+def checks(context: TheContext) -> list[ArmCheckSummary]:
+    """Every finished check, newest first."""
+    return context.arm_guide.past.checks()
+
+
+@router.get("/tips")
+def tips(context: TheContext) -> list[TipCheckSummary]:
+    """Every finished check of the tip, newest first."""
+    return context.arm_guide.past.tip_checks()
+
+
+@router.get("/identifications")
+def identifications(context: TheContext) -> list[IdentificationSummary]:
+    """Every identification of the arm, newest first."""
+    return context.arm_guide.past.identifications()
+
+
+@router.post("/start", response_model=ArmView)
+def start(asked: ArmStart, context: TheContext) -> Response:
+    """Begins a check or an identification, or resumes the open session."""
+    return _answer(context.arm_guide.start(asked.purpose))
+
+
+@router.post("/command", response_model=ArmView)
+def act(asked: FlowCommand, request: Request, context: TheContext) -> Response:
+    """One of the view's actions; once for each key, and only on the present view."""
+    request.state.detail = deed_of(asked.name)
+    return _answer(command(context.arm_guide, asked.name, asked.args, asked.rev, asked.key))

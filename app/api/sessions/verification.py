@@ -1,0 +1,158 @@
+"""The guided verification, and the record of those that were accepted."""
+
+from typing import Annotated
+
+from fastapi import APIRouter, Path, Request
+from starlette.responses import Response
+
+from app.api.authorization import TheVisitor
+from app.api.files.file_response import sent_file
+from app.api.problems import NotFound
+from app.errors import Refusal
+from app.formats.results.verification import STUDY, VERIFICATION
+from app.guide.common.audit_labels import deed_of
+from app.guide.verify.commands import command
+from app.guide.verify.view import VerifyView
+from app.operations.context import Context, TheContext
+from app.station.jobs import Job, Progress
+from app.store.verifications import VerificationRecord
+from app.wire.encoding import encoded
+from app.wire.schema import FlowCommand, StudyState, Temperature, VerificationSummary
+from app.workflows.measure_gauge import MAP
+from app.workflows.verification_study import Source, StudyFile, study_verification
+
+router = APIRouter(prefix="/api")
+CloudNumber = Annotated[int, Path(ge=1, le=999)]
+STUDY_TITLE = "Rebuilding the clouds with every calibration"
+
+
+def _answer(view: VerifyView) -> Response:
+    return Response(encoded(view), media_type="application/json")
+
+
+@router.get("/verify", response_model=VerifyView)
+def verify(context: TheContext) -> Response:
+    """The present view."""
+    return _answer(context.verify_guide.view())
+
+
+@router.post("/verify/start", response_model=VerifyView)
+def start(context: TheContext) -> Response:
+    """Begins a verification, or resumes the open one."""
+    return _answer(context.verify_guide.start())
+
+
+@router.post("/verify/command", response_model=VerifyView)
+def act(asked: FlowCommand, request: Request, context: TheContext, visitor: TheVisitor) -> Response:
+    """One of the view's actions; once for each key, and only on the present view."""
+    request.state.detail = deed_of(asked.name)
+    guide, temperatures = context.verify_guide, context.store.temperatures
+    return _answer(
+        command(guide, asked.name, asked.args, asked.rev, asked.key, visitor.name, temperatures)
+    )
+
+
+@router.post("/temperature")
+def temperature(asked: Temperature, context: TheContext, visitor: TheVisitor) -> None:
+    """What the temperature at the station is now."""
+    context.store.temperatures.add(asked.celsius, visitor.name)
+
+
+@router.get("/verifications")
+def verifications(context: TheContext) -> list[VerificationSummary]:
+    """Every accepted verification, newest first."""
+    names = {record.id: record.name for record in context.store.calibrations.all()}
+    return [
+        verification_summary(record, names.get(record.calibration_id, ""))
+        for record in context.store.verifications.all()
+    ]
+
+
+def verification_summary(record: VerificationRecord, calibration: str) -> VerificationSummary:
+    """A verification as it is listed."""
+    figures = record.figures
+    return VerificationSummary(
+        id=record.id,
+        accepted_at=record.accepted_at,
+        calibration_id=record.calibration_id,
+        calibration=calibration,
+        result=figures.result,
+        text=figures.text,
+        shape=figures.shape,
+        gauge=figures.gauge,
+        clouds=figures.clouds,
+        touched=figures.touched,
+        operator=figures.operator,
+    )
+
+
+@router.get("/verifications/{verification_id}")
+def verification(verification_id: str, context: TheContext) -> Response:
+    """The record as its file has it."""
+    path = _record(verification_id, context).folder / VERIFICATION
+    missing = "The record is not in the data folder any more."
+    return sent_file(path, missing, "application/json", f"verification-{verification_id}.json")
+
+
+@router.get("/verifications/{verification_id}/cloud/{number}/map")
+def cloud_map(verification_id: str, number: CloudNumber, context: TheContext) -> Response:
+    """A cloud's deviations from its fitted shape, of an open session too."""
+    guide = context.verify_guide
+    if guide.running and guide.state.session_id == verification_id:
+        folder = guide.folder
+    else:
+        folder = _record(verification_id, context).folder
+    path = folder / f"cloud-{number}" / MAP
+    return sent_file(path, f"There is no map of cloud {number}.", "application/json")
+
+
+@router.get("/verifications/{verification_id}/study")
+def study(verification_id: str, context: TheContext) -> StudyState:
+    """The clouds with every calibration: whether that was done, and with which."""
+    return _study_state(verification_id, context)
+
+
+@router.post("/verifications/{verification_id}/study")
+def make_study(verification_id: str, context: TheContext) -> StudyState:
+    """Rebuilds the clouds with every accepted calibration, in the background."""
+    record = _record(verification_id, context)
+    sources = [
+        Source(calibration.id, calibration.name, calibration.file.parent)
+        for calibration in reversed(context.store.calibrations.all())
+    ]
+
+    def work(progress: Progress) -> None:
+        done = study_verification(record.folder, sources, lambda share, text: progress(text, share))
+        done.write(record.folder / STUDY)
+
+    def ended(job: Job[None]) -> None:
+        if job.refusal is not None:
+            context.bus.event("refused", job.refusal.line, "bad")
+        else:
+            context.bus.event("step_done", "The clouds are rebuilt with every calibration.", "good")
+
+    context.jobs.start(STUDY_TITLE, work, ended)
+    return _study_state(verification_id, context)
+
+
+def _study_state(verification_id: str, context: Context) -> StudyState:
+    record = _record(verification_id, context)
+    job = context.jobs.current
+    running = job is not None and job.title == STUDY_TITLE
+    path = record.folder / STUDY
+    accepted = len(context.store.calibrations.all())
+    text = job.text if running and job else ""
+    fraction = job.fraction if running and job else None
+    if not path.is_file():
+        return StudyState(running, text, fraction, accepted, None)
+    try:
+        return StudyState(running, text, fraction, accepted, StudyFile.read(path).fields())
+    except Refusal:
+        return StudyState(running, text, fraction, accepted, None)
+
+
+def _record(verification_id: str, context: Context) -> VerificationRecord:
+    record = context.store.verifications.get(verification_id)
+    if record is None:
+        raise NotFound(f"There is no verification {verification_id}.")
+    return record

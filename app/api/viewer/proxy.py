@@ -1,0 +1,186 @@
+"""The 3D view, reached through this server's own origin.
+
+viser listens on loopback and answers this server alone (see ``scene_server``); any client
+of it may change the scene. So from browsers only camera
+messages are passed on, decoded and encoded anew; everything else is dropped.
+"""
+
+import asyncio
+import contextlib
+import math
+import re
+from urllib.parse import quote
+
+import httpx
+import msgspec
+from fastapi import APIRouter, WebSocket
+from starlette.responses import RedirectResponse, Response
+from starlette.websockets import WebSocketDisconnect
+from websockets.asyncio.client import ClientConnection, connect
+from websockets.exceptions import ConnectionClosed, InvalidHandshake
+from websockets.typing import Subprotocol
+
+from app.api.authorization import until_signed_out
+from app.api.problems import NotFound
+from app.api.viewer.point_limit import FewerPoints
+from app.operations.context import TheContext, context_of
+from app.station.view3d.selection import ViewCamera
+from app.station.view3d.view_controller import Viewing
+from app.wire.problem import problem
+
+router = APIRouter()
+PASSED_HEADERS = ("content-type", "content-encoding")
+TRY_AGAIN_LATER = 1013
+Vector = tuple[float, float, float]
+KEY = re.compile("([0-9a-f]{16,64})(?:-([1-9][0-9]{0,3}))?")
+"""A page's own name for its view, as the last part of the viewer's address; behind it how
+many thousand points of the clouds it can draw, where those are few."""
+
+
+class CameraMessage(
+    msgspec.Struct, tag="ViewerCameraMessage", tag_field="type", forbid_unknown_fields=True
+):
+    """viser's message of where a browser looks from: the one kind that is passed on."""
+
+    wxyz: tuple[float, float, float, float]
+    position: Vector
+    fov: float
+    near: float
+    far: float
+    image_height: int
+    image_width: int
+    look_at: Vector
+    up_direction: Vector
+
+    def looking(self) -> ViewCamera | None:
+        """As the station uses it; None where it looks nowhere."""
+        finite = all(map(math.isfinite, (*self.wxyz, *self.position)))
+        if not finite or not any(self.wxyz) or not 0 < self.fov < math.pi:
+            return None
+        aspect = max(self.image_width, 1) / max(self.image_height, 1)
+        return ViewCamera(self.wxyz, self.position, self.fov, aspect)
+
+
+CAMERA = msgspec.msgpack.Decoder(CameraMessage)
+
+
+def passed(message: bytes) -> CameraMessage | None:
+    """What of a browser's message reaches viser: a camera message, or nothing."""
+    try:
+        return CAMERA.decode(message)
+    except msgspec.DecodeError:
+        return None
+
+
+@router.get("/viewer")
+def redirect() -> Response:
+    return RedirectResponse("/viewer/")
+
+
+@router.get("/viewer/{path:path}")
+async def page(path: str, context: TheContext) -> Response:
+    """The viewer's own page."""
+    if KEY.fullmatch(path.rstrip("/")):
+        path = ""
+    address = f"http://127.0.0.1:{context.scene.port}/{quote(path)}"
+    try:
+        async with (
+            httpx.AsyncClient(trust_env=False, timeout=10.0) as client,
+            client.stream(
+                "GET", address, headers={"accept-encoding": "gzip", **context.scene.key}
+            ) as found,
+        ):
+            # as sent, so that what viser compressed stays compressed
+            body = b"".join([part async for part in found.aiter_raw()])
+    except httpx.HTTPError:
+        return problem(503, "viewer-gone", "The 3D view does not answer.", "Load the page again.")
+    if found.status_code == 404:
+        raise NotFound("There is no such page of the 3D view.")
+    headers = {name: found.headers[name] for name in PASSED_HEADERS if name in found.headers}
+    return Response(body, found.status_code, {**headers, "Cache-Control": "no-cache"})
+
+
+@router.websocket("/viewer")
+@router.websocket("/viewer/")
+@router.websocket("/viewer/{key}")
+@router.websocket("/viewer/{key}/")
+async def socket(browser: WebSocket, key: str = "") -> None:
+    """Carries the scene to the browser, and the browser's camera back.
+
+    With a key, the station knows by it where that page looks from, and how much it can draw.
+    """
+    viewing, scene = context_of(browser).viewing, context_of(browser).scene
+    asked = [Subprotocol(name) for name in browser.scope["subprotocols"]]
+    try:
+        viser = await connect(
+            f"ws://127.0.0.1:{scene.port}/",
+            additional_headers=scene.key,
+            subprotocols=asked or None,
+            compression=None,
+            max_size=None,
+            proxy=None,
+            close_timeout=1,
+        )
+    except (OSError, InvalidHandshake, TimeoutError):
+        await browser.accept()
+        await browser.close(TRY_AGAIN_LATER, "the 3D view does not answer")
+        return
+
+    known = KEY.fullmatch(key)
+    page = _Page(viewing, known[1] if known else "")
+    fewer = FewerPoints(1000 * int(known[2])) if known and known[2] else None
+    async with viser:
+        await browser.accept(viser.subprotocol)
+        tasks = [
+            asyncio.create_task(_to_browser(viser, browser, fewer)),
+            asyncio.create_task(_to_viser(browser, viser, page)),
+            asyncio.create_task(until_signed_out(browser)),
+        ]
+        try:
+            await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
+        finally:
+            for task in tasks:
+                task.cancel()
+            await asyncio.gather(*tasks, return_exceptions=True)
+            page.leave()
+
+
+class _Page:
+    """Tells the station where a page looks from, under the page's key."""
+
+    def __init__(self, viewing: Viewing, key: str) -> None:
+        self._viewing, self._key = viewing, key
+        self._camera: ViewCamera | None = None
+
+    def look(self, message: CameraMessage) -> None:
+        camera = message.looking()
+        if camera is not None and self._key:
+            self._camera = camera
+            self._viewing.look(self._key, camera)
+
+    def leave(self) -> None:
+        """The connection is gone; what a newer one of the page has told stays."""
+        if self._camera is not None:
+            self._viewing.leave(self._key, self._camera)
+
+
+async def _to_browser(
+    viser: ClientConnection, browser: WebSocket, fewer: FewerPoints | None
+) -> None:
+    with contextlib.suppress(ConnectionClosed, WebSocketDisconnect):
+        async for message in viser:
+            if isinstance(message, bytes):
+                await browser.send_bytes(fewer.passed(message) if fewer else message)
+        await browser.close()
+
+
+async def _to_viser(browser: WebSocket, viser: ClientConnection, page: _Page) -> None:
+    with contextlib.suppress(ConnectionClosed, WebSocketDisconnect):
+        while True:
+            message = await browser.receive()
+            if message["type"] == "websocket.disconnect":
+                return
+            camera = passed(message.get("bytes") or b"")
+            if camera is not None:
+                page.look(camera)
+                await viser.send(msgspec.msgpack.encode(camera))

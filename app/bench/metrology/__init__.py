@@ -1,0 +1,1 @@
+"""Benchmarks of calibration and detection on simulated data with known truth."""

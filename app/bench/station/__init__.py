@@ -1,0 +1,1 @@
+"""Benchmarks of the whole station: start, live scanning, viewers."""

@@ -1,0 +1,271 @@
+"""The live station under load: a swift simulated sensor, the recording on, viewers watching.
+
+The station runs as it does for an operator, in a process of its own; the viewers read the
+3D view's socket through the station's server, each in its own process.
+"""
+
+import contextlib
+import tempfile
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass
+from multiprocessing.connection import Connection
+from pathlib import Path
+
+import httpx
+import numpy as np
+
+from app.bench.station.subprocess_station import (
+    GUEST,
+    MB,
+    PATIENCE_S,
+    apart,
+    memory_mb,
+    served,
+    sign_in,
+    stuck,
+)
+from app.bench.station.viewer_client import watching
+from app.formats.recording.reader import StripeRecord, open_recording
+from app.metrology.arm.kinematics import Arm, Joint, Tip
+from app.metrology.sensor.camera import Camera
+from app.metrology.sensor.laser_plane import LaserPlane
+from app.operations.context import Context
+from app.progress import Progress, no_progress
+from app.station.scan.pipeline import ScanCalibration
+from hardware.simulator.devices.fast_simulator import (
+    JOINTS,
+    REACH_MM,
+    SENSOR_MM,
+    Pace,
+    SwiftArm,
+    SwiftClock,
+    SwiftSensor,
+    stripe_pictures,
+)
+
+FOCAL_PX = 4400.0
+SETTLING_S = 60.0
+"""What the memory grows by is told from then on, or from a quarter of a shorter run."""
+
+
+@dataclass(frozen=True)
+class LiveBench:
+    """What the station did with it. Ages are from mid-exposure to a viewer's socket."""
+
+    seconds: float
+    frames_due: int
+    frames_recorded: int
+    frames_lost: int
+    frames_without_joints: int
+    points: int
+    points_shown: int
+    age_median_s: float
+    age_95_s: float
+    cores: float
+    """Processor time of the station by the clock."""
+    settled_mb: float
+    """Memory after the first minute, and at the end."""
+    last_mb: float
+    joined_s: float
+    """From a second viewer's connection until it has all that is shown."""
+    recording_mb_s: float
+
+
+COLUMNS = ("measure", "value")
+
+
+def table(found: LiveBench) -> list[tuple[str, str]]:
+    rate = found.points / found.seconds / 1e6
+    return [
+        ("points a second", f"{rate:.2f} million over {found.seconds:.0f} s"),
+        (
+            "frames due, recorded, lost",
+            f"{found.frames_due}, {found.frames_recorded}, {found.frames_lost}",
+        ),
+        ("frames without joints", f"{found.frames_without_joints}"),
+        (
+            "age of new points at the viewer",
+            f"{found.age_median_s:.2f} s median, {found.age_95_s:.2f} s 95th percentile",
+        ),
+        (
+            "memory after the first minute, at the end",
+            f"{found.settled_mb:.0f}, {found.last_mb:.0f} MB",
+        ),
+        (
+            "a second viewer has the whole picture",
+            f"{found.joined_s:.1f} s, {found.points_shown} points shown",
+        ),
+        ("processor", f"{found.cores:.2f} cores"),
+        ("recording", f"{found.recording_mb_s:.1f} MB/s"),
+    ]
+
+
+def run(pace: Pace, seconds: float, progress: Progress = no_progress) -> LiveBench:
+    """Scans for so long; a refusal or an HTTP error where the station does not."""
+    with (
+        tempfile.TemporaryDirectory(prefix="crenel-bench-") as folder,
+        _station(Path(folder), pace) as station,
+        httpx.Client(base_url=station.address, headers=station.signed_in, timeout=30.0) as http,
+    ):
+        return _scan(station, http, Path(folder), pace, seconds, progress)
+
+
+@dataclass(frozen=True)
+class _Station:
+    port: int
+    pid: int
+    start_ns: int
+    signed_in: dict[str, str]
+    """The header that its browsers send."""
+
+    @property
+    def address(self) -> str:
+        return f"http://127.0.0.1:{self.port}"
+
+    @property
+    def viewer(self) -> str:
+        return f"ws://127.0.0.1:{self.port}/viewer/"
+
+    @property
+    def memory_mb(self) -> float:
+        return memory_mb(self.pid)
+
+    @property
+    def processor_s(self) -> float:
+        with contextlib.suppress(OSError):
+            words = Path(f"/proc/{self.pid}/stat").read_text().rsplit(")", 1)[1].split()
+            return (int(words[11]) + int(words[12])) / 100
+        return float("nan")
+
+
+def _scan(
+    station: _Station,
+    http: httpx.Client,
+    folder: Path,
+    pace: Pace,
+    seconds: float,
+    progress: Progress,
+) -> LiveBench:
+    with watching(station.viewer, station.signed_in, station.start_ns, pace.turn_rad_s) as watched:
+        http.post("/api/scan/start", json={"name": "Bench"}).raise_for_status()
+        began_s, busy_s = time.monotonic(), station.processor_s
+        settled_mb = float("nan")
+        while (gone_s := time.monotonic() - began_s) < seconds:
+            time.sleep(0.2)
+            if np.isnan(settled_mb) and gone_s > min(SETTLING_S, seconds / 4):
+                settled_mb = station.memory_mb
+            progress(gone_s / seconds, f"{gone_s:.0f} of {seconds:.0f} s")
+        cores = (station.processor_s - busy_s) / gone_s
+        last_mb = station.memory_mb
+        joined_s = _join(station, pace)
+        http.post("/api/stop").raise_for_status()
+        scan = stopped(http)
+        seen = watched()
+    recording = next((folder / "scans").glob("*/scan.mcap"))
+    recorded = sum(
+        isinstance(record, StripeRecord) for record in open_recording(recording).records()
+    )
+    return LiveBench(
+        seconds=scan["seconds"],
+        frames_due=round(scan["seconds"] * pace.profiles_hz),
+        frames_recorded=recorded,
+        frames_lost=int(scan["lost_frames"]),
+        frames_without_joints=int(scan["frames_without_joints"]),
+        points=int(scan["points"]),
+        points_shown=int(scan["points_shown"]),
+        age_median_s=float(np.median(seen.ages_s)),
+        age_95_s=float(np.percentile(seen.ages_s, 95)),
+        cores=cores,
+        settled_mb=settled_mb,
+        last_mb=last_mb,
+        joined_s=joined_s,
+        recording_mb_s=recording.stat().st_size / MB / scan["seconds"],
+    )
+
+
+def _join(station: _Station, pace: Pace) -> float:
+    """How long a second viewer waits for what the first one sees."""
+    with watching(
+        station.viewer, station.signed_in, station.start_ns, pace.turn_rad_s, until_whole=True
+    ) as watched:
+        return watched().whole_s
+
+
+def stopped(http: httpx.Client) -> dict[str, float]:
+    """The scan's state once it has ended."""
+    deadline_s = time.monotonic() + PATIENCE_S
+    while (scan := http.get("/api/scan").json())["state"] in ("running", "stopping"):
+        if time.monotonic() > deadline_s:
+            raise stuck("the scan does not end")
+        time.sleep(0.1)
+    return dict(scan)
+
+
+@contextlib.contextmanager
+def _station(data: Path, pace: Pace) -> Iterator[_Station]:
+    """A station on the swift devices, serving in a process of its own."""
+    with apart(_serve, data, pace) as (pipe, pid):
+        port, start_ns, signed_in = pipe.recv()
+        yield _Station(port, pid, start_ns, signed_in)
+
+
+def _serve(pipe: Connection, data: Path, pace: Pace) -> None:
+    """In the station's process: until something comes through the pipe."""
+    with scanning(data, pace) as (station, port, clock):
+        pipe.send((port, clock.start_ns, sign_in(station, port)))
+        pipe.recv()
+
+
+@contextlib.contextmanager
+def scanning(data: Path, pace: Pace) -> Iterator[tuple[Context, int, SwiftClock]]:
+    """As ``serving``, and ready to scan: devices there, calibrated."""
+    with serving(data, pace) as (station, port, clock):
+        while not station.rig.sensor.fresh:
+            time.sleep(0.05)
+        calibration = swift_calibration(pace)
+        station.rig.arm.set_model(calibration.arm)
+        station.scanner.set_calibration(calibration)
+        yield station, port, clock
+
+
+@contextlib.contextmanager
+def serving(data: Path, pace: Pace) -> Iterator[tuple[Context, int, SwiftClock]]:
+    """A station on the swift devices that serves from a thread; its port, and their clock."""
+    from app.server.composition import Parts
+
+    pool, clock = stripe_pictures(pace), SwiftClock()
+    parts = Parts(
+        "Bench",
+        data,
+        lambda: SwiftArm(pace, clock),
+        lambda: SwiftSensor(pace, clock, pool),
+        guest=GUEST,
+    )
+    with served(parts) as (station, port):
+        yield station, port, clock
+
+
+def swift_calibration(pace: Pace) -> ScanCalibration:
+    """Of the swift station: what it was drawn with."""
+    joints = [Joint(f"J{i + 1}", 0.0, 0.0, 0.0, 0.0) for i in range(JOINTS)]
+    joints[0] = Joint("J1", REACH_MM, 0.0, 0.0, 0.0)
+    at = np.array(SENSOR_MM)
+    forward = -at / np.linalg.norm(at)
+    across = np.array([1.0, 0.0, 0.0])
+    rotation = np.array([across, np.cross(forward, across), forward])
+    matrix = np.array(
+        [[FOCAL_PX, 0, pace.width_px / 2], [0, FOCAL_PX, pace.height_px / 2], [0, 0, 1.0]]
+    )
+    return ScanCalibration(
+        id="bench",
+        name="Bench",
+        arm=Arm("Swift arm", "SWIFT-A", tuple(joints), Tip(0.0, 0.0, 50.0, 3.0)),
+        camera=Camera(matrix, rotation, -rotation @ at, pace.width_px, pace.height_px),
+        plane=LaserPlane(np.array([0.0, 1.0, 0.0]), 0.0),
+        T_flange_sensor=np.eye(4),
+        stripe_axis="u",
+        arm_serial="SWIFT-A",
+        sensor_serial="SWIFT-S",
+        depth_range_mm=(190.0, 260.0),
+    )

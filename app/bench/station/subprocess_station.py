@@ -1,0 +1,102 @@
+"""A station that serves: from a thread, or in a process of its own."""
+
+import contextlib
+import multiprocessing
+import socket
+import threading
+import time
+from collections.abc import Callable, Iterator
+from multiprocessing.connection import Connection
+
+import httpx
+from websockets.exceptions import ConnectionClosed
+
+from app.api.authorization import cookie_for
+from app.errors import Refusal
+from app.monitoring.system_info import resident
+from app.operations.context import Context
+from app.server.application import build_app
+from app.server.composition import Parts
+from app.server.listener import make_server
+
+PATIENCE_S = 120.0
+MB = 1 << 20
+GUEST = "Bench"
+
+
+def stuck(what: str, patience_s: float = PATIENCE_S) -> Refusal:
+    """That the station under test, or a viewer of it, does not go on."""
+    return Refusal(
+        "bench-stuck",
+        f"Nothing was measured: {what}",
+        f"nothing came of it in {patience_s:.0f} s",
+        "run it again when the machine has less to do",
+    )
+
+
+@contextlib.contextmanager
+def breaks_told() -> Iterator[None]:
+    """Says so where the station under test does not answer, or has gone."""
+    try:
+        yield
+    except (httpx.TransportError, ConnectionClosed, EOFError, BrokenPipeError) as error:
+        raise Refusal(
+            "bench-broken",
+            "Nothing was measured: the station under test does not answer",
+            str(error) or type(error).__name__,
+            "run it again when the machine has less to do",
+        ) from error
+
+
+def memory_mb(process: int) -> float:
+    """What a process holds, by its id; NaN where the system does not say."""
+    return (resident(process) or float("nan")) / MB
+
+
+@contextlib.contextmanager
+def apart(serve: Callable[..., None], *arguments: object) -> Iterator[tuple[Connection, int]]:
+    """Calls ``serve`` with a pipe and the arguments in a new process; ends it at the end.
+
+    Yields our end of the pipe, once something has come through it, and the process's id.
+
+    Raises:
+        Refusal: nothing came, or the connection to it broke.
+    """
+    context = multiprocessing.get_context("spawn")
+    ours, theirs = context.Pipe()
+    process = context.Process(target=serve, args=(theirs, *arguments), daemon=True)
+    process.start()
+    theirs.close()  # else the end of the process would not end the pipe
+    try:
+        if not ours.poll(PATIENCE_S):
+            raise stuck("the station does not start")
+        with breaks_told():
+            yield ours, process.pid or 0
+            ours.send("stop")
+        process.join(20.0)
+    finally:
+        process.kill()
+
+
+@contextlib.contextmanager
+def served(parts: Parts) -> Iterator[tuple[Context, int]]:
+    """A station that serves from a thread, and its port."""
+    app = build_app(parts)
+    server = make_server(app)
+    with socket.socket() as listening:
+        listening.bind(("127.0.0.1", 0))
+        listening.listen()
+        thread = threading.Thread(target=server.run, kwargs={"sockets": [listening]})
+        thread.start()
+        while not server.started:
+            time.sleep(0.05)
+        try:
+            yield app.state.context, int(listening.getsockname()[1])
+        finally:
+            server.should_exit = True
+            thread.join(15.0)
+
+
+def sign_in(station: Context, port: int) -> dict[str, str]:
+    """The header of a browser that is signed in at the station on a port."""
+    return {"Cookie": f"{cookie_for(port)}={station.store.sign_ins.begin(GUEST, 'bench')}"}

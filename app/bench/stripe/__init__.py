@@ -1,0 +1,1 @@
+"""Benchmarks of stripe extraction, beside OpenCV and numpy."""

@@ -1,0 +1,104 @@
+"""The command line's part for the arm itself: identified, and checked."""
+
+import time
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from app.console import (
+    fail,
+    print_figures,
+    print_json,
+    print_table,
+    progress_bar,
+    refusing,
+    warn,
+)
+
+Limit = Annotated[
+    float | None, typer.Option(min=0.0, help="Largest (max − min)/2 along any axis, in µm.")
+]
+
+
+@refusing
+def identify(
+    folder: Annotated[
+        Path,
+        typer.Argument(help="arm.json with articulation.csv, spheres.csv, ballbars.csv or some."),
+    ],
+    output: Annotated[Path, typer.Option("-o", "--output", help="Where to write it.")] = Path(
+        "arm.json"
+    ),
+    check: Annotated[
+        Path | None, typer.Option(help="A folder of places that the fit must not see.")
+    ] = None,
+    as_json: Annotated[
+        bool, typer.Option("--json", help="Print the result for programs on stdout.")
+    ] = False,
+) -> None:
+    """Identify the arm's own geometry from seats, spheres and ball bars touched with it."""
+    from app.workflows.identify_arm import (
+        correlated_figures,
+        figures_of,
+        held_figures,
+        identify_folder,
+        parameter_rows,
+    )
+
+    began = time.perf_counter()
+    with progress_bar("Identifying", not as_json) as tell:
+        sheet, result = identify_folder(folder, output, check, tell)
+    seconds = time.perf_counter() - began
+    for text in result.warnings:
+        warn(text)
+    if as_json:
+        print_json({**sheet.fields(), "file": str(output), "seconds": seconds})
+        return
+    print_figures(f"Arm of {folder}", figures_of(result))
+    columns = ("parameter", "before", "after", "change", "uncertainty (k = 1)")
+    print_table("Moved", columns, parameter_rows(result))
+    if pairs := correlated_figures(result):
+        print_figures("Correlated (told together, each alone less well)", pairs)
+    print_figures("Held", held_figures(result))
+    print(f"{output} written in {seconds:.2f} s")
+    print("The flange's frame is now this arm's: calibrate its sensors again with it.")
+
+
+@refusing
+def articulation(
+    place: Annotated[
+        Path, typer.Argument(metavar="FOLDER|CSV", help="articulation.csv, or its folder.")
+    ],
+    arm: Annotated[
+        Path | None, typer.Option(help="The arm's arm.json; the one beside the table by default.")
+    ] = None,
+    limit_um: Limit = None,
+    limit_two_sigma_um: Annotated[
+        float | None, typer.Option(min=0.0, help="Largest 2σ along any axis, in µm.")
+    ] = None,
+    as_json: Annotated[
+        bool, typer.Option("--json", help="Print the result for programs on stdout.")
+    ] = False,
+) -> None:
+    """Check an arm by single-point articulation: (max − min)/2 and 2σ of each axis, in µm.
+
+    Ends with status 1 where a limit is exceeded.
+    """
+    from app.metrology.arm.identification.articulation import ArticulationLimits
+    from app.workflows.check_articulation import check_table, overall, report_fields, report_rows
+
+    reports = check_table(place, arm, ArticulationLimits(limit_um, limit_two_sigma_um))
+    if as_json:
+        print_json(report_fields(reports))
+    else:
+        columns = ["set", "points", "½range x", "y", "z", "2σ x", "y", "z"]
+        columns += ["2σ encoders", "swing °", "verdict"]
+        print_table(f"Articulation of {place}, µm", columns, report_rows(reports))
+    if overall(reports) == "fail":
+        worst = max(reports, key=lambda report: float(report.check.half_range_um.max()))
+        fail(
+            f"{place}: set {worst.name} scatters by {worst.check.half_range_um.max():.0f} µm "
+            f"((max − min)/2) and {worst.check.two_sigma_um.max():.0f} µm (2σ): beyond the limit. "
+            "Check seat, stylus and clamping, and repeat; if it stays, identify the arm again."
+        )

@@ -1,0 +1,245 @@
+"""``crenel bench``: the tables of docs/accuracy.md, measured on the machine it runs on."""
+
+from dataclasses import asdict
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from app.console import FullHelpGroup, print_json, print_table, progress_bar, refusing
+
+bench = typer.Typer(
+    help="Measure the figures of docs/accuracy.md here.",
+    cls=FullHelpGroup,
+    rich_markup_mode=None,
+    no_args_is_help=True,
+)
+
+AsJson = Annotated[bool, typer.Option("--json", help="Print the result for programs on stdout.")]
+
+
+@bench.command()
+@refusing
+def calibration(
+    solves: Annotated[int, typer.Option(min=20, help="Noisy solves of each set-up.")] = 200,
+    as_json: AsJson = False,
+) -> None:
+    """Error against the Cramér-Rao bound, and against what each solve claims (Monte Carlo)."""
+    from app.bench.metrology.calibration import COLUMNS, run, table
+
+    with progress_bar("Solving", not as_json) as tell:
+        results = run(solves, progress=tell)
+    if as_json:
+        print_json({"set_ups": [asdict(kept) for kept in results]})
+        return
+    print_table("Calibration against its bound (k = 1, flange frame)", COLUMNS, table(results))
+
+
+@bench.command()
+@refusing
+def paper(
+    arms: Annotated[int, typer.Option(min=1, help="Simulated arms, 250 µm off their models.")] = 5,
+    as_json: AsJson = False,
+) -> None:
+    """The paper's test: one plane's clouds rebuilt with ten calibrations by each method."""
+    from app.bench.metrology.repeatability import COLUMNS, run, table
+
+    with progress_bar("Calibrating", not as_json) as tell:
+        results = run(arms, progress=tell)
+    if as_json:
+        print_json({"methods": [asdict(one) for one in results]})
+        return
+    print_table("A gauge plane over ten calibrations of one arm", COLUMNS, table(results))
+
+
+@bench.command()
+@refusing
+def detection(
+    images: Annotated[int, typer.Option(min=1, help="Pictures to render and search.")] = 300,
+    seed: Annotated[int, typer.Option(help="Of the first picture.")] = 0,
+) -> None:
+    """Is the object found: right, refused or wrong, over everything that spoils pictures."""
+    from app.bench.metrology.detection import run
+
+    with progress_bar("Searching", True) as tell:
+        found = run(images, seed, lambda done, of: tell(done / of, f"{done} of {of} pictures"))
+    print("\n".join(found.lines()))
+
+
+@bench.command()
+@refusing
+def extraction(
+    frames: Annotated[int, typer.Option(min=4, help="Frames of each kind for the errors.")] = 12,
+    real: Annotated[
+        list[Path] | None,
+        typer.Option(help="Folder of real pictures, too: the line's local noise. May be repeated."),
+    ] = None,
+    variants: Annotated[
+        bool, typer.Option(help="Plain frames by every processor variant, instead.")
+    ] = False,
+    against: Annotated[
+        Path | None,
+        typer.Option(exists=True, help="Python of another checkout: its rates beside these."),
+    ] = None,
+    clipped: Annotated[
+        bool, typer.Option(help="Frames whose line is clipped in places, instead.")
+    ] = False,
+    as_json: AsJson = False,
+) -> None:
+    """Stripe extraction: speed and error over the Cramér-Rao bound, beside OpenCV and numpy."""
+    if variants or against is not None:
+        _extraction_paired(against, as_json)
+        return
+    if clipped:
+        _extraction_clipped(as_json)
+        return
+    from app.bench.stripe import real_lines
+    from app.bench.stripe.extraction import run
+    from app.bench.stripe.speed import COLUMNS, table
+
+    of_real = [row for folder in real or () for row in real_lines.run(folder)]
+    with progress_bar("Measuring", not as_json) as tell:
+        rows = [*run(frames, tell), *of_real]
+    if as_json:
+        print_json({"measures": [asdict(row) for row in rows]})
+        return
+    print_table("Stripe extraction, 1280 × 1024, one thread", COLUMNS, table(rows))
+
+
+def _extraction_paired(against: Path | None, as_json: bool) -> None:
+    """Prints the rates of every variant, and of another checkout, by turns in one run."""
+    from app.bench.stripe.paired import COLUMNS, run, table
+
+    with progress_bar("Measuring", not as_json) as tell:
+        rates = run(against, tell)
+    if as_json:
+        print_json({"rates": [asdict(one) for one in rates]})
+        return
+    beside = "" if against is None else " (in brackets: over the other's rate)"
+    print_table(f"Plain frames, 1280 × 1024, one thread{beside}", COLUMNS, table(rates))
+
+
+def _extraction_clipped(as_json: bool) -> None:
+    """Prints the rates and errors where the line is clipped, beside those where it is not."""
+    from app.bench.stripe.clipped import COLUMNS, run, table
+
+    with progress_bar("Measuring", not as_json) as tell:
+        found = run(tell)
+    if as_json:
+        print_json({"kinds": [asdict(one) for one in found]})
+        return
+    print_table("Lines that are clipped, 1280 × 1024, one thread", COLUMNS, table(found))
+
+
+@bench.command()
+@refusing
+def live(
+    seconds: Annotated[float, typer.Option(min=1.0, help="How long it scans.")] = 60.0,
+    profiles_hz: Annotated[float, typer.Option(min=1.0, help="Frames a second.")] = 600.0,
+    points: Annotated[int, typer.Option(min=100, help="Points a frame.")] = 2000,
+    as_json: AsJson = False,
+) -> None:
+    """The whole station on a swift simulated sensor: recording on, viewers watching."""
+    from app.bench.station.live import COLUMNS, run, table
+    from hardware.simulator.devices.fast_simulator import Pace
+
+    with progress_bar("Scanning", not as_json) as tell:
+        found = run(Pace(profiles_hz=profiles_hz, width_px=points), seconds, tell)
+    if as_json:
+        print_json(asdict(found))
+        return
+    print_table(f"{profiles_hz:.0f} frames a second of {points} points", COLUMNS, table(found))
+
+
+@bench.command()
+@refusing
+def view(
+    million_points: Annotated[float, typer.Option(min=0.1, help="Points that are scanned.")] = 50.0,
+    as_json: AsJson = False,
+) -> None:
+    """The 3D view after a long scan: a second viewer joins, and the colours are changed."""
+    from app.bench.station.view import COLUMNS, run, table
+
+    with progress_bar("Showing", not as_json) as tell:
+        found = run(round(1e6 * million_points), tell)
+    if as_json:
+        print_json(asdict(found))
+        return
+    print_table("The 3D view after a long scan", COLUMNS, table(found))
+
+
+@bench.command()
+@refusing
+def viewers(
+    number: Annotated[int, typer.Option(min=2, help="Browsers that look on.")] = 20,
+    seconds: Annotated[float, typer.Option(min=4.0, help="How long they do.")] = 30.0,
+    as_json: AsJson = False,
+) -> None:
+    """Many browsers on one station while it scans, one of them slow: how old their state is."""
+    from app.bench.station.viewers import COLUMNS, run, table
+    from hardware.simulator.devices.fast_simulator import Pace
+
+    with progress_bar("Watching", not as_json) as tell:
+        found = run(Pace(profiles_hz=60.0, width_px=1280), number, seconds, tell)
+    if as_json:
+        print_json(asdict(found))
+        return
+    print_table("A scan of 60 frames a second, watched by many", COLUMNS, table(found))
+
+
+@bench.command()
+@refusing
+def faults(
+    only: Annotated[
+        list[str] | None,
+        typer.Option(help="kills, disk, damage, floods or devices alone. May be repeated."),
+    ] = None,
+    seed: Annotated[int, typer.Option(help="Of what is tried at random.")] = 0,
+    as_json: AsJson = False,
+) -> None:
+    """The station killed, its disk full, its files damaged, its devices failing: what is lost."""
+    from app.bench.faults import devices, everything, row
+
+    kinds = [name for name in only or () if name != devices.KIND]
+    with progress_bar("Failing", not as_json) as tell:
+        rows = everything.run(kinds, seed, tell) if kinds or not only else []
+        failing = devices.run(tell) if not only or devices.KIND in only else []
+    if as_json:
+        found = {"faults": [asdict(one) for one in rows], "failures": [asdict(f) for f in failing]}
+        print_json(found)
+        return
+    if rows:
+        print_table("Faults, and what was lost", row.COLUMNS, row.table(rows))
+    if failing:
+        print_table("Devices that fail on the way", devices.COLUMNS, devices.table(failing))
+
+
+@bench.command()
+@refusing
+def start(
+    against: Annotated[
+        Path | None,
+        typer.Option(help="Another copy, beside this: its crenel, or a checkout with a .venv."),
+    ] = None,
+    session: Annotated[
+        Path | None,
+        typer.Option(help="Folder of a calibration session, with a recording to rebuild."),
+    ] = None,
+    cold: Annotated[int, typer.Option(min=0, help="Rounds with empty caches.")] = 1,
+    warm: Annotated[int, typer.Option(min=0, help="Rounds with filled caches.")] = 3,
+    busy: Annotated[
+        int, typer.Option(min=0, help="The same with a restless process on every core.")
+    ] = 3,
+    as_json: AsJson = False,
+) -> None:
+    """How soon the program is there: first page, calibration, commands; memory and size."""
+    from app.bench.station.start import Rounds, columns, run, table
+    from app.bench.station.started import copy_at, own_copy
+
+    copies = [own_copy(), *([copy_at("against", against)] if against else [])]
+    with progress_bar("Starting", not as_json) as tell:
+        rows = run(copies, Rounds(cold, warm, busy), session, tell)
+    if as_json:
+        print_json({"measures": [asdict(row) for row in rows]})
+        return
+    print_table("From the start on: median (least–most)", columns(copies), table(rows))

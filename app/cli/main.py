@@ -1,0 +1,290 @@
+"""The command line: ``crenel``. Heavy modules are imported by the command that needs them."""
+
+import signal
+import sys
+import time
+from enum import StrEnum
+from pathlib import Path
+from typing import Annotated, NoReturn
+
+import typer
+
+from app.cli.arm import articulation, identify
+from app.cli.bench import bench
+from app.cli.report import report
+from app.cli.scan import reconstruct, replay, study, sync
+from app.cli.station import backup, mqtt_schema, password
+from app.console import (
+    FullHelpGroup,
+    print_figures,
+    print_json,
+    print_table,
+    progress_bar,
+    refusing,
+    warn,
+)
+
+cli = typer.Typer(
+    name="crenel",
+    cls=FullHelpGroup,
+    rich_markup_mode=None,  # Rich would double the time that --help takes
+    help="Calibrates a laser stripe sensor on a measuring arm in one step, and scans with it.",
+    add_completion=False,
+    no_args_is_help=True,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+
+AsJson = Annotated[bool, typer.Option("--json", help="Print the result for programs on stdout.")]
+Host = Annotated[str, typer.Option(help="Address to listen on.")]
+Port = Annotated[int, typer.Option(min=0, max=65535, help="Port to listen on; 0 takes a free one.")]
+Open = Annotated[bool, typer.Option("--open/--no-open", help="Open the browser.")]
+DataFolder = Annotated[
+    Path | None, typer.Option("--data", help="Folder of the station's records.", file_okay=False)
+]
+
+
+class Method(StrEnum):
+    """How a session is calibrated."""
+
+    JOINT = "joint"
+    ONE_POSE = "one-pose"
+
+
+class Choice(StrEnum):
+    CONTINUITY = "continuity"
+    STRENGTH = "strength"
+    FIRST = "first"
+    LAST = "last"
+
+
+class Axis(StrEnum):
+    """Along which image axis stripe points are counted."""
+
+    U = "u"
+    V = "v"
+
+
+class Shape(StrEnum):
+    """What a gauge is."""
+
+    PLANE = "plane"
+    SPHERE = "sphere"
+
+
+def main() -> None:
+    """The entry point of ``crenel``."""
+    signal.signal(signal.SIGTERM, _terminated)
+    cli()
+
+
+def _terminated(number: int, frame: object) -> NoReturn:
+    """Leaves by an exception, so that files under way are removed."""
+    sys.exit(128 + number)
+
+
+def _print_version(wanted: bool) -> None:
+    if wanted:
+        from app.formats.software import SOFTWARE
+
+        print(f"{SOFTWARE.name} {SOFTWARE.version}")
+        raise typer.Exit
+
+
+@cli.callback()
+def _options(
+    version: Annotated[
+        bool,
+        typer.Option(
+            "--version", callback=_print_version, is_eager=True, help="Print the version and exit."
+        ),
+    ] = False,
+) -> None:
+    pass
+
+
+@cli.command()
+@refusing
+def demo(
+    data: DataFolder = None,
+    host: Host = "127.0.0.1",
+    port: Port = 8000,
+    open_browser: Open = True,
+) -> None:
+    """The whole station on simulated hardware, in the browser."""
+    from app.server.startup import demo as run_demo
+
+    run_demo(data, host, port, open_browser)
+
+
+@cli.command()
+@refusing
+def serve(
+    config: Annotated[
+        Path | None, typer.Option("--config", help="station.toml: which drivers, which data.")
+    ] = None,
+    data: DataFolder = None,
+    host: Host = "127.0.0.1",
+    port: Port = 8000,
+    open_browser: Open = False,
+) -> None:
+    """The station on real hardware."""
+    from app.server.startup import serve as run_serve
+
+    run_serve(config, data, host, port, open_browser)
+
+
+@cli.command()
+@refusing
+def calibrate(
+    session: Annotated[Path, typer.Argument(help="Folder of a calibration session.")],
+    output: Annotated[Path, typer.Option("-o", "--output", help="Where to write it.")] = Path(
+        "calibration.json"
+    ),
+    method: Annotated[
+        Method,
+        typer.Option(
+            help="joint: all poses in one adjustment. one-pose: the paper's, by the first pose."
+        ),
+    ] = Method.JOINT,
+    good_um: Annotated[
+        float, typer.Option(min=0.0, help="A point known to this (k = 1) is good.")
+    ] = 50.0,
+    usable_um: Annotated[
+        float, typer.Option(min=0.0, help="Beyond this (k = 1) it is not to be used.")
+    ] = 150.0,
+    as_json: AsJson = False,
+) -> None:
+    """Calibrate from contact points and pictures: camera, laser plane, probe matrix."""
+    from app.cli.calibration_table import figures_of
+    from app.metrology.limits import Limits
+    from app.workflows.calibrate import calibrate_session
+
+    began = time.perf_counter()
+    with progress_bar("Calibrating", not as_json) as tell:
+        sheet, warnings = calibrate_session(
+            session, output, tell, method.value, Limits(good_um, usable_um)
+        )
+    seconds = time.perf_counter() - began
+    for text in warnings:
+        warn(text)
+    if as_json:
+        told = {"file": str(output), "seconds": seconds, "warnings": warnings}
+        print_json({**sheet.fields(), **told})
+        return
+    print_figures(f"Calibration of {session}", figures_of(sheet))
+    print(f"{output} written in {seconds:.2f} s")
+
+
+@cli.command()
+@refusing
+def extract(
+    images: Annotated[list[Path], typer.Argument(help="Pictures with the laser on.")],
+    output: Annotated[Path, typer.Option("-o", "--output", help="Where to write it.")] = Path(
+        "stripe.csv"
+    ),
+    axis: Annotated[
+        Axis, typer.Option(help="u: one point a column of the picture; v: one a row.")
+    ] = Axis.U,
+    threshold: Annotated[
+        float | None, typer.Option(help="Grey levels above its surroundings. Else by the noise.")
+    ] = None,
+    min_width: Annotated[
+        float | None, typer.Option(help="Pixels at half height. Else by the usual width.")
+    ] = None,
+    max_width: Annotated[
+        float | None, typer.Option(help="Pixels at half height. Else by the usual width.")
+    ] = None,
+    choice: Annotated[
+        Choice, typer.Option(help="Which of several peaks of a column is the stripe.")
+    ] = Choice.CONTINUITY,
+    mask: Annotated[
+        Path | None, typer.Option(help="mask.json: zones in which nothing is measured.")
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Extract the laser stripe: columns u, v, intensity, sigma_px.
+
+    Of several pictures, a last column ``image`` names the picture of each row.
+    """
+    from app.formats.atomic_write import checked_target
+    from app.formats.settings.mask import Mask
+    from app.metrology.stripe import StripeSettings
+    from app.workflows.extract_stripes import extract as extract_all
+    from app.workflows.extract_stripes import write_stripes
+
+    checked_target(output, images if mask is None else [*images, mask])
+    zones = None if mask is None else Mask.read(mask)
+    settings = StripeSettings(threshold, min_width, max_width, choice=choice.value)
+    with progress_bar("Extracting", not as_json) as tell:
+        stripes = extract_all(images, axis.value, tell, settings, zones)
+        write_stripes(output, stripes)
+    if as_json:
+        found = [
+            {
+                "image": str(one.file),
+                "u": one.stripe.u.tolist(),
+                "v": one.stripe.v.tolist(),
+                "intensity": one.stripe.intensity.tolist(),
+                "sigma_px": one.stripe.sigma_px.tolist(),
+            }
+            for one in stripes
+        ]
+        print_json({"file": str(output), "axis": axis.value, "images": found})
+        return
+    import numpy as np
+
+    rows = [
+        (str(one.file), str(len(one.stripe.u)), f"{float(np.median(one.stripe.sigma_px)):.3f}")
+        for one in stripes
+    ]
+    print_table("Laser stripe", ("picture", "points", "median σ px"), rows)
+    print(f"{output} written")
+
+
+@cli.command()
+@refusing
+def verify(
+    shape: Annotated[Shape, typer.Argument(help="What the gauge is.")],
+    clouds: Annotated[
+        list[Path], typer.Argument(help="Clouds of the gauge, in any format written here.")
+    ],
+    nominal: Annotated[
+        Path | None, typer.Option(help="nominal.json: where the gauge truly is.")
+    ] = None,
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", help="Write the report here, too.")
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Check clouds of a gauge plane or sphere against its nominal, in arcsec and µm."""
+    from app.formats.atomic_write import checked_target
+    from app.workflows.verify_gauge import report_table
+    from app.workflows.verify_gauge import verify as verify_all
+
+    if output is not None:
+        checked_target(output, clouds if nominal is None else [*clouds, nominal])
+    with progress_bar("Verifying", not as_json) as tell:
+        report = verify_all(shape.value, clouds, nominal, tell)
+        if output is not None:
+            report.write(output)
+    if as_json:
+        print_json(report.fields())
+        return
+    against = f" against {nominal}" if nominal else ", no nominal given"
+    print_table(f"Gauge {shape.value}{against}", *report_table(report))
+    if output is not None:
+        print(f"{output} written")
+
+
+cli.command()(reconstruct)
+cli.command()(sync)
+cli.command()(study)
+cli.command()(replay)
+cli.command()(identify)
+cli.command()(articulation)
+cli.command()(report)
+cli.command()(backup)
+cli.command()(password)
+cli.command()(mqtt_schema)
+cli.add_typer(bench, name="bench")

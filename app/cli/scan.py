@@ -1,0 +1,225 @@
+"""The command line's part for scans: rebuilt, compared, and shown again."""
+
+import time
+from dataclasses import asdict
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from app.console import print_figures, print_json, print_table, progress_bar, refusing, warn
+
+AsJson = Annotated[bool, typer.Option("--json", help="Print the result for programs on stdout.")]
+
+
+@refusing
+def reconstruct(
+    recording: Annotated[Path, typer.Argument(metavar="SCAN.mcap", help="A scan recording.")],
+    calibration: Annotated[Path, typer.Option(help="The sensor's calibration.json.")],
+    arm: Annotated[Path, typer.Option(help="The arm's arm.json.")],
+    output: Annotated[
+        Path,
+        typer.Option(
+            "-o", "--output", help="The cloud: .ply, .pcd, .e57, .xyz, .las or .laz by its name."
+        ),
+    ] = Path("cloud.ply"),
+    delay_ms: Annotated[
+        float | None,
+        typer.Option(
+            min=-1000.0,
+            max=1000.0,
+            help="By how much the arm's stamps are later than the camera's; by default as the "
+            "station applied it.",
+        ),
+    ] = None,
+    sync: Annotated[
+        Path | None, typer.Option(help="The same, from the sync.json that crenel sync wrote.")
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Rebuild the cloud of a recording in the arm frame, with any calibration."""
+    from app.formats.clouds.files import SUFFIXES
+
+    if output.suffix.lower() not in SUFFIXES:
+        raise typer.BadParameter(
+            f"'{output}': clouds are written as {', '.join(SUFFIXES)}; name it "
+            f"{output.with_suffix('.ply').name if output.name else 'cloud.ply'}",
+            param_hint="'-o'",
+        )
+    if delay_ms is not None and sync is not None:
+        raise typer.BadParameter("give one of the two", param_hint="'--delay-ms', '--sync'")
+    from app.formats.atomic_write import checked_target
+    from app.formats.datasheets.arm import read_arm
+    from app.formats.results.calibration import read_calibration
+    from app.workflows.estimate_delay import read_sync
+    from app.workflows.reconstruct import rebuild
+
+    began = time.perf_counter()
+    checked_target(output, [recording, calibration, arm, *([sync] if sync else [])])
+    sensor, arm_model = read_calibration(calibration), read_arm(arm)
+    delay_ns = None if delay_ms is None else round(1e6 * delay_ms)
+    if sync is not None:
+        delay_ns = read_sync(sync, sensor, arm_model).delay_ns
+    with progress_bar("Reconstructing", not as_json) as tell:
+        rebuilt = rebuild(recording, sensor, arm_model, output, tell, delay_ns)
+    seconds = time.perf_counter() - began
+    for text in rebuilt.warnings:
+        warn(text)
+    if as_json:
+        told = {"file": str(output), "seconds": seconds}
+        print_json({**asdict(rebuilt), **told})
+        return
+    figures = (
+        ("points", f"{rebuilt.points:,}".replace(",", " ")),
+        ("frames", f"{rebuilt.frames} with points, {rebuilt.frames_without_stripe} without stripe"),
+        ("speed", f"{rebuilt.all_frames / seconds:.0f} frames/s"),
+    )
+    print_figures(f"Cloud of {recording}", figures)
+    print(f"{output} written in {seconds:.2f} s")
+
+
+@refusing
+def sync(
+    recording: Annotated[
+        Path,
+        typer.Argument(
+            metavar="SCAN.mcap",
+            help="A pass over a plane: nearer and away again, several times, as it goes over it.",
+        ),
+    ],
+    calibration: Annotated[Path, typer.Option(help="The sensor's calibration.json.")],
+    arm: Annotated[Path, typer.Option(help="The arm's arm.json.")],
+    output: Annotated[Path, typer.Option("-o", "--output", help="Where to write it.")] = Path(
+        "sync.json"
+    ),
+    as_json: AsJson = False,
+) -> None:
+    """Find the constant delay between arm and camera, with its uncertainty.
+
+    For crenel reconstruct --sync; the station finds and applies it on its Settings page.
+    """
+    from app.formats.atomic_write import checked_target
+    from app.formats.datasheets.arm import read_arm
+    from app.formats.results.calibration import read_calibration
+    from app.workflows.estimate_delay import sync as run
+
+    checked_target(output, (recording, calibration, arm))
+    sensor, arm_model = read_calibration(calibration), read_arm(arm)
+    with progress_bar("Looking for the delay", not as_json) as tell:
+        sheet = run(recording, sensor, arm_model, tell)
+        sheet.write(output)
+    if as_json:
+        print_json({**sheet.fields(), "file": str(output)})
+        return
+    figures = (
+        ("the arm's stamps are later by", f"{sheet.delay_ms:.3f} ms"),
+        ("standard uncertainty", f"{sheet.standard_uncertainty_ms:.3f} ms (k = 1)"),
+        ("pass", f"{sheet.seconds:.1f} s, {sheet.frames} frames, {sheet.reversals} reversals"),
+        ("speed across the plane", f"{sheet.speed_mm_s:.0f} mm/s rms"),
+        (
+            "points about the plane",
+            f"{sheet.rms_without_um:.0f} µm rms without it, {sheet.rms_um:.0f} µm with it",
+        ),
+    )
+    print_figures(f"Delay between arm and camera, {recording}", figures)
+    print(f"{output} written")
+
+
+@refusing
+def study(
+    files: Annotated[
+        list[Path],
+        typer.Argument(
+            metavar="RECORDING...",
+            help="Scans of one plane; calibrations (.json) among them are taken as such.",
+        ),
+    ],
+    arm: Annotated[Path, typer.Option(help="The arm's arm.json.")],
+    calibrations: Annotated[
+        list[Path] | None,
+        typer.Option("--calibrations", metavar="CALIBRATION...", help="Of the sensor."),
+    ] = None,
+    nominal: Annotated[
+        Path | None, typer.Option(help="nominal.json: where the plane truly is.")
+    ] = None,
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", help="Write the table here, as CSV.")
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """The paper's study: clouds of one plane, each rebuilt with each calibration.
+
+    How far the plane turns and shifts between calibrations, and between clouds.
+    """
+    from app.formats.atomic_write import checked_target
+    from app.formats.datasheets.arm import read_arm
+    from app.formats.results.calibration import read_calibration
+    from app.workflows.repeatability_study import range_rows
+    from app.workflows.repeatability_study import study as run
+
+    sheets = [*(calibrations or []), *(path for path in files if path.suffix.lower() == ".json")]
+    recordings = [path for path in files if path.suffix.lower() != ".json"]
+    if not sheets or not recordings:
+        missing = "--calibrations" if not sheets else "RECORDING..."
+        raise typer.BadParameter("none given", param_hint=f"'{missing}'")
+    if output is not None:
+        checked_target(output, [*files, *sheets, arm])
+    known = [(path, read_calibration(path)) for path in sheets]
+    arm_model = read_arm(arm)
+    with progress_bar("Rebuilding", not as_json) as tell:
+        done = run(recordings, known, arm_model, nominal, tell)
+        if output is not None:
+            done.write_csv(output)
+    for text in done.warnings:
+        warn(text)
+    if as_json:
+        print_json(asdict(done))
+        return
+    rows = [
+        (
+            row.recording,
+            row.calibration,
+            str(row.points),
+            f"{row.rms_um:.1f}",
+            f"{row.angle_arcsec:.1f}",
+            f"{row.offset_um:.1f}",
+        )
+        for row in done.rows
+    ]
+    columns = ("cloud", "calibration", "points", "rms µm", "angle ″", "offset µm")
+    print_table(f"Plane against {nominal or 'the mean of all'}", columns, rows)
+    columns = ("range", "angle, mean", "largest", "offset, mean", "largest", "the paper")
+    print_table("How far it turns and shifts", columns, range_rows(done))
+    if output is not None:
+        print(f"{output} written")
+
+
+@refusing
+def replay(
+    recording: Annotated[Path, typer.Argument(metavar="SCAN.mcap", help="A scan recording.")],
+    calibration: Annotated[
+        Path | None,
+        typer.Option(help="The sensor's calibration.json; by default beside the recording."),
+    ] = None,
+    arm: Annotated[
+        Path | None, typer.Option(help="The arm's arm.json; by default beside the recording.")
+    ] = None,
+    speed: Annotated[
+        float, typer.Option(min=0.0, help="1 as it was taken; 0 as fast as it can be read.")
+    ] = 1.0,
+    host: Annotated[str, typer.Option(help="Address to listen on.")] = "127.0.0.1",
+    port: Annotated[int, typer.Option(min=0, max=65535, help="Port to listen on.")] = 8000,
+    open_browser: Annotated[
+        bool, typer.Option("--open/--no-open", help="Open the browser.")
+    ] = True,
+) -> None:
+    """The live display fed from a recording, with any calibration."""
+    from app.formats.datasheets.arm import read_arm
+    from app.formats.results.calibration import read_calibration
+    from app.server.live_replay import Replay
+    from app.server.startup import replay as run_replay
+
+    sensor = read_calibration(calibration or recording.with_name("calibration.json"))
+    arm_model = read_arm(arm or recording.with_name("arm.json"))
+    show = Replay(recording, sensor, arm_model, speed)
+    run_replay(show, f"Replay of {recording.name}", host, port, open_browser)

@@ -1,0 +1,72 @@
+"""``crenel backup``, ``password`` and ``mqtt-schema``: what a station's keeper needs."""
+
+import json
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from app.console import print_json, progress_bar, refusing
+
+
+@refusing
+def backup(
+    data: Annotated[Path, typer.Argument(help="The station's data folder; it may be running.")],
+    output: Annotated[Path, typer.Option("-o", "--output", help="The new folder of the copy.")],
+    as_json: Annotated[
+        bool, typer.Option("--json", help="Print the result for programs on stdout.")
+    ] = False,
+) -> None:
+    """Copy a station's data folder, also while it runs; start from the copy with --data."""
+    from dataclasses import asdict
+
+    from app.store.backup import backup as copy_all
+
+    with progress_bar("Copying", not as_json) as tell:
+        made = copy_all(data, output, tell)
+    if as_json:
+        print_json(asdict(made))
+        return
+    print(f"{made.folder} written: {made.files} files, {made.bytes / 1e6:.1f} MB")
+
+
+@refusing
+def password(
+    data: Annotated[Path, typer.Argument(help="The station's data folder; it may be running.")],
+    name: Annotated[str, typer.Argument(help="Of the account.")],
+) -> None:
+    """Give an account a new password, where no administrator can; asked for, or read from stdin."""
+    from app.errors import Refusal
+    from app.store.accounts import AccountStore
+    from app.store.audit import AuditLog
+    from app.store.backup import DATABASE, check_data_folder
+    from app.store.database import Database
+    from app.store.login_sessions import SignInStore
+
+    check_data_folder(data)
+    database = Database(data / DATABASE)
+    try:
+        accounts = AccountStore(database)
+        account = accounts.get(name)
+        if account is None:
+            known = ", ".join(one.name for one in accounts.all()) or "none yet"
+            raise Refusal("no-account", f"There is no account {name}", f"there are: {known}")
+        if sys.stdin.isatty():
+            new = typer.prompt("New password", hide_input=True, confirmation_prompt=True)
+        else:
+            new = sys.stdin.readline().rstrip("\r\n")
+        accounts.set_password(account.name, new)
+        SignInStore(database).end_all(account.name)
+        AuditLog(database).note("", "console", f"changed an account: {account.name}, new password")
+    finally:
+        database.close()
+    print(f"{account.name} has a new password, and is signed out everywhere.")
+
+
+@refusing
+def mqtt_schema() -> None:
+    """The JSON schema of what stations publish over MQTT."""
+    from app.supervision.messages import schema
+
+    print(json.dumps(schema(), indent=1, ensure_ascii=False))

@@ -1,1 +1,0 @@
-"""Every file format of the station: read, validated, written atomically."""

@@ -1,0 +1,136 @@
+"""Writing so that a file is either whole or not there."""
+
+import os
+import secrets
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import BinaryIO
+
+from app.errors import Refusal
+from app.formats.file_names import shown_path
+from app.formats.io_errors import files_refused
+from app.formats.open_file import open_file
+
+
+@contextmanager
+def atomic_file(path: Path) -> Iterator[BinaryIO]:
+    """A binary file to write and seek in, which takes its name only once complete.
+
+    The bytes go to a hidden file in the same folder; leaving the block without an
+    exception flushes them to disk and renames, anything else removes them and
+    leaves what stood under the name before.
+
+    Raises:
+        Refusal: the folder is missing or not writable, the disk is full, or the
+            name belongs to a folder or a device.
+    """
+    with atomic_path(path) as part, open(part, "xb") as file:
+        yield file
+
+
+@contextmanager
+def atomic_path(path: Path) -> Iterator[Path]:
+    """As ``atomic_file``, for a library that opens its file itself: the name to give it."""
+    target = checked_target(path)
+    part = target.with_name(f".{target.name[:80]}.{secrets.token_hex(4)}.part")
+    with files_refused(path):
+        try:
+            yield part
+            with open_file(part) as file:
+                os.fsync(file.fileno())
+            os.replace(part, target)
+        except BaseException:
+            part.unlink(missing_ok=True)
+            raise
+        sync_folder(target.parent)
+
+
+def write_atomically(path: Path, content: bytes) -> None:
+    """Writes a whole file at once; see ``atomic_file``."""
+    with atomic_file(path) as file:
+        file.write(content)
+
+
+def checked_target(path: Path, sources: Iterable[Path] = ()) -> Path:
+    """Where a file of this name would be written, links followed.
+
+    Args:
+        sources: files that the job reads, which its result must not replace.
+
+    Raises:
+        Refusal: its folder is missing or not writable, or the name is taken by
+            something that is not a file, or by one of the sources. So a job can be
+            refused before its work.
+    """
+    with files_refused(path):
+        target = path.resolve()
+        if any(target == source.resolve() for source in sources):
+            raise Refusal(
+                "output-is-source",
+                shown_path(path),
+                "the result would replace a file that it is made from",
+                "Name another file",
+            )
+        if target.exists() and not target.is_file():
+            kind = "a folder" if target.is_dir() else "a pipe, a socket or a device"
+            raise Refusal("output-not-a-file", shown_path(path), f"it is {kind}", "Name a file")
+        folder = target.parent
+        if not folder.is_dir():
+            raise Refusal(
+                "folder-missing",
+                shown_path(path),
+                f"there is no folder {shown_path(folder)}",
+                "Create it, or choose another place",
+            )
+        if not os.access(folder, os.W_OK | os.X_OK):
+            raise Refusal(
+                "folder-forbidden",
+                shown_path(path),
+                f"the folder {shown_path(folder)} cannot be written to",
+                "Choose another place",
+            )
+    return target
+
+
+def make_folder(folder: Path) -> None:
+    """Makes a folder that is not there yet, with those above it, durably.
+
+    Raises:
+        FileExistsError: it is there.
+        OSError: it cannot be made.
+    """
+    if not folder.parent.is_dir():
+        make_folder(folder.parent)
+    folder.mkdir()
+    sync_folder(folder.parent)
+
+
+def ensure_folder(folder: Path) -> None:
+    """Makes a folder durably, with those above it, where it is not there.
+
+    Raises:
+        OSError: it cannot be made, or something else has its name.
+    """
+    try:
+        make_folder(folder)
+    except FileExistsError:
+        if not folder.is_dir():
+            raise
+
+
+def sync_file(path: Path) -> None:
+    """Brings what another process or library wrote to the disk; raises ``OSError``."""
+    with open_file(path) as file:
+        os.fsync(file.fileno())
+
+
+def sync_folder(folder: Path) -> None:
+    """Makes the names in a folder durable, where the platform can; raises ``OSError``."""
+    if os.name == "nt":
+        return
+    handle = os.open(folder, os.O_RDONLY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)

@@ -1,0 +1,158 @@
+"""Clouds: written in pieces and read, in whatever format the file's name asks for."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.errors import Refusal
+from app.formats.atomic_write import atomic_file, atomic_path
+from app.formats.clouds.e57 import E57Sink, read_e57
+from app.formats.clouds.las import LasSink, read_las
+from app.formats.clouds.pcd import PcdSink, read_pcd
+from app.formats.clouds.ply import PlySink, read_ply
+from app.formats.clouds.points import POINT, Cloud, Points, PointSink, packed
+from app.formats.clouds.xyz import XyzSink, read_xyz
+from app.formats.file_names import shown_path
+from app.formats.io_errors import files_refused
+from app.formats.open_file import open_file
+from app.metrology.transforms import Floats
+
+SUFFIXES = (".ply", ".pcd", ".e57", ".xyz", ".las", ".laz")
+AT_ONCE = 1 << 16
+"""Points are handed to a format in pieces of at least so many."""
+FARTHEST_MM = 1e7
+"""Nothing that an arm measures lies further away."""
+
+__all__ = ["POINT", "SUFFIXES", "Cloud", "CloudWriter", "cloud_writer", "packed", "read_cloud"]
+
+
+class CloudWriter:
+    """Appends points to an open cloud; see ``cloud_writer``."""
+
+    def __init__(self, sink: PointSink) -> None:
+        self._sink = sink
+        self._waiting: list[Points] = []
+        self._waiting_count = 0
+        self.points = 0
+
+    def write(
+        self,
+        points_mm: Floats,
+        intensity: Floats,
+        uncertainty_um: Floats,
+        frame: int | Floats | NDArray[np.int64],
+    ) -> None:
+        """Appends points (N, 3); rows with NaN are left out.
+
+        Args:
+            intensity: (N,) as of the stripe.
+            uncertainty_um: (N,) k = 1, see ``metrology.reconstruct``.
+            frame: which frame they came from, one for all or (N,).
+        """
+        self.append(packed(points_mm, intensity, uncertainty_um, frame))
+
+    def append(self, points: Points) -> None:
+        """Appends finite points (N,) of ``POINT``."""
+        if not len(points):
+            return
+        self.points += len(points)
+        self._waiting.append(points)
+        self._waiting_count += len(points)
+        if self._waiting_count >= AT_ONCE:
+            self._hand_over()
+
+    def finish(self) -> None:
+        """Completes the file."""
+        if self._waiting:
+            self._hand_over()
+        self._sink.finish()
+
+    def _hand_over(self) -> None:
+        one = self._waiting[0] if len(self._waiting) == 1 else np.concatenate(self._waiting)
+        self._waiting, self._waiting_count = [], 0
+        self._sink.write(one)
+
+
+@contextmanager
+def cloud_writer(path: Path) -> Iterator[CloudWriter]:
+    """A cloud to append to, which appears once it is complete.
+
+    Only some pieces are in memory at a time, however large it grows.
+
+    Raises:
+        Refusal: its suffix is none of ``SUFFIXES``, the format's library is not
+            installed, the format cannot hold a point, or the file cannot be written.
+    """
+    suffix = checked_suffix(path)
+    if suffix == ".e57":
+        with atomic_path(path) as part:
+            sink = E57Sink(path, part)
+            try:
+                writer = CloudWriter(sink)
+                yield writer
+                writer.finish()
+            except BaseException:
+                sink.abandon()
+                raise
+        return
+    with atomic_file(path) as file:
+        if suffix == ".ply":
+            writer = CloudWriter(PlySink(file))
+        elif suffix == ".pcd":
+            writer = CloudWriter(PcdSink(path, file))
+        elif suffix == ".xyz":
+            writer = CloudWriter(XyzSink(path, file))
+        else:
+            writer = CloudWriter(LasSink(path, file))
+        yield writer
+        writer.finish()
+
+
+def checked_suffix(path: Path) -> str:
+    """The format a cloud's name asks for; raises ``Refusal`` where it is none that is known."""
+    suffix = path.suffix.lower()
+    if suffix not in SUFFIXES:
+        raise Refusal(
+            "cloud-format",
+            shown_path(path),
+            f"clouds are written as {', '.join(SUFFIXES)}",
+            f"Name it {path.with_suffix('.ply').name}",
+        )
+    return suffix
+
+
+def read_cloud(path: Path) -> Cloud:
+    """Reads a cloud, whatever its name: PLY, PCD, E57, LAS, LAZ or XYZ text.
+
+    Raises:
+        Refusal: missing, cut off, malformed, or without points; or the format's
+            library is not installed.
+    """
+    with files_refused(path), open_file(path) as file:
+        head = file.read(16)
+        if head[:4].rstrip() == b"ply":
+            cloud = read_ply(path, file)
+        elif head.startswith(b"ASTM-E57"):
+            cloud = read_e57(path)
+        elif head.startswith(b"LASF"):
+            cloud = read_las(path, file)
+        elif head.startswith((b"# .PCD", b"VERSION ")):
+            cloud = read_pcd(path, file)
+        else:
+            cloud = read_xyz(path, file)
+    if not len(cloud.points_mm):
+        raise Refusal("cloud-empty", shown_path(path), "it holds no points", "Scan the gauge again")
+    largest = float(
+        np.max(np.abs(cloud.points_mm), initial=0.0, where=np.isfinite(cloud.points_mm))
+    )
+    if largest > FARTHEST_MM:
+        raise Refusal(
+            "cloud-too-far",
+            f"{shown_path(path)} has a coordinate of {largest:.3g} mm",
+            f"an arm measures within {FARTHEST_MM:.0e} mm",
+            "Give a cloud in millimetres",
+        )
+    return cloud

@@ -1,0 +1,121 @@
+"""LAS and LAZ (ASPRS LAS 1.4), through laspy and lazrs.
+
+Coordinates are whole tenths of a µm, in mm as everywhere; ``frame`` and
+``uncertainty_um`` are extra dimensions; intensity is rounded to whole grey levels.
+"""
+
+from pathlib import Path
+from types import ModuleType
+from typing import BinaryIO
+
+import numpy as np
+
+from app.errors import Refusal
+from app.formats.clouds.optional_library import library, written
+from app.formats.clouds.points import Cloud, Points, cloud_of
+from app.formats.clouds.rows import cut_off, malformed
+from app.formats.file_names import shown_path
+
+STEP_MM = 1e-4
+FARTHEST_MM = STEP_MM * (2**31 - 1)
+AT_ONCE = 1 << 20
+LARGEST_HEADER, RECORD_HEADER, EXTENDED_HEADER = 375, 54, 60
+"""Bytes, by the standard: of the file, of a variable length record, of an extended one."""
+
+
+class LasSink:
+    """Appends points to an open file, compressed (LAZ) or not."""
+
+    def __init__(self, path: Path, file: BinaryIO) -> None:
+        laspy = _laspy(path)
+        self._path = path
+        self._laspy = laspy
+        header = laspy.LasHeader(point_format=6, version="1.4")
+        header.scales, header.offsets = np.full(3, STEP_MM), np.zeros(3)
+        header.system_identifier, header.generating_software = "arm frame, mm", "crenel"
+        header.add_extra_dims(
+            [
+                laspy.ExtraBytesParams("frame", np.uint32, "number in the recording"),
+                laspy.ExtraBytesParams("uncertainty_um", np.float32, "k = 1, of the stripe"),
+            ]
+        )
+        self._header = header
+        compressed = path.suffix.lower() == ".laz"
+        self._writer = laspy.open(
+            file,
+            mode="w",
+            header=header,
+            closefd=False,
+            do_compress=compressed,
+            laz_backend=laspy.LazBackend.LazrsParallel if compressed else None,
+        )
+
+    def write(self, points: Points) -> None:
+        record = self._laspy.ScaleAwarePointRecord.zeros(len(points), header=self._header)
+        for axis, name in zip("xyz", "XYZ", strict=True):
+            farthest = float(np.abs(points[axis]).max(initial=0.0))
+            if not farthest <= FARTHEST_MM:
+                raise Refusal(
+                    "cloud-out-of-range",
+                    f"{shown_path(self._path)}: a point lies at {axis} = ±{farthest:.0f} mm",
+                    f"LAS counts in steps of 0.1 µm, up to {FARTHEST_MM:.0f} mm",
+                    "Write PLY or E57",
+                )
+            record[name] = np.rint(points[axis] / STEP_MM).astype(np.int32)
+        record["intensity"] = np.rint(points["intensity"]).clip(0, 65535).astype(np.uint16)
+        record["frame"] = points["frame"].astype(np.uint32)
+        record["uncertainty_um"] = points["uncertainty_um"]
+        written(self._path, "LazrsError", lambda: self._writer.write_points(record))
+
+    def finish(self) -> None:
+        """Completes the compressed data and the header."""
+        written(self._path, "LazrsError", self._writer.close)
+
+
+def read_las(path: Path, file: BinaryIO) -> Cloud:
+    """Reads a LAS or LAZ; raises ``Refusal`` if malformed or cut off."""
+    laspy = _laspy(path)
+    _check_counts(path, file)
+    try:
+        with laspy.open(file, closefd=False) as reader:
+            pieces = [
+                {name: np.array(piece[name], dtype=np.float64) for name in _names(piece)}
+                for piece in reader.chunk_iterator(AT_ONCE)
+            ]
+            announced = reader.header.point_count
+    except OSError:
+        raise
+    except Exception as error:  # both libraries and the Rust behind them raise their own
+        why = f"it is no whole LAS or LAZ ({str(error) or type(error).__name__})"
+        raise malformed(path, why) from error
+    columns = {
+        name: np.concatenate([piece[name] for piece in pieces]) for name in (pieces or [{}])[0]
+    }
+    found = len(columns.get("x", ()))
+    if found < announced:
+        raise cut_off(path, found, announced)
+    return cloud_of(columns or {axis: np.zeros(0) for axis in "xyz"})
+
+
+def _check_counts(path: Path, file: BinaryIO) -> None:
+    """Refuses headers that announce more than the file can hold, which laspy would believe."""
+    size = file.seek(0, 2)
+    file.seek(0)
+    head = file.read(LARGEST_HEADER)
+    records = int.from_bytes(head[100:104], "little") * RECORD_HEADER
+    extended = (
+        int.from_bytes(head[243:247], "little") * EXTENDED_HEADER if head[25:26] > b"\3" else 0
+    )
+    if max(records, extended) > size:
+        raise malformed(path, "its header announces more than the file holds")
+    file.seek(0)
+
+
+def _names(piece: object) -> list[str]:
+    extra = set(piece.point_format.extra_dimension_names)  # type: ignore[attr-defined]
+    return ["x", "y", "z", "intensity", *(extra & {"frame", "uncertainty_um"})]
+
+
+def _laspy(path: Path) -> ModuleType:
+    library(path, "lazrs")
+    return library(path, "laspy")

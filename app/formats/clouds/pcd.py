@@ -1,0 +1,142 @@
+"""PCD, the Point Cloud Library's format: written as binary, read as binary or ascii.
+
+Coordinates are floats, since the library's own readers take nothing else for x, y, z.
+"""
+
+from pathlib import Path
+from typing import BinaryIO
+
+import numpy as np
+
+from app.errors import Refusal
+from app.formats.clouds.points import Cloud, Points, cloud_of
+from app.formats.clouds.rows import COUNT_WIDTH, as_doubles, binary_rows, malformed, text_rows
+from app.formats.file_names import shown_path
+from app.metrology.transforms import Floats
+
+RECORD = np.dtype(
+    [
+        ("x", "<f4"),
+        ("y", "<f4"),
+        ("z", "<f4"),
+        ("intensity", "<f4"),
+        ("uncertainty_um", "<f4"),
+        ("frame", "<i4"),
+    ]
+)
+FARTHEST_MM = 2.0**14
+"""A float's step is below 1 µm up to here."""
+LONGEST_HEADER = 100
+KINDS = {"F": "f", "I": "i", "U": "u"}
+
+
+class PcdSink:
+    """Appends points to an open file."""
+
+    def __init__(self, path: Path, file: BinaryIO) -> None:
+        self._path = path
+        self._file = file
+        self._points = 0
+        file.write(_header(0))
+
+    def write(self, points: Points) -> None:
+        for axis in "xyz":
+            farthest = float(np.abs(points[axis]).max(initial=0.0))
+            if farthest > FARTHEST_MM:
+                raise Refusal(
+                    "cloud-out-of-range",
+                    f"{shown_path(self._path)}: a point lies at {axis} = ±{farthest:.0f} mm",
+                    f"PCD's floats round to more than 1 µm beyond {FARTHEST_MM:.0f} mm",
+                    "Write PLY or E57",
+                )
+        self._file.write(points.astype(RECORD).tobytes())
+        self._points += len(points)
+
+    def finish(self) -> None:
+        """Puts the final count into the header."""
+        self._file.seek(0)
+        self._file.write(_header(self._points))
+
+
+def read_pcd(path: Path, file: BinaryIO) -> Cloud:
+    """Reads a PCD from its start; raises ``Refusal`` if malformed or cut off."""
+    fields = _header_fields(path, file)
+    names = fields.get("FIELDS", [])
+    counts = fields.get("COUNT", ["1"] * len(names))
+    try:
+        kinds = [
+            KINDS[kind] + str(int(size))
+            for kind, size in zip(fields["TYPE"], fields["SIZE"], strict=True)
+        ]
+        layout = np.dtype(
+            [
+                (f"{name}#{i}" if name == "_" else name, "<" + kind, (int(count),))
+                for i, (name, kind, count) in enumerate(zip(names, kinds, counts, strict=True))
+            ]
+        )
+        count = int(fields["POINTS"][0])
+        data = fields["DATA"][0]
+    except (KeyError, ValueError, TypeError, IndexError) as error:
+        raise malformed(path, f"its header cannot be understood ({error})") from error
+    if missing := [axis for axis in "xyz" if axis not in names]:
+        raise malformed(path, f"its points have no {', '.join(missing)}")
+    if data == "binary":
+        return cloud_of(_binary(path, file, layout, count))
+    if data == "ascii":
+        return cloud_of(_ascii(path, file, layout, count))
+    raise Refusal(
+        "cloud-compressed",
+        shown_path(path),
+        f"its data is {data}, which is not read here",
+        "Export it as binary PCD or as PLY",
+    )
+
+
+def _binary(path: Path, file: BinaryIO, layout: np.dtype[np.void], count: int) -> dict[str, Floats]:
+    table = binary_rows(path, file, file.tell(), layout, count)
+    return {name: as_doubles(table[name][:, 0]) for name in layout.names or ()}
+
+
+def _ascii(path: Path, file: BinaryIO, layout: np.dtype[np.void], count: int) -> dict[str, Floats]:
+    names = layout.names or ()
+    widths = [layout[name].shape[0] for name in names]
+    table = text_rows(path, file, sum(widths), count)
+    firsts = np.cumsum([0, *widths])
+    return {name: table[:, firsts[i]] for i, name in enumerate(names)}
+
+
+def _header_fields(path: Path, file: BinaryIO) -> dict[str, list[str]]:
+    """Each line's words by its first; the file is left behind the line DATA."""
+    file.seek(0)
+    fields: dict[str, list[str]] = {}
+    for _ in range(LONGEST_HEADER):
+        line = file.readline(4096)
+        words = line.decode("latin-1").split()
+        if words and not words[0].startswith("#"):
+            fields[words[0]] = words[1:]
+        if not line or "DATA" in fields:
+            break
+    if not fields.get("DATA"):
+        raise malformed(path, "its header does not end")
+    return fields
+
+
+def _header(count: int) -> bytes:
+    """The header, of one length whatever the count: a comment takes up the slack."""
+    digits = str(count)
+    names = RECORD.names or ()
+    kinds = [RECORD[name] for name in names]
+    lines = [
+        "# .PCD v0.7 - crenel cloud: mm, arm frame " + "." * 2 * (COUNT_WIDTH - len(digits)),
+        "VERSION 0.7",
+        f"FIELDS {' '.join(names)}",
+        f"SIZE {' '.join(str(kind.itemsize) for kind in kinds)}",
+        f"TYPE {' '.join(kind.kind.upper() for kind in kinds)}",
+        f"COUNT {' '.join('1' for _ in names)}",
+        f"WIDTH {digits}",
+        "HEIGHT 1",
+        "VIEWPOINT 0 0 0 1 0 0 0",
+        f"POINTS {digits}",
+        "DATA binary",
+    ]
+    return ("\n".join(lines) + "\n").encode()

@@ -1,0 +1,108 @@
+"""XYZ: one point a line, as text."""
+
+import io
+import warnings
+from pathlib import Path
+from typing import BinaryIO, TextIO
+
+import numpy as np
+
+from app.errors import Refusal
+from app.formats.clouds.points import Cloud, Points, cloud_of
+from app.formats.file_names import shown_path
+from app.metrology.transforms import Floats
+from app.native.arguments import I64, U8, Array, Function
+from app.native.product import CRENEL
+
+COLUMNS = {"x": 4, "y": 4, "z": 4, "intensity": 1, "uncertainty_um": 2, "frame": 0}
+"""In their order, with their decimals: coordinates to 0.1 µm."""
+HEAD = f"# {' '.join(COLUMNS)}\n"
+LONGEST_NUMBER = 22
+"""With what follows it, of up to 63 bits."""
+FARTHEST_MM = 1e9
+
+_write_decimals = Function(
+    CRENEL,
+    "write_decimals",
+    Array(I64, "n", "columns"),
+    Array(I64, "columns"),
+    Array(U8, "n", "columns", LONGEST_NUMBER, written=True),
+    returns=int,
+)
+
+
+class XyzSink:
+    """Appends points to an open file."""
+
+    def __init__(self, path: Path, file: BinaryIO) -> None:
+        self._path = path
+        self._file = file
+        file.write(HEAD.encode())
+
+    def write(self, points: Points) -> None:
+        table = np.column_stack([points[name].astype(np.float64) for name in COLUMNS])
+        farthest = float(np.abs(table[:, :3]).max(initial=0.0))
+        if farthest > FARTHEST_MM:
+            raise Refusal(
+                "cloud-out-of-range",
+                f"{shown_path(self._path)}: a point lies at {farthest:.3g} mm",
+                f"XYZ is written up to {FARTHEST_MM:.0e} mm",
+                "Write PLY",
+            )
+        decimals = np.array(list(COLUMNS.values()))
+        scaled = np.rint(np.nan_to_num(table) * 10.0**decimals).clip(-(2.0**62), 2.0**62)
+        text = np.empty((*table.shape, LONGEST_NUMBER), dtype=np.uint8)
+        length = _write_decimals(scaled.astype(np.int64), decimals, text)
+        self._file.write(text.reshape(-1)[:length].data)
+
+    def finish(self) -> None:
+        """Nothing is held back."""
+
+
+def read_xyz(path: Path, file: BinaryIO) -> Cloud:
+    """Reads lines of x y z and more; what is more is known where a first line names it."""
+    file.seek(0)
+    with io.TextIOWrapper(file, "utf-8-sig", "replace") as text:
+        return _read(path, text)
+
+
+def _read(path: Path, text: TextIO) -> Cloud:
+    start = text.read(4096)
+    text.seek(0)
+    lines = [line for line in start.splitlines() if line.strip() and line[0] not in "#/"]
+    if not lines or "\0" in start:
+        why = "it is no cloud that is known here" if lines else "it is empty"
+        raise Refusal(
+            "cloud-unreadable",
+            shown_path(path),
+            why,
+            "Give a .ply, .pcd, .e57, .xyz, .las or .laz cloud",
+        )
+    delimiter = next((sign for sign in ";," if sign in lines[0]), None)
+    skip = 0 if _is_point(lines[0], delimiter) else start.splitlines().index(lines[0]) + 1
+    names = tuple(COLUMNS) if start.startswith(HEAD) else ("x", "y", "z")
+    try:
+        with warnings.catch_warnings(action="ignore"):  # of a file without rows
+            table: Floats = np.loadtxt(
+                text,
+                comments=("#", "//"),
+                delimiter=delimiter,
+                usecols=range(len(names)),
+                ndmin=2,
+                skiprows=skip,
+            ).reshape(-1, len(names))
+    except (ValueError, IndexError) as error:
+        raise Refusal(
+            "cloud-unreadable",
+            shown_path(path),
+            f"a line of x y z numbers is expected, but {str(error).split(';')[0]}",
+            "Give a .ply or .xyz cloud",
+        ) from error
+    return cloud_of({name: table[:, i] for i, name in enumerate(names)})
+
+
+def _is_point(line: str, delimiter: str | None) -> bool:
+    try:
+        return len([float(cell) for cell in line.split(delimiter)[:3]]) == 3
+    except ValueError:
+        return False

@@ -1,0 +1,142 @@
+"""CSV tables with named columns."""
+
+import csv
+import io
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from app.errors import Refusal
+from app.formats.file_names import shown_path
+from app.formats.json_document import read_text
+
+
+@dataclass(frozen=True)
+class Row:
+    """One row of a table, by column name."""
+
+    path: Path
+    line: int
+    cells: dict[str, str]
+
+    @property
+    def place(self) -> str:
+        return f"{shown_path(self.path)} line {self.line}"
+
+    def text(self, column: str) -> str:
+        """A cell that must not be empty."""
+        value = self.cells[column].strip()
+        if not value:
+            raise Refusal("cell-empty", f"{self.place}: column {column} is empty")
+        return value
+
+    def number(self, column: str) -> float:
+        """A finite decimal number."""
+        value = self.text(column)
+        try:
+            number = float(value) if value.isascii() and "_" not in value else math.nan
+        except ValueError:
+            number = math.nan
+        if not math.isfinite(number):
+            raise Refusal(
+                "cell-not-a-number",
+                f"{self.place}: column {column} is {value!r}",
+                "a finite number with a decimal point is expected",
+                "Correct the cell or delete the row",
+            )
+        return number
+
+    def count(self, column: str) -> int:
+        """A whole number, zero or more."""
+        value = self.text(column)
+        if not (value.isascii() and value.isdecimal()):
+            raise Refusal(
+                "cell-not-a-number",
+                f"{self.place}: column {column} is {value!r}",
+                "a whole number, zero or more, is expected",
+            )
+        return int(value)
+
+
+@dataclass(frozen=True)
+class Table:
+    path: Path
+    columns: tuple[str, ...]
+    rows: tuple[Row, ...]
+
+
+def read_table(path: Path, required: Iterable[str]) -> Table:
+    """Reads a CSV file whose first line names its columns, in any order.
+
+    A byte-order mark, blank lines and either line end are accepted; columns that
+    nobody asks for are ignored.
+
+    Raises:
+        Refusal: unreadable, a required column missing or named twice, a row of
+            another length than the header.
+    """
+    lines = csv.reader(io.StringIO(read_text(path), newline=""), strict=True)
+    columns: tuple[str, ...] = ()
+    rows: list[Row] = []
+    try:
+        for cells in lines:
+            if not any(cell.strip() for cell in cells):
+                continue
+            if not columns:
+                columns = tuple(cell.strip() for cell in cells)
+                _check_columns(path, columns, required)
+                continue
+            _check_length(path, lines.line_num, cells, columns)
+            rows.append(Row(path, lines.line_num, dict(zip(columns, cells, strict=True))))
+    except csv.Error as error:
+        raise Refusal(
+            "table-malformed", f"{shown_path(path)} line {lines.line_num}", str(error)
+        ) from error
+    if not columns:
+        raise Refusal(
+            "table-empty", shown_path(path), "it is empty; a line of column names is expected"
+        )
+    return Table(path, columns, tuple(rows))
+
+
+def table_text(columns: Sequence[str], rows: Iterable[Sequence[str | float | int]]) -> str:
+    """The text of a CSV file; numbers are written so that they read back exactly."""
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow(columns)
+    writer.writerows(rows)
+    return out.getvalue()
+
+
+def _check_columns(path: Path, columns: tuple[str, ...], required: Iterable[str]) -> None:
+    missing = [name for name in required if name not in columns]
+    if missing and any(";" in name or "\t" in name for name in columns):
+        raise Refusal(
+            "table-separator",
+            shown_path(path),
+            "its columns are not separated by commas",
+            "Save it with commas between the columns and a point in the numbers",
+        )
+    if missing:
+        raise Refusal(
+            "columns-missing",
+            f"{shown_path(path)}: no column {', '.join(missing)}",
+            f"the first line names {', '.join(columns)}",
+            f"It must name {', '.join(required)}",
+        )
+    twice = sorted({name for name in columns if name and columns.count(name) > 1})
+    if twice:
+        raise Refusal(
+            "columns-twice", f"{shown_path(path)}: column {', '.join(twice)} stands there twice"
+        )
+
+
+def _check_length(path: Path, line: int, cells: list[str], columns: tuple[str, ...]) -> None:
+    if len(cells) == len(columns):
+        return
+    why = f"the first line names {len(columns)} columns"
+    remedy = "Complete or delete the row"
+    if len(cells) > len(columns):
+        remedy = "Numbers need a decimal point, not a comma; names no comma at all"
+    raise Refusal("row-length", f"{shown_path(path)} line {line}: {len(cells)} cells", why, remedy)

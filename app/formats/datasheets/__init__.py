@@ -1,0 +1,1 @@
+"""Datasheets and certificates: arm, sensor, calibration target and gauge."""

@@ -1,0 +1,167 @@
+"""``arm.json``: an arm's Denavit-Hartenberg model, limits and tip; or a robot's tip alone."""
+
+from pathlib import Path
+from typing import ClassVar, Literal, Self
+
+import numpy as np
+from pydantic import Field, model_validator
+
+from app.errors import Refusal
+from app.formats.datasheets.arm_identification import IdentificationPart
+from app.formats.file_names import shown_path
+from app.formats.json_document import Document, NotNegative, Number, Part, Positive
+from app.metrology.arm.kinematics import Arm, Joint, LinkError, RobotArm, Tip
+
+
+class ErrorPart(Part):
+    x_mm: Number = 0.0
+    y_mm: Number = 0.0
+    z_mm: Number = 0.0
+    rx_deg: Number = 0.0
+    ry_deg: Number = 0.0
+    rz_deg: Number = 0.0
+
+
+class JointPart(Part):
+    name: str
+    a_mm: Number
+    alpha_deg: Number
+    d_mm: Number
+    theta_deg: Number
+    sign: Literal[1, -1] = 1
+    limits_deg: tuple[Number, Number]
+    encoder_sd_deg: NotNegative = 0.0
+    error: ErrorPart | None = None
+
+    @model_validator(mode="after")
+    def _limits_ascend(self) -> Self:
+        if self.limits_deg[0] >= self.limits_deg[1]:
+            raise ValueError(f"limits_deg of {self.name} must ascend")
+        return self
+
+
+class TipPart(Part):
+    x_mm: Number
+    y_mm: Number
+    z_mm: Number
+    diameter_mm: Positive
+
+
+class ArmFile(Document):
+    """The file, as described in docs/formats.md."""
+
+    FORMAT: ClassVar[str] = "crenel/arm"
+
+    name: str
+    serial_number: str
+    convention: Literal["dh-standard", "pose"]
+    joints: tuple[JointPart, ...] = Field(default=())
+    tip: TipPart | None = None
+    """A robot that touches nothing has none."""
+    identification: IdentificationPart | None = None
+
+    @model_validator(mode="after")
+    def _joints_as_the_convention_wants(self) -> Self:
+        if self.convention == "dh-standard" and len(self.joints) not in (6, 7):
+            raise ValueError(f"six or seven joints are expected, not {len(self.joints)}")
+        if self.convention == "dh-standard" and self.tip is None:
+            raise ValueError("tip is missing: its place on the flange and its diameter")
+        names = [joint.name for joint in self.joints]
+        for name in names:
+            if names.count(name) > 1:
+                raise ValueError(f"two joints are named {name!r}; recordings tell them by name")
+        return self
+
+
+def read_any_arm(path: Path) -> Arm | RobotArm:
+    """Reads ``arm.json`` of either convention; ``Refusal`` names the file and the field."""
+    sheet = ArmFile.read(path)
+    tip = None if sheet.tip is None else Tip(**sheet.tip.model_dump())
+    if sheet.convention == "pose":
+        return RobotArm(sheet.name, sheet.serial_number, tip)
+    assert tip is not None
+    joints = tuple(_joint(part) for part in sheet.joints)
+    return Arm(name=sheet.name, serial_number=sheet.serial_number, joints=joints, tip=tip)
+
+
+def read_arm(path: Path) -> Arm:
+    """Reads the ``arm.json`` of an arm with joints; raises ``Refusal`` for a robot's."""
+    arm = read_any_arm(path)
+    if isinstance(arm, Arm):
+        return arm
+    raise Refusal(
+        "arm-without-joints",
+        f"{shown_path(path)}: convention is 'pose'",
+        "here an arm is needed that reports its joint angles",
+        "Give the arm's Denavit-Hartenberg model (convention 'dh-standard')",
+    )
+
+
+def write_arm(path: Path, arm: Arm | RobotArm) -> None:
+    """Writes ``arm.json`` atomically."""
+    if isinstance(arm, Arm):
+        arm_sheet(arm).write(path)
+        return
+    tip = None if arm.tip is None else TipPart.model_validate(arm.tip, from_attributes=True)
+    name, number = arm.name, arm.serial_number
+    ArmFile(name=name, serial_number=number, convention="pose", tip=tip).write(path)
+
+
+def arm_sheet(arm: Arm, identification: IdentificationPart | None = None) -> ArmFile:
+    """The file of an arm; of an identified one, with what its parameters rest on."""
+    tip = arm.tip
+    return ArmFile(
+        name=arm.name,
+        serial_number=arm.serial_number,
+        convention="dh-standard",
+        joints=tuple(_joint_part(joint) for joint in arm.joints),
+        tip=TipPart(x_mm=tip.x_mm, y_mm=tip.y_mm, z_mm=tip.z_mm, diameter_mm=tip.diameter_mm),
+        identification=identification,
+    )
+
+
+def _joint(part: JointPart) -> Joint:
+    error = part.error or ErrorPart()
+    low, high = np.deg2rad(part.limits_deg)
+    return Joint(
+        name=part.name,
+        a_mm=part.a_mm,
+        alpha_rad=float(np.deg2rad(part.alpha_deg)),
+        d_mm=part.d_mm,
+        theta_rad=float(np.deg2rad(part.theta_deg)),
+        sign=part.sign,
+        limits_rad=(float(low), float(high)),
+        encoder_sd_rad=float(np.deg2rad(part.encoder_sd_deg)),
+        error=LinkError(
+            error.x_mm,
+            error.y_mm,
+            error.z_mm,
+            float(np.deg2rad(error.rx_deg)),
+            float(np.deg2rad(error.ry_deg)),
+            float(np.deg2rad(error.rz_deg)),
+        ),
+    )
+
+
+def _joint_part(joint: Joint) -> JointPart:
+    error = joint.error
+    return JointPart(
+        name=joint.name,
+        a_mm=joint.a_mm,
+        alpha_deg=float(np.rad2deg(joint.alpha_rad)),
+        d_mm=joint.d_mm,
+        theta_deg=float(np.rad2deg(joint.theta_rad)),
+        sign=1 if joint.sign > 0 else -1,
+        limits_deg=(float(np.rad2deg(joint.limits_rad[0])), float(np.rad2deg(joint.limits_rad[1]))),
+        encoder_sd_deg=float(np.rad2deg(joint.encoder_sd_rad)),
+        error=None
+        if error == LinkError()
+        else ErrorPart(
+            x_mm=error.x_mm,
+            y_mm=error.y_mm,
+            z_mm=error.z_mm,
+            rx_deg=float(np.rad2deg(error.rx_rad)),
+            ry_deg=float(np.rad2deg(error.ry_rad)),
+            rz_deg=float(np.rad2deg(error.rz_rad)),
+        ),
+    )

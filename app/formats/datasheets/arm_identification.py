@@ -1,0 +1,83 @@
+"""What an identified ``arm.json`` carries beside the arm: where its parameters come from."""
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from app.formats.json_document import NotNegative, Number, Part
+from app.formats.software import Software
+
+
+class IdentificationInput(Part):
+    file: str
+    sha256: str
+
+
+class ParameterPart(Part):
+    """One parameter that was moved, named and measured as in the file: ``J2.alpha_deg``."""
+
+    name: str
+    before: Number
+    after: Number
+    standard_uncertainty: NotNegative
+
+
+class HeldPart(Part):
+    """One parameter that kept its value."""
+
+    name: str
+    reason: str
+
+
+class CorrelationPart(Part):
+    """Two moved parameters that the places hardly tell apart."""
+
+    first: str
+    second: str
+    coefficient: Number
+
+
+class DeviationsPart(Part):
+    """How far places that the fit did not see disagree; None where none was touched so."""
+
+    seats_um: NotNegative | None = None
+    spheres_um: NotNegative | None = None
+    lengths_um: NotNegative | None = None
+    normalised: NotNegative
+    """Rms in standard deviations of the points: 1 where noise explains everything."""
+
+
+class ValidationPart(Part):
+    method: Literal["separate", "cross-validation"]
+    places: int
+    before: DeviationsPart
+    after: DeviationsPart
+
+
+class IdentificationPart(Part):
+    """Readers of an arm may ignore it."""
+
+    created_at: str
+    operator: str = ""
+    station: str = ""
+    simulated: bool = False
+    temperature_c: Number | None = None
+    parameters: tuple[ParameterPart, ...]
+    covariance: tuple[tuple[Number, ...], ...]
+    """Of ``parameters``, in their units, k = 1."""
+    held: tuple[HeldPart, ...]
+    correlated: Annotated[tuple[CorrelationPart, ...], Field(default=())]
+    """Pairs of ``parameters`` whose correlation is beyond ±0.95, the strongest first."""
+    volume_before_um: NotNegative
+    """Rms of the tip over the reach: by how much the arm differed from what it is now."""
+    volume_after_um: NotNegative
+    """Rms standard uncertainty of the tip over the reach, by the parameters moved."""
+    size_known: bool
+    """False where no ball bar told the arm's size: it comes on top of ``volume_after_um``."""
+    scatter_um: NotNegative
+    """Per coordinate, of single points beyond the encoders' noise."""
+    validation: ValidationPart
+    outliers: Annotated[tuple[str, ...], Field(default=())]
+    warnings: Annotated[tuple[str, ...], Field(default=())]
+    inputs: tuple[IdentificationInput, ...]
+    software: Software

@@ -1,0 +1,85 @@
+"""A gauge's own paper: its shape and size by certificate, and the limits it is judged by.
+
+``gauges/*.nominal.json`` of the data folder: a nominal (docs/formats.md) with further fields::
+
+    {"format": "crenel/nominal", "version": 1, "shape": "sphere", "radius_mm": 12.7,
+     "name": "Ceramic sphere 25.4", "serial_number": "K-17", "certificate": "DKD 4711, 2026-03",
+     "standard_uncertainty_um": 0.3, "form_um": 1.2, "limits": {"radius_error": 40}}
+
+Where the gauge stands (``point_mm`` and ``normal``, ``centre_mm``) may be missing: on a table
+it stands elsewhere each time, and a verification finds its place by the probe.
+"""
+
+from pathlib import Path
+from typing import Annotated, ClassVar, Literal, Self
+
+from pydantic import Field, model_validator
+
+from app.formats.json_document import Document, NotNegative, Part, Positive
+
+Shape = Literal["plane", "sphere"]
+LARGEST_RADIUS_MM = 300.0
+
+
+class VerificationLimits(Part):
+    """Largest values that are accepted; in µm, and arcsec for angles. None: not judged by it."""
+
+    rms: Positive | None = None
+    form: Positive | None = None
+    angle: Positive | None = None
+    offset: Positive | None = None
+    radius_error: Positive | None = None
+    centre_error: Positive | None = None
+    angle_range: Positive | None = None
+    offset_range: Positive | None = None
+    centre_range: Positive | None = None
+
+    def over(self, other: "VerificationLimits") -> "VerificationLimits":
+        """These, and the other's where these say nothing."""
+        return VerificationLimits(
+            **{**other.model_dump(exclude_none=True), **self.model_dump(exclude_none=True)}
+        )
+
+
+DEFAULT_LIMITS = VerificationLimits(
+    rms=80,
+    form=300,
+    angle=300,
+    offset=200,
+    radius_error=150,
+    centre_error=250,
+    angle_range=500,
+    offset_range=200,
+    centre_range=250,
+)
+"""For an arm of the paper's class, 0.25 mm over its reach; its tests found 230 to 500 arcsec,
+100 to 110 µm of a plane, and 50 and 90 µm of a sphere's radius and centre."""
+
+
+class GaugeFile(Document):
+    """What a verification needs to know of its gauge."""
+
+    FORMAT: ClassVar[str] = "crenel/nominal"
+
+    shape: Shape
+    radius_mm: Annotated[Positive, Field(le=LARGEST_RADIUS_MM)] | None = None
+    """Of a sphere."""
+    name: Annotated[str, Field(max_length=120)] = ""
+    serial_number: Annotated[str, Field(max_length=80)] = ""
+    certificate: Annotated[str, Field(max_length=200)] = ""
+    standard_uncertainty_um: NotNegative = 0.0
+    """Of the radius, or of a plane's flatness, k = 1."""
+    form_um: NotNegative = 0.0
+    """The gauge's own deviation from its shape."""
+    limits: VerificationLimits = VerificationLimits()
+
+    @model_validator(mode="after")
+    def _a_sphere_has_a_size(self) -> Self:
+        if self.shape == "sphere" and self.radius_mm is None:
+            raise ValueError("radius_mm is missing: a sphere is judged by its size")
+        return self
+
+
+def read_gauge(path: Path) -> GaugeFile:
+    """Reads a gauge's paper; raises ``Refusal`` naming the file and the field."""
+    return GaugeFile.read(path)

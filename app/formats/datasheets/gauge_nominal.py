@@ -1,0 +1,58 @@
+"""``*.nominal.json``: where a gauge truly is, in the arm frame."""
+
+import math
+from pathlib import Path
+from typing import ClassVar, Literal, Self
+
+import numpy as np
+from pydantic import model_validator
+
+from app.errors import Refusal
+from app.formats.file_names import shown_path
+from app.formats.json_document import Document, Positive, Vector3
+from app.metrology.gauges.errors import NominalPlane, NominalSphere
+
+UNIT_TOLERANCE = 1e-6
+
+
+class PlaneFile(Document):
+    FORMAT: ClassVar[str] = "crenel/nominal"
+
+    shape: Literal["plane"] = "plane"
+    point_mm: Vector3
+    normal: Vector3
+
+    @model_validator(mode="after")
+    def _normal_is_unit(self) -> Self:
+        length = math.hypot(*self.normal)
+        if abs(length - 1) > UNIT_TOLERANCE:
+            raise ValueError(f"normal must be of unit length, not {length:.6g}")
+        return self
+
+
+class SphereFile(Document):
+    FORMAT: ClassVar[str] = "crenel/nominal"
+
+    shape: Literal["sphere"] = "sphere"
+    centre_mm: Vector3
+    radius_mm: Positive
+
+
+class _AnyNominal(Document):
+    FORMAT: ClassVar[str] = "crenel/nominal"
+
+    shape: str
+
+
+def read_nominal(path: Path) -> NominalPlane | NominalSphere:
+    """Reads a gauge's nominal; raises ``Refusal`` naming the file and the field."""
+    shape = _AnyNominal.read(path).shape
+    if shape == "plane":
+        plane = PlaneFile.read(path)
+        return NominalPlane(np.array(plane.point_mm), np.array(plane.normal))
+    if shape == "sphere":
+        sphere = SphereFile.read(path)
+        return NominalSphere(np.array(sphere.centre_mm), sphere.radius_mm)
+    raise Refusal(
+        "shape-unknown", f"{shown_path(path)}: shape is {shape!r}", "gauges are a plane or a sphere"
+    )

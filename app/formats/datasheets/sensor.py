@@ -1,0 +1,33 @@
+"""``sensor.json``: what the laser stripe sensor is."""
+
+from pathlib import Path
+from typing import Annotated, ClassVar, Literal
+
+from pydantic import Field
+
+from app.formats.json_document import Document, Positive
+
+
+class SensorSheet(Document):
+    """The sensor's data sheet; ``focal_px`` and ``standoff_mm`` are hints only."""
+
+    FORMAT: ClassVar[str] = "crenel/sensor"
+
+    name: str
+    serial_number: str
+    width_px: Annotated[int, Field(gt=0, le=65536, strict=True)]
+    height_px: Annotated[int, Field(gt=0, le=65536, strict=True)]
+    stripe_axis: Literal["u", "v"]
+    laser_wavelength_nm: Positive | None = None
+    focal_px: Positive | None = None
+    standoff_mm: Positive | None = None
+
+
+def read_sensor(path: Path) -> SensorSheet:
+    """Reads ``sensor.json``; raises ``Refusal`` naming the file and the field."""
+    return SensorSheet.read(path)
+
+
+def write_sensor(path: Path, sensor: SensorSheet) -> None:
+    """Writes ``sensor.json`` atomically."""
+    sensor.write(path)

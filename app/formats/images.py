@@ -1,0 +1,124 @@
+"""Grey images: read and checked to the last byte, written losslessly."""
+
+import struct
+import zlib
+from pathlib import Path
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from app.errors import Refusal
+from app.formats.atomic_write import write_atomically
+from app.formats.file_names import shown_path
+from app.formats.io_errors import files_refused
+from app.formats.open_file import open_file, read_bounded
+
+GreyImage = NDArray[np.uint8] | NDArray[np.uint16]
+"""(height, width)"""
+
+PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
+
+
+def read_grey(path: Path) -> GreyImage:
+    """Reads a grey image of 8 or 16 bits a pixel, PNG or another lossless kind.
+
+    Raises:
+        Refusal: missing, no image, damaged or cut off, or in colour.
+    """
+    with files_refused(path):
+        raw = read_bounded(path)
+    return decode_grey(raw, shown_path(path))
+
+
+def decode_grey(raw: bytes, named: str) -> GreyImage:
+    """Decodes an image file's bytes; ``named`` is what a refusal calls it."""
+    if raw.startswith(PNG_SIGNATURE):
+        _check_png(raw, named)
+    try:
+        image = cv2.imdecode(np.frombuffer(raw, np.uint8), cv2.IMREAD_UNCHANGED) if raw else None
+    except cv2.error:  # larger than OpenCV reads
+        image = None
+    if image is None:
+        raise Refusal(
+            "image-unreadable",
+            named,
+            "it is no image, or was cut off" if raw else "it is empty",
+            "Restore it, or take the picture again",
+        )
+    if image.ndim != 2:
+        raise Refusal(
+            "image-not-grey",
+            f"{named} has {image.shape[2]} channels",
+            "only a grey image tells how bright the laser's line was at a pixel",
+            "Give the camera's own grey picture",
+        )
+    if image.dtype == np.uint8:
+        return image.astype(np.uint8, copy=False)
+    if image.dtype == np.uint16:
+        return image.astype(np.uint16, copy=False)
+    raise Refusal("image-depth", f"{named} holds {image.dtype}", "8 or 16 bits are expected")
+
+
+def write_png(path: Path, image: GreyImage) -> None:
+    """Writes a grey image (height, width) as PNG, atomically."""
+    done, encoded = cv2.imencode(".png", image, [cv2.IMWRITE_PNG_COMPRESSION, 1])
+    if not done:
+        raise Refusal(
+            "image-unwritable", shown_path(path), "the picture could not be encoded as PNG"
+        )
+    write_atomically(path, encoded.tobytes())
+
+
+def grey_png_size(path: Path) -> tuple[int, int]:
+    """Width and height in pixels from the header of a grey PNG, without decoding it.
+
+    Raises:
+        Refusal: missing, no PNG, or in colour.
+    """
+    with files_refused(path), open_file(path) as file:
+        head = file.read(29)
+    if len(head) < 29 or not head.startswith(PNG_SIGNATURE) or head[12:16] != b"IHDR":
+        raise Refusal(
+            "image-unreadable",
+            shown_path(path),
+            "it is no PNG image" if head else "it is empty",
+            "Restore it, or take the picture again",
+        )
+    width, height, _bits, colour = struct.unpack(">IIBB", head[16:26])
+    if colour != 0:
+        raise Refusal(
+            "image-not-grey",
+            f"{shown_path(path)} holds colour or transparency",
+            "only a grey image tells how bright the laser's line was at a pixel",
+            "Give the camera's own grey picture",
+        )
+    return width, height
+
+
+def _check_png(raw: bytes, named: str) -> None:
+    """Walks the chunks: decoders fill what is missing of a damaged file with black."""
+    at = len(PNG_SIGNATURE)
+    while at + 12 <= len(raw):
+        (length,) = struct.unpack_from(">I", raw, at)
+        kind = raw[at + 4 : at + 8]
+        end = at + 8 + length
+        if end + 4 > len(raw):
+            break
+        (expected,) = struct.unpack_from(">I", raw, end)
+        if zlib.crc32(memoryview(raw)[at + 4 : end]) != expected:
+            raise Refusal(
+                "image-damaged",
+                f"{named}: the checksum at byte {at} is wrong",
+                "the file was damaged",
+                "Restore it, or take the picture again",
+            )
+        if kind == b"IEND":
+            return
+        at = end + 4
+    raise Refusal(
+        "image-cut-off",
+        f"{named} ends after {len(raw)} bytes",
+        "the file was cut off",
+        "Restore it, or take the picture again",
+    )

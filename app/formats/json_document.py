@@ -1,0 +1,163 @@
+"""JSON documents of the program: one format name, one version, fields checked strictly."""
+
+import hashlib
+import json
+import re
+from pathlib import Path
+from typing import Annotated, Any, ClassVar, Self
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
+from pydantic_core import PydanticCustomError
+
+from app.errors import Refusal
+from app.formats.atomic_write import write_atomically
+from app.formats.file_names import shown_path
+from app.formats.io_errors import files_refused, refusal_of_invalid
+from app.formats.open_file import open_file, read_bounded
+
+# no line break can stand within a text of JSON
+_NUMBERS = re.compile(r"\[\n\s+([-+.eE\d,\s]+?)\n\s+\]")
+
+
+_HALF = re.compile(r"\\u[dD][89a-fA-F]")
+"""An escape that may be half of a character."""
+LARGEST = 1e9
+
+
+def _as_number(value: object) -> object:
+    """Keeps text, truth values and sizes that no quantity here has from passing as numbers."""
+    if isinstance(value, str | bool):
+        raise PydanticCustomError("number", "a number is expected here")
+    if isinstance(value, int | float) and LARGEST < abs(value) < float("inf"):
+        raise PydanticCustomError("number", "nothing measured here is as large")
+    return value
+
+
+Number = Annotated[float, BeforeValidator(_as_number)]
+"""A finite number of a sensible size; text and true/false are no numbers."""
+Positive = Annotated[Number, Field(gt=0)]
+NotNegative = Annotated[Number, Field(ge=0)]
+Vector3 = tuple[Number, Number, Number]
+Row4 = tuple[Number, Number, Number, Number]
+Matrix3 = tuple[Vector3, Vector3, Vector3]
+Matrix34 = tuple[Row4, Row4, Row4]
+Matrix4 = tuple[Row4, Row4, Row4, Row4]
+
+
+class Part(BaseModel):
+    """A piece of a document. Fields that the program does not know are ignored."""
+
+    model_config = ConfigDict(frozen=True, allow_inf_nan=False)
+
+
+class Document(Part):
+    """A whole file: names its format and version beside its fields."""
+
+    FORMAT: ClassVar[str]
+    VERSION: ClassVar[int] = 1
+
+    @classmethod
+    def read(cls, path: Path) -> Self:
+        """Reads and checks a file.
+
+        Raises:
+            Refusal: missing, unreadable, not JSON, of another format or of a newer
+                version, or a field that is missing or wrong.
+        """
+        fields = _object_of(path)
+        cls._check_format(path, fields)
+        try:
+            return cls.model_validate(fields)
+        except ValidationError as error:
+            raise refusal_of_invalid(path, error) from error
+
+    def write(self, path: Path) -> None:
+        """Writes the file atomically; raises ``Refusal`` where it cannot."""
+        write_atomically(path, self.text().encode())
+
+    def text(self) -> str:
+        """The document as JSON text, ``format`` and ``version`` first."""
+        text = json.dumps(self.fields(), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+        # rows of numbers on one line each, for human readers
+        return _NUMBERS.sub(lambda row: f"[{', '.join(row[1].replace(',', ' ').split())}]", text)
+
+    def fields(self) -> dict[str, Any]:
+        """The document as plain values, ``format`` and ``version`` first."""
+        return {
+            "format": self.FORMAT,
+            "version": self.VERSION,
+            **self.model_dump(mode="json", exclude_none=True),
+        }
+
+    @classmethod
+    def _check_format(cls, path: Path, fields: dict[str, Any]) -> None:
+        found, version = fields.get("format"), fields.get("version")
+        if found != cls.FORMAT:
+            raise Refusal(
+                "file-of-another-format",
+                f"{shown_path(path)}: format is {found!r}",
+                f"{cls.FORMAT!r} is expected here",
+                "Give the right file",
+            )
+        if version != cls.VERSION or isinstance(version, bool):
+            raise Refusal(
+                "file-of-another-version",
+                f"{shown_path(path)}: version is {version!r}",
+                f"this program reads version {cls.VERSION} of {cls.FORMAT}",
+            )
+
+
+def _object_of(path: Path) -> dict[str, Any]:
+    text = read_text(path)
+    try:
+        fields = json.loads(text)
+    except (ValueError, RecursionError) as error:
+        if not text.strip():
+            why = "it is empty"
+        elif isinstance(error, json.JSONDecodeError):
+            why = f"it is not JSON, or was cut off: {error.msg} in line {error.lineno}"
+        elif isinstance(error, RecursionError):
+            why = "it is nested too deeply"
+        else:
+            why = "one of its numbers has too many digits"
+        raise Refusal(
+            "file-not-json", shown_path(path), why, "Restore the file from its source"
+        ) from error
+    if _HALF.search(text):
+        _check_characters(path, fields)
+    if not isinstance(fields, dict):
+        raise Refusal("file-not-json", shown_path(path), "a JSON object { … } is expected")
+    return fields
+
+
+def _check_characters(path: Path, fields: object) -> None:
+    try:
+        json.dumps(fields, ensure_ascii=False).encode()
+    except UnicodeEncodeError as error:
+        raise Refusal(
+            "file-not-text",
+            shown_path(path),
+            "half a character stands in one of its texts",
+            "Save it as UTF-8",
+        ) from error
+
+
+def read_text(path: Path) -> str:
+    """A UTF-8 text file, a byte-order mark taken off; raises ``Refusal`` where it cannot."""
+    with files_refused(path):
+        raw = read_bounded(path)
+    try:
+        return raw.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise Refusal(
+            "file-not-text",
+            shown_path(path),
+            f"byte {error.start} is not UTF-8 text",
+            "Save it as UTF-8",
+        ) from error
+
+
+def sha256_of(path: Path) -> str:
+    """The file's SHA-256 in hexadecimal; raises ``Refusal`` where it cannot be read."""
+    with files_refused(path), open_file(path) as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()

@@ -1,0 +1,119 @@
+"""The joint angles of a recording, brought into the arm's order and checked."""
+
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from app.errors import Refusal
+from app.formats.file_names import shown_path
+from app.formats.recording.stream import JointSamples
+from app.metrology.arm.joint_interpolation import Stamps
+from app.metrology.arm.joint_plausibility import Implausible, JointJudge
+from app.metrology.arm.kinematics import Arm
+from app.metrology.transforms import Floats
+
+RATE_HZ = 1000.0
+"""By which a recording's readings are judged; their stamps say more."""
+FEW_OUTSIDE = 1000
+"""Readings outside the arm's limits may be an encoder that lied for a moment; where they are
+most of so many, the arm is another."""
+
+
+class _Reading(NamedTuple):
+    stamp_ns: int
+    joints_rad: list[float]
+
+
+class JointReader:
+    """Checks each reading against one arm, as a running scan does."""
+
+    def __init__(self, path: Path, arm: Arm) -> None:
+        self._path = path
+        self._arm = arm
+        self._names: tuple[str, ...] | None = None
+        self._order = list(range(arm.joint_count))
+        self._judge: JointJudge[_Reading] = JointJudge(arm.joint_count, RATE_HZ, arm)
+        self._read = 0
+        self.unusable = 0
+        """Readings that held something else than numbers, and were left out."""
+
+    @property
+    def implausible(self) -> int:
+        """Readings that could not be true, and were left out."""
+        return self._judge.kept_back
+
+    @property
+    def first_implausible(self) -> Implausible | None:
+        return self._judge.first
+
+    def readings(self, samples: JointSamples) -> tuple[Stamps, Floats]:
+        """The readings' stamps (J,) and angles (J, n) in the arm's order.
+
+        Readings with an angle missing (NaN), and those that cannot be true, are left out
+        and counted. The last ones may come with the next call, or with ``rest``. Joints go
+        by name where the recording names them as ``arm.json`` does, else by their order.
+
+        Raises:
+            Refusal: another number of joints than the arm's, only some names known, or
+                most angles outside the arm's limits.
+        """
+        if samples.names != self._names:
+            self._order = self._order_of(samples.names)
+            self._names = samples.names
+        q_rad, stamps_ns = samples.q_rad[:, self._order], samples.stamps_ns
+        whole = np.isfinite(q_rad).all(axis=1)
+        if not whole.all():
+            self.unusable += int((~whole).sum())
+            q_rad, stamps_ns = q_rad[whole], stamps_ns[whole]
+        self._read += len(stamps_ns)
+        pairs = zip(stamps_ns.tolist(), q_rad.tolist(), strict=True)
+        good = self._judge.passed([_Reading(*pair) for pair in pairs])
+        if self._judge.outside > FEW_OUTSIDE:
+            self.refuse_another_arm()
+        return self._arrays(good)
+
+    def rest(self) -> tuple[Stamps, Floats]:
+        """The last readings, once there are no more."""
+        return self._arrays(self._judge.rest())
+
+    def refuse_another_arm(self) -> None:
+        """Raises ``Refusal`` where most readings lie outside the arm's limits."""
+        first = self._judge.first
+        if first is None or 2 * self._judge.outside <= self._read:
+            return
+        low, high = first.limits_rad
+        degrees = abs(first.reading_rad) > 4 * np.pi
+        hint = "; these are degrees where radians are expected" if degrees else ""
+        raise Refusal(
+            "joint-outside-limits",
+            f"{shown_path(self._path)} at {first.stamp_ns} ns: joint {first.joint} is at "
+            f"{first.reading_rad:.4f} rad",
+            f"it turns from {low:.4f} to {high:.4f} rad{hint}",
+            "Record radians" if degrees else "Give the arm.json of the arm that took this",
+        )
+
+    def _arrays(self, good: list[_Reading]) -> tuple[Stamps, Floats]:
+        stamps_ns = np.array([one.stamp_ns for one in good], dtype=np.int64)
+        q_rad = np.array([one.joints_rad for one in good], dtype=np.float64)
+        return stamps_ns, q_rad.reshape(len(good), self._arm.joint_count)
+
+    def _order_of(self, names: tuple[str, ...]) -> list[int]:
+        own = [joint.name for joint in self._arm.joints]
+        if len(names) != len(own):
+            raise Refusal(
+                "joint-count",
+                f"{shown_path(self._path)} holds {len(names)} joints",
+                f"the arm {self._arm.serial_number or self._arm.name} has {len(own)}",
+                "Give the arm.json of the arm that took this recording",
+            )
+        if sorted(names) == sorted(own) and len(set(own)) == len(own):
+            return [names.index(name) for name in own]
+        if set(names) & set(own):
+            raise Refusal(
+                "joint-names",
+                f"{shown_path(self._path)} names its joints {', '.join(names)}",
+                f"arm.json names them {', '.join(own)}",
+                "Give the arm.json of the arm that took this recording",
+            )
+        return list(range(len(own)))

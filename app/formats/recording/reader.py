@@ -1,0 +1,368 @@
+"""Reading a scan recording (MCAP) as a stream, also one that was cut off."""
+
+import os
+import struct
+import zlib
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import BinaryIO, Protocol, cast
+
+import numpy as np
+import zstandard
+from google.protobuf.message import DecodeError
+from mcap.exceptions import EndOfFile, InvalidMagic, McapError
+from mcap.reader import SeekingReader
+from mcap.records import Channel, Chunk, DataEnd, McapRecord, Message, Metadata, Schema
+from mcap.stream_reader import CRCValidationError, StreamReader, breakup_chunk
+from mcap_protobuf.decoder import DecoderFactory
+
+from app.errors import Refusal
+from app.formats.file_names import shown_path
+from app.formats.images import GreyImage, decode_grey
+from app.formats.io_errors import files_refused
+from app.formats.open_file import open_file
+from app.formats.recording.stripe_message import STRIPE_SCHEMA, Stamp, StripeMessage, stripe_of
+from app.metrology.stripe import Stripe
+
+JOINTS_TOPIC, IMAGE_TOPIC, STRIPE_TOPIC = "/arm/joints", "/sensor/image", "/sensor/stripe"
+STATION_METADATA = "crenel/station"
+ARM_DELAY = "arm_delay_ns"
+EXTRACTION = "extraction"
+"""How stripes were extracted, as JSON; empty where all was automatic."""
+SCAN_NAME, SCAN_STARTED, SCAN_CALIBRATION = "scan_name", "scan_started_at", "scan_calibration"
+"""By which a scan is listed whose process was killed."""
+MAGIC = b"\x89MCAP0\r\n"
+"""A recording begins with it, and a whole one ends with it, too."""
+LARGEST_RECORD = 2**30
+
+SCHEMAS = {
+    JOINTS_TOPIC: ("foxglove.JointStates",),
+    IMAGE_TOPIC: ("foxglove.RawImage", "foxglove.CompressedImage"),
+    STRIPE_TOPIC: (STRIPE_SCHEMA,),
+}
+GREY_ENCODINGS = {"mono8": np.uint8, "8UC1": np.uint8, "mono16": np.uint16, "16UC1": np.uint16}
+DAMAGE = (
+    EndOfFile,
+    CRCValidationError,
+    InvalidMagic,
+    McapError,
+    struct.error,
+    zlib.error,
+    zstandard.ZstdError,
+    RuntimeError,  # what lz4 raises on damaged data
+    UnicodeDecodeError,
+    MemoryError,  # a length that was damaged; what is read at a time is small
+    OverflowError,  # one that no machine could hold
+)
+
+
+@dataclass(frozen=True, slots=True)
+class JointRecord:
+    """One reading of the arm."""
+
+    stamp_ns: int
+    names: tuple[str, ...]
+    q_rad: tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class ImageRecord:
+    """One frame; the picture is decoded when asked for, on whatever thread asks."""
+
+    stamp_ns: int
+    picture: Callable[[], GreyImage]
+    """Raises ``Refusal`` where the picture cannot be read."""
+
+
+@dataclass(frozen=True, slots=True)
+class StripeRecord:
+    """One frame whose stripe was extracted when it was taken."""
+
+    stamp_ns: int
+    width_px: int
+    height_px: int
+    stripe: Stripe
+
+
+Record = JointRecord | ImageRecord | StripeRecord
+
+
+@dataclass
+class Recording:
+    """A recording opened for one pass; only one chunk of it is in memory at a time."""
+
+    path: Path
+    size: int
+    bytes_read: int = 0
+    last_ns: int | None = None
+    """Newest log time so far."""
+    first_ns: int | None = None
+    cut: str = ""
+    """Where and why reading ended early; empty for a whole file."""
+    station: dict[str, str] = field(default_factory=dict)
+    """What the recording says of arm and sensor, e.g. ``sensor_serial``."""
+    topics: set[str] = field(default_factory=set)
+
+    @property
+    def delay_ns(self) -> int:
+        """By how much the arm's stamps were taken to be later than the camera's."""
+        with suppress(ValueError):
+            return int(self.station.get(ARM_DELAY, "0"))
+        return 0
+
+    def records(self) -> Iterator[Record]:
+        """Joints, images and stripes in the order of the file.
+
+        A file that was cut off, or is damaged from some place on, ends there with
+        ``cut`` saying so.
+
+        Raises:
+            Refusal: missing, no MCAP, or a topic of another message type.
+        """
+        with files_refused(self.path), open_file(self.path) as file:
+            check_magic(self.path, file)
+            yield from self._decoded(file)
+
+    def told(self) -> dict[str, str]:
+        """What it says of the station before its first message; empty where it does not.
+
+        Raises:
+            Refusal: missing, or no MCAP.
+        """
+        with files_refused(self.path), open_file(self.path) as file:
+            check_magic(self.path, file)
+            for record in self._raw(file):
+                if isinstance(record, Metadata) and record.name == STATION_METADATA:
+                    return dict(record.metadata)
+                if isinstance(record, Message):
+                    break
+        return {}
+
+    def _decoded(self, file: BinaryIO) -> Iterator[Record]:
+        decoders = Decoders(self.path)
+        for record in self._raw(file):
+            if isinstance(record, Schema):
+                decoders.schemas[record.id] = record
+            elif isinstance(record, Channel):
+                decoders.channels[record.id] = record
+                self.topics.add(record.topic)
+            elif isinstance(record, Metadata) and record.name == STATION_METADATA:
+                self.station = dict(record.metadata)
+            elif isinstance(record, Message):
+                self.note_times(record.log_time, record.log_time)
+                decoded = decoders.decode(record)
+                if decoded is not None:
+                    yield decoded
+
+    def _raw(self, file: BinaryIO) -> Iterator[McapRecord]:
+        """The file's records, chunks opened and checked, up to the end of its data or the cut."""
+        reader = StreamReader(file, emit_chunks=True, record_size_limit=LARGEST_RECORD)
+        try:
+            for record in reader.records:
+                if isinstance(record, Chunk):
+                    yield from breakup_chunk(record, validate_crc=True)
+                elif isinstance(record, DataEnd):
+                    self.bytes_read = self.size
+                    return
+                else:
+                    yield record
+                self.bytes_read = file.tell()
+        except DAMAGE:
+            self.cut_here()
+
+    def note_times(self, first_ns: int, last_ns: int) -> None:
+        """Takes note of log times that were met."""
+        self.first_ns = first_ns if self.first_ns is None else min(self.first_ns, first_ns)
+        self.last_ns = last_ns if self.last_ns is None else max(self.last_ns, last_ns)
+
+    def cut_here(self) -> None:
+        """Takes note that nothing can be read behind what was read."""
+        share = 100 * self.bytes_read / max(self.size, 1)
+        text = (
+            f"{shown_path(self.path)} is cut off or damaged after "
+            f"{self.bytes_read} of {self.size} bytes "
+            f"({share:.0f} %)"
+        )
+        if self.first_ns is None or self.last_ns is None:
+            self.cut = text + ", before its first message"
+            return
+        self.cut = f"{text}; read up to {(self.last_ns - self.first_ns) / 1e9:.3f} s from its start"
+
+
+def open_recording(path: Path) -> Recording:
+    """A recording to read once; raises ``Refusal`` where there is no such file."""
+    with files_refused(path):
+        size = path.stat().st_size
+        if not path.is_file():
+            raise Refusal(
+                "recording-not-a-file", shown_path(path), "it is no file", "Name a recording"
+            )
+    return Recording(path, size)
+
+
+def damage_of(path: Path, bytes_written: int | None = None) -> str:
+    """Why a recording that was completed is not what it was; empty where it seems whole.
+
+    It looks at the size and at both ends alone, so that a thousand are looked at in a moment.
+
+    Args:
+        bytes_written: its size when it was completed, where that is known.
+    """
+    try:
+        size = path.stat().st_size
+        if not path.is_file():
+            return "the recording is no file"
+        if not size:
+            return "the recording is empty"
+        if bytes_written is not None and size < bytes_written:
+            return f"the recording is cut off: {size} of {bytes_written} bytes are left"
+        with open_file(path) as file:
+            first = file.read(len(MAGIC))
+            file.seek(-min(size, len(MAGIC)), os.SEEK_END)
+            last = file.read(len(MAGIC))
+    except FileNotFoundError:
+        return "the recording is missing"
+    except OSError as error:
+        return f"the recording cannot be read: {error.strerror or error}"
+    if first != MAGIC:
+        return "the recording is damaged"
+    whole = last == MAGIC or bytes_written is not None
+    return "" if whole else "the recording is cut off"
+
+
+def last_stamp_ns(path: Path) -> int | None:
+    """The log time of a recording's last message, by its summary; None where it has none."""
+    with files_refused(path), open_file(path) as file:
+        try:
+            summary = SeekingReader(file).get_summary()
+        except DAMAGE:
+            return None
+    told = summary.statistics if summary is not None else None
+    return told.message_end_time if told is not None and told.message_count else None
+
+
+def check_magic(path: Path, file: BinaryIO) -> None:
+    head = file.read(len(MAGIC))
+    if head != MAGIC:
+        why = "it is no MCAP recording" if head else "it is empty"
+        raise Refusal("recording-not-mcap", shown_path(path), why, "Name a scan.mcap")
+    file.seek(0)
+
+
+class _JointState(Protocol):
+    name: str
+    position: float
+
+
+class _Stamped(Protocol):
+    timestamp: Stamp
+
+    def HasField(self, name: str) -> bool: ...
+
+
+class _JointStates(_Stamped, Protocol):
+    joints: list[_JointState]
+
+
+class _RawImage(_Stamped, Protocol):
+    width: int
+    height: int
+    encoding: str
+    step: int
+    data: bytes
+
+
+class _CompressedImage(_Stamped, Protocol):
+    format: str
+    data: bytes
+
+
+class Decoders:
+    """From messages to records, by the schemas that the file itself carries."""
+
+    def __init__(self, path: Path) -> None:
+        self.schemas: dict[int, Schema] = {}
+        self.channels: dict[int, Channel] = {}
+        self._path = path
+        self._factory = DecoderFactory()
+        self._by_channel: dict[int, Callable[[bytes], object]] = {}
+
+    def decode(self, message: Message) -> Record | None:
+        """None for topics that the program does not know."""
+        channel = self.channels.get(message.channel_id)
+        if channel is None or channel.topic not in SCHEMAS:
+            return None
+        decoder = self._by_channel.get(channel.id)
+        if decoder is None:
+            decoder = self._by_channel[channel.id] = self._decoder(channel)
+        named = f"{shown_path(self._path)} {channel.topic} at {message.log_time} ns"
+        try:
+            return self._record(channel, decoder(message.data), message.log_time, named)
+        except (DecodeError, ValueError) as error:
+            raise Refusal("recording-message-malformed", named, str(error)) from error
+
+    def _decoder(self, channel: Channel) -> Callable[[bytes], object]:
+        schema = self.schemas.get(channel.schema_id)
+        name = schema.name if schema else "without a schema"
+        decoder = None
+        if name in SCHEMAS[channel.topic]:
+            with suppress(McapError, DecodeError, TypeError):  # a schema that describes nothing
+                decoder = self._factory.decoder_for(channel.message_encoding, schema)
+        if decoder is None:
+            raise Refusal(
+                "recording-of-another-type",
+                f"{shown_path(self._path)}: {channel.topic} holds {name} "
+                f"({channel.message_encoding})",
+                f"{' or '.join(SCHEMAS[channel.topic])} in protobuf is expected",
+                "Give a recording as docs/formats.md describes it",
+            )
+        return decoder
+
+    def _record(self, channel: Channel, decoded: object, log_ns: int, named: str) -> Record:
+        stamp_ns = _stamp_ns(cast(_Stamped, decoded), log_ns)
+        if channel.topic == JOINTS_TOPIC:
+            joints = cast(_JointStates, decoded).joints
+            return JointRecord(
+                stamp_ns,
+                tuple(joint.name for joint in joints),
+                tuple(joint.position for joint in joints),
+            )
+        if channel.topic == STRIPE_TOPIC:
+            profile = cast(StripeMessage, decoded)
+            return StripeRecord(stamp_ns, profile.width_px, profile.height_px, stripe_of(profile))
+        if self.schemas[channel.schema_id].name == "foxglove.CompressedImage":
+            packed = cast(_CompressedImage, decoded)
+            return ImageRecord(stamp_ns, lambda: decode_grey(packed.data, named))
+        raw = cast(_RawImage, decoded)
+        return ImageRecord(stamp_ns, lambda: _raw_picture(raw, named))
+
+
+def _stamp_ns(message: _Stamped, log_ns: int) -> int:
+    """The message's own stamp where it has one, else the time it was logged at."""
+    if not message.HasField("timestamp"):
+        return log_ns
+    return message.timestamp.seconds * 1_000_000_000 + message.timestamp.nanos
+
+
+def _raw_picture(raw: _RawImage, named: str) -> GreyImage:
+    kind = GREY_ENCODINGS.get(raw.encoding)
+    if kind is None:
+        raise Refusal(
+            "image-not-grey",
+            f"{named}: encoding {raw.encoding!r}",
+            f"grey is expected: {', '.join(GREY_ENCODINGS)}",
+        )
+    pixel = np.dtype(kind).itemsize
+    row = raw.step or raw.width * pixel
+    data = raw.data
+    if raw.width < 1 or raw.height < 1 or row < raw.width * pixel or len(data) < row * raw.height:
+        raise Refusal(
+            "image-cut-off",
+            f"{named}: {len(data)} bytes for {raw.width} × {raw.height} pixels, {row} a row",
+            "the picture is not whole",
+        )
+    rows = np.frombuffer(data, np.uint8, row * raw.height).reshape(raw.height, row)
+    packed = np.ascontiguousarray(rows[:, : raw.width * pixel])
+    return packed if kind is np.uint8 else packed.view("<u2").astype(np.uint16, copy=False)

@@ -1,0 +1,243 @@
+"""A recording read block by block, the heavy work on all cores: for whole rebuilds."""
+
+from collections import deque
+from collections.abc import Generator, Iterator
+from concurrent.futures import Executor, Future
+from dataclasses import dataclass
+from typing import BinaryIO
+
+import numpy as np
+from mcap.records import Channel, Chunk, DataEnd, Message, Metadata, Schema
+from mcap.stream_reader import StreamReader
+
+from app.formats.io_errors import files_refused
+from app.formats.open_file import open_file
+from app.formats.recording import wire_format as wire
+from app.formats.recording.blocks import Opened, of_messages, open_chunk, profiles
+from app.formats.recording.reader import (
+    DAMAGE,
+    JOINTS_TOPIC,
+    LARGEST_RECORD,
+    SCHEMAS,
+    STATION_METADATA,
+    STRIPE_TOPIC,
+    Decoders,
+    ImageRecord,
+    JointRecord,
+    Recording,
+    StripeRecord,
+    check_magic,
+)
+from app.metrology.transforms import Floats
+
+LOOSE_BYTES = 1 << 20
+"""Messages outside chunks are put together to blocks of this size."""
+
+
+@dataclass(frozen=True)
+class JointSamples:
+    """Readings of the arm that name their joints alike."""
+
+    names: tuple[str, ...]
+    stamps_ns: wire.Table  # (J,)
+    log_ns: wire.Table  # (J,)
+    q_rad: Floats  # (J, n)
+
+
+@dataclass(frozen=True)
+class Frame:
+    """One frame: a row of its block's table of stripes, or a record of its own."""
+
+    stamp_ns: int
+    log_ns: int
+    source: int | ImageRecord | StripeRecord
+
+
+@dataclass(frozen=True)
+class Block:
+    """What a stretch of the recording holds, in its order."""
+
+    opened: Opened
+    joints: list[JointSamples]
+    frames: list[Frame]
+    stripes: wire.Table
+    """(S, 9) of ``recording_wire.find_stripes``."""
+
+
+def blocks(recording: Recording, pool: Executor, ahead: int) -> Iterator[Block]:
+    """The recording's blocks in the order of the file, ``ahead`` of them being opened.
+
+    A file that was cut off, or is damaged from some place on, ends there with
+    ``recording.cut`` saying so.
+
+    Raises:
+        Refusal: as ``Recording.records``.
+    """
+    with files_refused(recording.path), open_file(recording.path) as file:
+        check_magic(recording.path, file)
+        reader = _Reader(recording)
+        waiting: deque[tuple[Future[Opened], int]] = deque()
+        for opening in _openings(recording, reader, file, pool):
+            waiting.append(opening)
+            if len(waiting) > ahead and (yield from _next(recording, reader, waiting)):
+                return
+        while waiting:
+            if (yield from _next(recording, reader, waiting)):
+                return
+        if reader.damaged:
+            recording.cut_here()
+        else:
+            recording.bytes_read = recording.size
+
+
+def _next(
+    recording: Recording, reader: "_Reader", waiting: deque[tuple[Future[Opened], int]]
+) -> Generator[Block, None, bool]:
+    """Hands on the oldest block; returns True where it was damaged."""
+    opening, end = waiting.popleft()
+    try:
+        opened = opening.result()
+    except DAMAGE:
+        recording.cut_here()
+        return True
+    yield reader.block(opened)
+    recording.bytes_read = end
+    return False
+
+
+def _openings(
+    recording: Recording, reader: "_Reader", file: BinaryIO, pool: Executor
+) -> Iterator[tuple[Future[Opened], int]]:
+    """Chunks on their way, and where each ends in the file."""
+    loose: list[Message] = []
+    loose_bytes = 0
+    raw = StreamReader(file, emit_chunks=True, record_size_limit=LARGEST_RECORD)
+    try:
+        for record in raw.records:
+            if isinstance(record, Message):
+                loose.append(record)
+                loose_bytes += len(record.data)
+            elif isinstance(record, Schema | Channel):
+                reader.learn(record)
+            elif isinstance(record, Metadata) and record.name == STATION_METADATA:
+                recording.station = dict(record.metadata)
+            ends = isinstance(record, DataEnd | Chunk)
+            if loose and (ends or loose_bytes > LOOSE_BYTES):
+                yield pool.submit(of_messages, loose), file.tell()
+                loose, loose_bytes = [], 0
+            if isinstance(record, Chunk):
+                yield pool.submit(open_chunk, record), file.tell()
+            elif isinstance(record, DataEnd):
+                return
+    except DAMAGE:
+        reader.damaged = True
+    if loose:
+        yield pool.submit(of_messages, loose), file.tell()
+
+
+class _Reader:
+    """Finds joints and frames in opened blocks, by the schemas that the file carries."""
+
+    def __init__(self, recording: Recording) -> None:
+        self.damaged = False
+        self._recording = recording
+        self._decoders = Decoders(recording.path)
+        self._as_usual: dict[int, bool] = {}
+        """By channel: whether its messages mean what their bytes look like."""
+
+    def learn(self, described: Schema | Channel) -> None:
+        if isinstance(described, Schema):
+            self._decoders.schemas[described.id] = described
+        else:
+            self._decoders.channels[described.id] = described
+            self._recording.topics.add(described.topic)
+
+    def block(self, opened: Opened) -> Block:
+        for described in opened.descriptions():
+            self.learn(described)
+        messages = opened.messages
+        if len(messages):
+            self._recording.note_times(int(messages[:, 2].min()), int(messages[:, 2].max()))
+        joints: list[JointSamples] = []
+        frames: list[tuple[int, Frame]] = []
+        stripes: list[wire.Table] = []
+        for channel_id in dict.fromkeys(messages[:, 1].tolist()):
+            channel = self._decoders.channels.get(channel_id)
+            at = np.flatnonzero(messages[:, 1] == channel_id)
+            if channel is None or channel.topic not in SCHEMAS:
+                continue
+            if channel.topic == JOINTS_TOPIC:
+                joints += self._joints(opened, messages[at])
+            elif channel.topic == STRIPE_TOPIC:
+                first = sum(len(table) for table in stripes)
+                rows = self._stripe_rows(opened, messages[at])
+                stripes.append(rows)
+                frames += self._stripes(opened, messages, at, rows, first)
+            else:
+                frames += [(i, self._frame(opened, messages[i])) for i in at.tolist()]
+        frames.sort(key=lambda found: found[0])
+        table = np.concatenate(stripes) if stripes else np.zeros((0, wire.STRIPE_COLUMNS), np.int64)
+        return Block(opened, joints, [frame for _, frame in frames], table)
+
+    def _stripe_rows(self, opened: Opened, messages: wire.Table) -> wire.Table:
+        rows = wire.find_stripes(opened.bytes, messages)
+        channel = int(messages[0, 1])
+        if channel not in self._as_usual and rows[0, wire.POINTS] >= 0:
+            told, read = self._decoded(opened, messages[0]), profiles(opened, rows[:1])
+            self._as_usual[channel] = isinstance(told, StripeRecord) and (
+                (told.stamp_ns, told.width_px, told.height_px, told.stripe.axis)
+                == (*rows[0, : wire.U].tolist(), read.axis)
+                and all(
+                    np.array_equal(getattr(told.stripe, name), getattr(read, name), equal_nan=True)
+                    for name in ("u", "v", "intensity", "sigma_px")
+                )
+            )
+        if not self._as_usual.get(channel, False):
+            rows[:, wire.POINTS] = -1
+        return rows
+
+    def _stripes(
+        self,
+        opened: Opened,
+        messages: wire.Table,
+        at: wire.Table,
+        rows: wire.Table,
+        first: int,
+    ) -> list[tuple[int, Frame]]:
+        found = []
+        for k, (i, row) in enumerate(zip(at.tolist(), rows.tolist(), strict=True)):
+            if row[wire.POINTS] < 0:
+                found.append((i, self._frame(opened, messages[i])))
+            else:
+                found.append((i, Frame(row[wire.STAMP], int(messages[i, 2]), first + k)))
+        return found
+
+    def _joints(self, opened: Opened, messages: wire.Table) -> list[JointSamples]:
+        rows, counts, names = wire.find_joints(opened.bytes, messages)
+        channel, alike = int(messages[0, 1]), (names == names[0]) & (counts == counts[0])
+        if counts[0] > 0 and alike.all() and self._as_usual.get(channel, True):
+            q_rad = wire.gather_joints(opened.bytes, rows, int(counts[0]))
+            told = self._decoded(opened, messages[0])
+            assert isinstance(told, JointRecord)
+            usual = told.stamp_ns == rows[0, 0] and np.array_equal(
+                told.q_rad, q_rad[0], equal_nan=True
+            )
+            self._as_usual[channel] = usual
+            if usual:
+                return [JointSamples(told.names, rows[:, 0], messages[:, 2], q_rad)]
+        found = [(self._decoded(opened, row), row[2:3]) for row in messages]
+        return [
+            JointSamples(one.names, np.array([one.stamp_ns]), log_ns, np.array([one.q_rad]))
+            for one, log_ns in found
+            if isinstance(one, JointRecord)
+        ]
+
+    def _frame(self, opened: Opened, row: wire.Table) -> Frame:
+        record = self._decoded(opened, row)
+        assert isinstance(record, ImageRecord | StripeRecord)
+        return Frame(record.stamp_ns, int(row[2]), record)
+
+    def _decoded(self, opened: Opened, row: wire.Table) -> object:
+        _, channel, log_ns, first, length = row.tolist()
+        data = opened.data[first : first + length]
+        return self._decoders.decode(Message(channel, log_ns, data, log_ns, 0))

@@ -1,0 +1,137 @@
+"""What a recording's bytes mean, read at the speed of memory.
+
+The records of an MCAP chunk, and the two kinds of protobuf messages that come by the
+thousand a second: joints and stripes. What does not look as it is mostly written is left
+to the general decoders: such a message has a negative number of joints or points.
+"""
+
+import numpy as np
+from mcap.exceptions import McapError
+from numpy.typing import NDArray
+
+from app.metrology.transforms import Floats
+from app.native.arguments import F64, I64, U8, Array, Function, Whole
+from app.native.product import CRENEL
+
+Bytes = NDArray[np.uint8]
+Table = NDArray[np.int64]
+
+MESSAGE = 5
+MOST_JOINTS = 16
+# Columns of a stripe: stamp, width, height, offsets of u, v, intensity, sigma, and of the
+# axis' letter (0 where there is none), then the points.
+STAMP, WIDTH, HEIGHT, U, V, INTENSITY, SIGMA, AXIS, POINTS = range(9)
+STRIPE_COLUMNS = 9
+LISTS = {U: np.float64, V: np.float64, INTENSITY: np.float32, SIGMA: np.float32}
+
+_DATA, _RECORDS = Array(U8, "n"), Array(I64, "m", 5)
+_count_records = Function(CRENEL, "count_records", _DATA, returns=int)
+_find_records = Function(
+    CRENEL, "find_records", _DATA, Array(I64, "m", 5, written=True), returns=int
+)
+_find_joints = Function(
+    CRENEL,
+    "find_joints",
+    _DATA,
+    _RECORDS,
+    Array(I64, "m", MOST_JOINTS + 1, written=True),
+    Array(I64, "m", written=True),
+    Array(I64, "m", written=True),
+)
+_gather_joints = Function(
+    CRENEL,
+    "gather_joints",
+    _DATA,
+    Array(I64, "m", MOST_JOINTS + 1),
+    Array(F64, "m", "count", written=True),
+    returns=int,
+)
+_find_stripes = Function(
+    CRENEL, "find_stripes", _DATA, _RECORDS, Array(I64, "m", STRIPE_COLUMNS, written=True)
+)
+_gather_list = Function(
+    CRENEL,
+    "gather_list",
+    _DATA,
+    Array(I64, "m", STRIPE_COLUMNS),
+    Whole(),
+    Array(U8, "size", written=True),
+    returns=int,
+)
+
+
+def find_records(data: Bytes) -> Table:
+    """The records of a chunk (R, 5).
+
+    Of each its opcode, channel (of a message, else -1), log time (of a message, else 0),
+    first byte of what it holds, and length of that.
+
+    Raises:
+        McapError: a record reaches beyond the chunk's end.
+    """
+    count = _count_records(data)
+    if count < 0:
+        raise McapError("a record reaches beyond its chunk")
+    table = np.empty((count, 5), dtype=np.int64)
+    _find_records(data, table)
+    return table
+
+
+def find_joints(data: Bytes, messages: Table) -> tuple[Table, Table, Table]:
+    """Where the positions of ``foxglove.JointStates`` stand.
+
+    Args:
+        messages: (M, 5) rows of ``find_records``.
+
+    Returns:
+        (M, ``MOST_JOINTS`` + 1) the stamp in ns, and the offset of each position; (M,) how
+        many joints there are, -1 where the message is left to the general decoder; (M,) a
+        number that tells their names apart from others.
+    """
+    rows = np.full((len(messages), MOST_JOINTS + 1), -1, dtype=np.int64)
+    counts, names = np.empty((2, len(messages)), dtype=np.int64)
+    _find_joints(data, messages, rows, counts, names)
+    return rows, counts, names
+
+
+def gather_joints(data: Bytes, rows: Table, count: int) -> Floats:
+    """The positions (M, count) of ``rows`` of ``find_joints``.
+
+    Raises:
+        ValueError: a row is not of these bytes.
+    """
+    positions = np.empty((len(rows), count))
+    if not _gather_joints(data, rows, positions):
+        raise ValueError("joints reach beyond their bytes")
+    return positions
+
+
+def find_stripes(data: Bytes, messages: Table) -> Table:
+    """Where the parts of ``crenel.StripeProfile`` stand.
+
+    Args:
+        messages: (M, 5) rows of ``find_records``.
+
+    Returns:
+        (M, ``STRIPE_COLUMNS``); the number of points is -1 where the message is left to the
+        general decoder.
+    """
+    rows = np.empty((len(messages), STRIPE_COLUMNS), dtype=np.int64)
+    _find_stripes(data, messages, rows)
+    return rows
+
+
+def gather_list(data: Bytes, rows: Table, column: int) -> Floats:
+    """One list (N,) of all stripes behind one another, as it is stored.
+
+    Args:
+        rows: (M, ``STRIPE_COLUMNS``) of ``find_stripes``, all with points or none.
+        column: ``U``, ``V``, ``INTENSITY`` or ``SIGMA``.
+
+    Raises:
+        ValueError: a row is not of these bytes.
+    """
+    numbers = np.empty(int(rows[:, POINTS].sum()), LISTS[column])
+    if _gather_list(data, rows, column, numbers.view(np.uint8)) != numbers.nbytes:
+        raise ValueError("stripes reach beyond their bytes")
+    return numbers

@@ -1,0 +1,1 @@
+"""What calibrations, verifications and checks leave behind."""

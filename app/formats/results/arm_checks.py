@@ -1,0 +1,67 @@
+"""``arm-check.json``: what a daily check of the arm found, beside the points it was taken from."""
+
+from typing import ClassVar, Literal
+
+from app.formats.json_document import Document, NotNegative, Number, Positive, Vector3
+from app.formats.results.calibration import Input
+from app.formats.software import Software
+
+ARM_CHECK = "arm-check.json"
+
+
+class ArmCheckFile(Document):
+    """Of the tip's centre in one seat, along x, y and z of the arm's frame."""
+
+    FORMAT: ClassVar[str] = "crenel/arm-check"
+
+    checked_at: str
+    operator: str = ""
+    station: str = ""
+    simulated: bool = False
+    arm_name: str
+    arm_serial: str
+    points: int
+    half_range_um: Vector3
+    """(max - min)/2."""
+    two_sigma_um: Vector3
+    encoders_two_sigma_um: Vector3
+    """What the encoders' noise alone would give."""
+    limit_um: NotNegative | None = None
+    """Of (max - min)/2 along any axis."""
+    verdict: Literal["good", "attention", "bad", "neutral"]
+    temperature_c: Number | None = None
+    inputs: tuple[Input, ...] = ()
+    software: Software
+
+
+TIP_CHECK = "tip-check.json"
+
+
+class TipCheckFile(Document):
+    """Of the tip, by touches of a sphere of known size."""
+
+    FORMAT: ClassVar[str] = "crenel/tip-check"
+
+    checked_at: str
+    operator: str = ""
+    station: str = ""
+    simulated: bool = False
+    arm_name: str
+    arm_serial: str
+    sphere_mm: Positive
+    sphere_standard_uncertainty_mm: NotNegative = 0.0
+    touches: int
+    diameter_mm: Positive
+    expected_mm: Positive
+    error_um: Number
+    expanded_uncertainty_um: NotNegative
+    """Of the error, k = 2."""
+    scatter_um: NotNegative
+    bend_um: NotNegative | None = None
+    limit_um: NotNegative | None = None
+    decision: Literal["pass", "fail", "uncertain", "none"]
+    words: str
+    """What was found, in a sentence."""
+    temperature_c: Number | None = None
+    inputs: tuple[Input, ...] = ()
+    software: Software

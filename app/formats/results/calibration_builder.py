@@ -1,0 +1,266 @@
+"""What was calibrated, as the file ``calibration.json`` has it."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+from datetime import UTC, datetime
+from typing import Literal
+
+import numpy as np
+
+from app.formats.results.calibration import (
+    BudgetPart,
+    CalibrationFile,
+    CameraPart,
+    Covariance,
+    FacePart,
+    FindingPart,
+    Input,
+    LaserPlanePart,
+    MapPart,
+    PlanePart,
+    PosePart,
+    Residuals,
+    ScalesPart,
+    SerialNumbers,
+    Uncertainty,
+    Verdict,
+)
+from app.formats.software import SOFTWARE
+from app.metrology.adjustment.block.calibrate import JointCalibration
+from app.metrology.adjustment.board.calibrate import BoardCalibration
+from app.metrology.adjustment.core.uncertainty import NAMES, Known
+from app.metrology.calibration.findings import Finding
+from app.metrology.calibration.one_pose import OnePoseCalibration
+from app.metrology.probing.alignment import Alignment
+from app.metrology.sensor.camera import Camera
+from app.metrology.sensor.laser_plane import LaserPlane
+
+
+@dataclass(frozen=True)
+class Origin:
+    """What a calibration came from, beside its numbers."""
+
+    serial_numbers: SerialNumbers
+    stripe_axis: Literal["u", "v"]
+    inputs: tuple[Input, ...]
+    operator: str
+
+
+def one_pose_sheet(result: OnePoseCalibration, origin: Origin) -> CalibrationFile:
+    """The file of a calibration, made now."""
+    budget = result.full_budget
+    return CalibrationFile.model_validate(
+        {
+            "camera": _camera_part(result.camera),
+            "laser_plane": _plane_part(result.plane),
+            "probe_matrix": result.T_flange_sensor.tolist(),
+            "stripe_axis": origin.stripe_axis,
+            "method": "one-pose",
+            "created_at": datetime.now(UTC).isoformat(timespec="seconds"),
+            "operator": origin.operator,
+            "serial_numbers": origin.serial_numbers,
+            "T_arm_obj": result.alignment.T_arm_obj.tolist(),
+            "verdict": verdict_part(result.findings),
+            "uncertainty": Uncertainty(
+                total_um=budget.total_um,
+                budget=tuple(
+                    BudgetPart(source=row.source, value_um=row.value_um) for row in budget.rows
+                ),
+                depth_range_mm=result.depth_range_mm,
+            ),
+            "residuals": _residuals(result),
+            "condition_number": result.faugeras.condition_number,
+            "orthogonality_defect": result.faugeras.orthogonality_defect,
+            "covariance": Covariance.model_validate(
+                {
+                    "parameters": budget.names,
+                    "matrix": budget.covariance.tolist(),
+                    "pivot_mm": budget.pivot_mm.tolist(),
+                }
+            ),
+            "inputs": origin.inputs,
+            "software": SOFTWARE,
+        }
+    )
+
+
+def _camera_part(camera: Camera) -> CameraPart:
+    return CameraPart.model_validate(
+        {
+            "projection_matrix": camera.projection_matrix.tolist(),
+            "matrix": camera.matrix.tolist(),
+            "rotation": camera.rotation.tolist(),
+            "translation_mm": camera.translation_mm.tolist(),
+            "distortion": camera.distortion.tolist(),
+            "width_px": camera.width_px,
+            "height_px": camera.height_px,
+        }
+    )
+
+
+def _residuals(result: OnePoseCalibration) -> Residuals:
+    alignment = result.alignment
+    corners = zip(result.detection.corners, result.corner_residuals_px.tolist(), strict=True)
+    return Residuals.model_validate(
+        {
+            "reprojection_rms_px": result.reprojection_rms_px,
+            "corners_px": {corner.name: residual for corner, residual in corners},
+            "laser_plane_rms_um": result.laser.rms_mm * 1e3,
+            "stripe_points": int(np.sum(result.laser.used)),
+            "contacts_rms_um": alignment.rms_mm * 1e3,
+            "contacts_um": (alignment.residuals_mm * 1e3).tolist(),
+            "contacts_left_out": np.flatnonzero(alignment.outliers).tolist(),
+            "worst": [asdict(point) for point in result.worst],
+            "faces": _faces(alignment),
+        }
+    )
+
+
+def verdict_part(found: Sequence[Finding]) -> Verdict:
+    """As bad as the gravest of the findings, which is the first, and in its words."""
+    findings = tuple(
+        FindingPart(
+            quality=finding.quality, code=finding.code, text=finding.text, remedy=finding.remedy
+        )
+        for finding in found
+    )
+    return Verdict(
+        quality=findings[0].quality,
+        text=findings[0].text.rstrip("."),
+        findings=findings,
+    )
+
+
+def _faces(alignment: Alignment) -> list[FacePart]:
+    return [
+        FacePart(
+            face=face.face,
+            points=face.points,
+            rms_um=face.rms_mm * 1e3,
+            form_um=face.form_mm * 1e3,
+        )
+        for face in alignment.faces
+    ]
+
+
+def joint_sheet(result: JointCalibration, origin: Origin) -> CalibrationFile:
+    """The file of a calibration over many poses, made now."""
+    alignment = result.alignment
+    return _sheet_of_all(
+        result,
+        origin,
+        {
+            "contacts_rms_um": alignment.rms_mm * 1e3,
+            "contacts_um": (alignment.residuals_mm * 1e3).tolist(),
+            "contacts_left_out": np.flatnonzero(alignment.outliers).tolist(),
+            "faces": _faces(alignment),
+        },
+    )
+
+
+def board_sheet(result: BoardCalibration, origin: Origin) -> CalibrationFile:
+    """The file of a calibration on a chessboard, made now."""
+    contacts = result.contacts
+    sheet = _sheet_of_all(
+        result,
+        origin,
+        {}
+        if contacts is None
+        else {
+            "contacts_rms_um": contacts.rms_um,
+            "contacts_um": contacts.residuals_um.tolist(),
+            "contacts_left_out": np.flatnonzero(contacts.left_out).tolist(),
+        },
+    )
+    corners = tuple((x, y, z) for x, y, z in result.corners_mm.round(5).tolist())
+    return sheet.model_copy(update={"corners_mm": corners})
+
+
+def _sheet_of_all(
+    result: JointCalibration | BoardCalibration, origin: Origin, contacts: Mapping[str, object]
+) -> CalibrationFile:
+    """``contacts`` are those fields of the residuals."""
+    scales = result.adjusted.scales
+    return CalibrationFile.model_validate(
+        {
+            "camera": _camera_part(result.camera),
+            "laser_plane": _plane_part(result.plane),
+            "probe_matrix": result.T_flange_sensor.tolist(),
+            "stripe_axis": origin.stripe_axis,
+            "method": "joint",
+            "created_at": datetime.now(UTC).isoformat(timespec="seconds"),
+            "operator": origin.operator,
+            "serial_numbers": origin.serial_numbers,
+            "T_arm_obj": result.T_arm_obj.tolist(),
+            "verdict": verdict_part(result.findings),
+            "uncertainty": _uncertainty(result.known, result.depth_range_mm),
+            "residuals": _all_residuals(result, contacts),
+            "poses": tuple(
+                PosePart.model_validate(
+                    asdict(pose)
+                    | {
+                        "corners_px": {name: (u, v) for name, u, v in pose.corners_px},
+                        "corners_at_px": {name: (u, v) for name, u, v in pose.corners_at_px},
+                    }
+                )
+                for pose in result.poses
+            ),
+            "scales": ScalesPart(
+                links_rad=scales.links_rad,
+                links_mm=scales.links_mm,
+                reading_factor=scales.noise,
+                touch_mm=scales.touch_mm,
+            ),
+            "covariance": Covariance.model_validate(
+                {
+                    "parameters": NAMES,
+                    "matrix": result.known.covariance.tolist(),
+                    "pivot_mm": result.known.pivot_mm.tolist(),
+                }
+            ),
+            "inputs": origin.inputs,
+            "software": SOFTWARE,
+        }
+    )
+
+
+def _uncertainty(known: Known, depth_range_mm: tuple[float, float]) -> Uncertainty:
+    over = known.map
+    return Uncertainty(
+        total_um=known.total_um,
+        budget=tuple(BudgetPart(source=row.source, value_um=row.value_um) for row in known.rows),
+        depth_range_mm=depth_range_mm,
+        plane=PlanePart(angle_arcsec=known.plane.angle_arcsec, offset_um=known.plane.offset_um),
+        map=MapPart.model_validate(
+            {
+                "uv_px": over.uv_px.round(2).tolist(),
+                "points_mm": over.points_mm.round(4).tolist(),
+                "u_um": over.u_um.round(3).tolist(),
+                "calibrated": over.calibrated.tolist(),
+            }
+        ),
+    )
+
+
+def _all_residuals(
+    result: JointCalibration | BoardCalibration, contacts: Mapping[str, object]
+) -> Residuals:
+    used = [pose for pose in result.poses if pose.used]
+    edges = np.array([[pose.edges_rms_px, pose.edge_points] for pose in used])
+    return Residuals.model_validate(
+        {
+            "reprojection_rms_px": float(
+                np.sqrt((edges[:, 0] ** 2 @ edges[:, 1]) / max(edges[:, 1].sum(), 1))
+            ),
+            "laser_plane_rms_um": result.stripe_rms_um,
+            "stripe_points": sum(pose.stripe_points for pose in used),
+            "worst": [asdict(point) for point in result.worst],
+            **contacts,
+        }
+    )
+
+
+def _plane_part(plane: LaserPlane) -> LaserPlanePart:
+    return LaserPlanePart.model_validate(
+        {"normal": plane.normal.tolist(), "offset_mm": plane.offset_mm}
+    )

@@ -1,0 +1,47 @@
+"""What a check of gauges found, as a file."""
+
+from typing import Annotated, ClassVar, Literal
+
+from pydantic import Field
+
+from app.formats.json_document import Document, NotNegative, Number, Part, Positive, Vector3
+
+
+class CloudReport(Part):
+    """One cloud of a gauge; errors are there where a nominal was given (Eq. 10-12)."""
+
+    file: str
+    points: int
+    used: int
+    """After the filter on the standard deviation of distances."""
+    rms_um: NotNegative
+    form_um: NotNegative
+    normal: Vector3 | None = None
+    offset_mm: Number | None = None
+    centre_mm: Vector3
+    radius_mm: Positive | None = None
+    angle_arcsec: NotNegative | None = None
+    z_error_um: Number | None = None
+    offset_error_um: Number | None = None
+    radius_error_um: Number | None = None
+    centre_error_um: NotNegative | None = None
+
+
+class SpreadReport(Part):
+    """How far a figure scatters over the clouds."""
+
+    mean: Number
+    standard_deviation: NotNegative
+    range: NotNegative
+
+
+class GaugeReport(Document):
+    """``report.json``"""
+
+    FORMAT: ClassVar[str] = "crenel/report"
+
+    shape: Literal["plane", "sphere"]
+    nominal: str | None = None
+    clouds: tuple[CloudReport, ...]
+    spread: Annotated[dict[str, SpreadReport], Field(default_factory=dict)]
+    """By the name of the figure; empty for one cloud."""

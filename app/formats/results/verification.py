@@ -1,0 +1,195 @@
+"""``verification.json``: what a verification of a calibration found, from what, and its verdict.
+
+Its folder, ``verifications/<id>``, holds all that it was made from: ``calibration.json``,
+``arm.json``, ``gauge.json``, ``touches.csv`` (as ``probing.csv``, feature ``gauge``; where the
+gauge was touched), and ``cloud-<n>/scan.mcap`` for every cloud.
+"""
+
+from pathlib import Path
+from typing import Annotated, ClassVar, Literal
+
+from pydantic import Field
+
+from app.formats.datasheets.gauge import Shape
+from app.formats.json_document import Document, NotNegative, Number, Part, Positive, Vector3
+from app.formats.results.calibration import Input, SerialNumbers
+from app.formats.software import Software
+
+Decision = Literal["pass", "fail", "uncertain", "none"]
+"""By ISO 14253-1 with an expanded uncertainty (k = 2); ``none`` where there is no limit."""
+Result = Literal["pass", "fail", "uncertain"]
+FigureName = Literal[
+    "rms",
+    "form",
+    "angle",
+    "offset",
+    "z_error",
+    "radius_error",
+    "centre_error",
+    "angle_range",
+    "offset_range",
+    "centre_range",
+]
+
+VERIFICATION, GAUGE, TOUCHES, STUDY = (
+    "verification.json",
+    "gauge.json",
+    "touches.csv",
+    "study.json",
+)
+
+
+class GaugePart(Part):
+    """The gauge by its paper."""
+
+    shape: Shape
+    name: str
+    serial_number: str = ""
+    certificate: str = ""
+    radius_mm: Positive | None = None
+    standard_uncertainty_um: NotNegative = 0.0
+    form_um: NotNegative = 0.0
+
+
+class UsedCalibration(Part):
+    """The calibration that was verified."""
+
+    id: str
+    name: str
+    accepted_at: str
+    total_um: NotNegative
+    """Standard uncertainty of a scanned point by the calibration itself, k = 1."""
+
+
+class PlacingPart(Part):
+    """Where the gauge stands in the arm frame, by the probe (``touches.csv``)."""
+
+    touches: int
+    rms_um: NotNegative
+    """Of the touches about the gauge's shape."""
+    point_mm: Vector3
+    """On the plane in the touches' middle, or the sphere's centre."""
+    normal: Vector3 | None = None
+    """Of a plane, outward."""
+    radius_mm: Positive | None = None
+    """Of a sphere, as the touches alone have it."""
+    standard_uncertainty_um: NotNegative
+    """Of the plane's height, or of the centre in its worst direction; k = 1."""
+    standard_uncertainty_arcsec: NotNegative | None = None
+    """Of a plane's normal in its worst direction, k = 1."""
+
+
+class CloudPart(Part):
+    """One cloud, rebuilt with the verified calibration, and the shape fitted to it."""
+
+    name: str
+    recording: str
+    """Within the folder."""
+    taken_at: str
+    seconds: NotNegative
+    frames: int
+    points: int
+    used: int
+    """After the points that are none of the gauge, and the filter on the standard deviation
+    (paper, section 4)."""
+    rms_um: NotNegative
+    form_um: NotNegative
+    """Width of the zone about the shape that holds 95 % of the points used."""
+    centre_mm: Vector3
+    """Of the points used of a plane; of the sphere."""
+    normal: Vector3 | None = None
+    offset_mm: Number | None = None
+    radius_mm: Positive | None = None
+    angle_arcsec: NotNegative | None = None
+    """To the touched plane (Eq. 10)."""
+    z_error_um: Number | None = None
+    """Eq. 11-12."""
+    offset_error_um: Number | None = None
+    """Of the cloud's middle from the touched plane, along its normal."""
+    radius_error_um: Number | None = None
+    """Certificate minus measured, as the paper has it."""
+    centre_error_um: NotNegative | None = None
+    """From the touched sphere's centre."""
+
+
+class FigurePart(Part):
+    """One figure against its limit."""
+
+    name: FigureName
+    title: str
+    unit: Literal["µm", "″"]
+    value: Number
+    """The worst of the clouds, with its sign; of ``…_range`` between the clouds."""
+    expanded_uncertainty: NotNegative
+    """Of the value by gauge, probe and fit, k = 2."""
+    limit: Positive | None = None
+    """Of the absolute value."""
+    decision: Decision
+    reason: str
+    """One sentence."""
+    clouds: tuple[Number, ...] = ()
+    """Of each cloud in turn; empty for ``…_range``."""
+    mean: Number | None = None
+    standard_deviation: NotNegative | None = None
+    """Over two or more clouds, n - 1."""
+
+
+class VerificationVerdict(Part):
+    """``fail`` where one figure fails, else ``uncertain`` where one is, else ``pass``."""
+
+    result: Result
+    text: str
+    """One sentence."""
+    reasons: tuple[str, ...]
+    """The figures' own sentences, the worst first."""
+
+
+class TemperaturePart(Part):
+    """Where it is known."""
+
+    start_c: Number | None = None
+    end_c: Number | None = None
+
+
+class VerificationFile(Document):
+    """The record of an accepted verification."""
+
+    FORMAT: ClassVar[str] = "crenel/verification"
+
+    id: str
+    station: str
+    simulated: bool = False
+    """Made on simulated hardware."""
+    operator: str
+    """Who accepted it."""
+    started_at: str
+    accepted_at: str
+    gauge: GaugePart
+    serial_numbers: SerialNumbers
+    """Of arm and sensor, and of the object that they were calibrated with."""
+    calibration: UsedCalibration
+    placing: PlacingPart | None = None
+    """None where the gauge was not touched: then only its shape and size are judged."""
+    clouds: Annotated[tuple[CloudPart, ...], Field(min_length=1)]
+    k: Literal[2] = 2
+    """The coverage factor of every ``expanded_uncertainty``."""
+    figures: tuple[FigurePart, ...]
+    verdict: VerificationVerdict
+    notes: tuple[str, ...] = ()
+    """What else should be known, one sentence each."""
+    temperature: TemperaturePart = TemperaturePart()
+    inputs: tuple[Input, ...]
+    """Files of the folder that all this follows from."""
+    software: Software
+
+
+def write_verification(folder: Path, sheet: VerificationFile) -> Path:
+    """Writes the record into the verification's folder; raises ``Refusal`` where it cannot."""
+    path = folder / VERIFICATION
+    sheet.write(path)
+    return path
+
+
+def read_verification(folder: Path) -> VerificationFile:
+    """The record in a verification's folder; raises ``Refusal`` where it cannot be read."""
+    return VerificationFile.read(folder / VERIFICATION)

@@ -1,0 +1,1 @@
+"""Recorded sessions: contact points, images and joint angles or poses, as folders."""

@@ -1,0 +1,206 @@
+"""A folder that tells an arm's own geometry: what was touched, read and checked.
+
+``arm.json``           the arm as its papers have it
+``articulation.csv``   set,q1_deg,…,qN_deg                  the tip in one seat a set, the arm swung
+``spheres.csv``        sphere,diameter_mm,q1_deg,…          touches of calibrated spheres
+``ballbars.csv``       bar,position,length_mm,standard_uncertainty_mm,end,q1_deg,…
+
+One row a point. Any of the tables may be missing, not all. ``sphere`` names a sphere in
+one place, ``bar`` an artefact: its positions share the error of its calibrated length.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from app.errors import Refusal
+from app.formats.atomic_write import write_atomically
+from app.formats.csv_table import Row, Table, read_table, table_text
+from app.formats.datasheets.arm import read_arm
+from app.formats.file_names import shown_path
+from app.formats.session.pose_columns import JointAngles, joint_columns
+from app.metrology.arm.identification.observations import Bar, Observations, Seat, Sphere
+from app.metrology.arm.kinematics import Arm
+from app.metrology.transforms import Floats
+
+ARM = "arm.json"
+IDENTIFIED = "identified.json"
+"""The arm as identified, where it is kept beside what it was identified from."""
+ARTICULATION, SPHERES, BALLBARS = "articulation.csv", "spheres.csv", "ballbars.csv"
+TABLES = (ARTICULATION, SPHERES, BALLBARS)
+
+LARGEST_UNCERTAINTY_MM = 1.0
+
+
+@dataclass(frozen=True)
+class ArmSession:
+    """What was read, and from which files."""
+
+    arm: Arm
+    observations: Observations
+    files: tuple[Path, ...]
+
+
+def read_arm_session(folder: Path) -> ArmSession:
+    """Reads and checks a folder; raises ``Refusal`` naming file, line, value and remedy."""
+    _refuse_no_folder(folder)
+    arm = read_arm(folder / ARM)
+    observations = read_observations(folder, arm)
+    tables = tuple(folder / name for name in TABLES if (folder / name).exists())
+    return ArmSession(arm, observations, (folder / ARM, *tables))
+
+
+def read_observations(folder: Path, arm: Arm) -> Observations:
+    """The folder's tables, for an arm; raises ``Refusal``."""
+    _refuse_no_folder(folder)
+    if not any((folder / name).exists() for name in TABLES):
+        raise Refusal(
+            "no-observations",
+            shown_path(folder),
+            f"it holds none of {', '.join(TABLES)}",
+            "Name a folder of seats, spheres or ball bars touched with the arm",
+        )
+    seats = read_seats(folder / ARTICULATION, arm) if (folder / ARTICULATION).exists() else ()
+    spheres = read_spheres(folder / SPHERES, arm) if (folder / SPHERES).exists() else ()
+    bars = read_bars(folder / BALLBARS, arm) if (folder / BALLBARS).exists() else ()
+    return Observations(seats, spheres, bars)
+
+
+def read_seats(path: Path, arm: Arm) -> tuple[Seat, ...]:
+    """Reads ``articulation.csv``: one seat a set; raises ``Refusal``."""
+    table = read_table(path, ("set",))
+    rows = _by_label(table, arm, "set")
+    return tuple(Seat(name, q_rad) for name, (_, q_rad) in rows.items())
+
+
+def write_observations(folder: Path, found: Observations) -> None:
+    """Brings a folder's tables up to date, each atomically; one without points is removed."""
+    _write(folder / ARTICULATION, ("set",), [((s.name,), s.q_rad) for s in found.seats])
+    _write(
+        folder / SPHERES,
+        ("sphere", "diameter_mm"),
+        [((s.name, s.diameter_mm), s.q_rad) for s in found.spheres],
+    )
+    _write(
+        folder / BALLBARS,
+        ("bar", "position", "length_mm", "standard_uncertainty_mm", "end"),
+        [
+            ((bar.name, bar.position, bar.length_mm, bar.standard_uncertainty_mm, end), q_rad)
+            for bar in found.bars
+            for end, q_rad in zip(bar.ends, bar.q_rad, strict=True)
+        ],
+    )
+
+
+def _write(
+    path: Path, columns: Sequence[str], places: Sequence[tuple[Sequence[str | float], Floats]]
+) -> None:
+    if not places:
+        path.unlink(missing_ok=True)
+        return
+    joints = joint_columns(places[0][1].shape[1])
+    rows = [(*label, *np.rad2deg(one).tolist()) for label, q_rad in places for one in q_rad]
+    write_atomically(path, table_text((*columns, *joints), rows).encode())
+
+
+def read_spheres(path: Path, arm: Arm) -> tuple[Sphere, ...]:
+    """Reads ``spheres.csv``; raises ``Refusal``."""
+    table = read_table(path, ("sphere", "diameter_mm"))
+    found: list[Sphere] = []
+    for name, (rows, q_rad) in _by_label(table, arm, "sphere").items():
+        found.append(Sphere(name, _same(rows, "diameter_mm", f"sphere {name}"), q_rad))
+    return tuple(found)
+
+
+def read_bars(path: Path, arm: Arm) -> tuple[Bar, ...]:
+    """Reads ``ballbars.csv``; raises ``Refusal``."""
+    required = ("bar", "position", "length_mm", "standard_uncertainty_mm", "end")
+    table = read_table(path, required)
+    by_bar: dict[str, list[Row]] = {}
+    for row in table.rows:
+        by_bar.setdefault(row.text("bar"), []).append(row)
+    lengths: dict[str, tuple[float, float]] = {}
+    for name, rows in by_bar.items():
+        length = _same(rows, "length_mm", f"bar {name}")
+        lengths[name] = length, _uncertainty(rows, f"bar {name}")
+    ends: dict[tuple[str, str], dict[str, Floats]] = {}
+    for (bar, position, end), (_, q_rad) in _by_labels(
+        table, arm, ("bar", "position", "end")
+    ).items():
+        ends.setdefault((bar, position), {})[end] = q_rad
+    found: list[Bar] = []
+    for (bar, position), both in ends.items():
+        if len(both) != 2:
+            raise Refusal(
+                "bar-ends",
+                f"{shown_path(path)}: bar {bar}, position {position} has ends {', '.join(both)}",
+                "a bar has two ends",
+                "Complete or delete the rows of this position",
+            )
+        (name_a, q_a), (name_b, q_b) = both.items()
+        found.append(Bar(bar, position, *lengths[bar], (name_a, name_b), (q_a, q_b)))
+    return tuple(found)
+
+
+def _by_label(table: Table, arm: Arm, column: str) -> dict[str, tuple[list[Row], Floats]]:
+    """The rows of each label and their angles (m, n), in the order of the file."""
+    return {label: found for (label,), found in _by_labels(table, arm, (column,)).items()}
+
+
+def _by_labels(
+    table: Table, arm: Arm, columns: Sequence[str]
+) -> dict[tuple[str, ...], tuple[list[Row], Floats]]:
+    angles = JointAngles(table, arm)
+    rows: dict[tuple[str, ...], list[Row]] = {}
+    q_rad: dict[tuple[str, ...], list[Floats]] = {}
+    for row in table.rows:
+        label = tuple(row.text(column) for column in columns)
+        rows.setdefault(label, []).append(row)
+        q_rad.setdefault(label, []).append(angles.of(row))
+    if not rows:
+        raise Refusal(
+            "no-points",
+            f"{shown_path(table.path)} holds no points",
+            "",
+            "Take some, or delete the file",
+        )
+    angles.refuse_radians([q for own in q_rad.values() for q in own])
+    return {label: (rows[label], np.array(q_rad[label])) for label in rows}
+
+
+def _same(rows: Sequence[Row], column: str, label: str) -> float:
+    """A length that is the same in all rows of an artefact."""
+    value = rows[0].number(column)
+    if value <= 0:
+        raise Refusal("length-not-positive", f"{rows[0].place}: {column} is {value:g}")
+    for row in rows[1:]:
+        if row.number(column) != value:
+            raise Refusal(
+                "length-differs",
+                f"{row.place}: {column} is {row.number(column):g}",
+                f"line {rows[0].line} gives {value:g} for the same {label}",
+                "Correct the value, or name another artefact differently",
+            )
+    return value
+
+
+def _uncertainty(rows: Sequence[Row], label: str) -> float:
+    value = rows[0].number("standard_uncertainty_mm")
+    for row in rows:
+        own = row.number("standard_uncertainty_mm")
+        if own < 0 or own > LARGEST_UNCERTAINTY_MM or own != value:
+            raise Refusal(
+                "uncertainty-senseless",
+                f"{row.place}: standard_uncertainty_mm is {own:g}",
+                f"one value from 0 to {LARGEST_UNCERTAINTY_MM:g} is expected for {label}",
+                "Give the standard uncertainty (k = 1) of its certificate in millimetres",
+            )
+    return value
+
+
+def _refuse_no_folder(folder: Path) -> None:
+    if not folder.is_dir():
+        there = "it is a file" if folder.exists() else "there is no such folder"
+        raise Refusal("folder-missing", shown_path(folder), there, "Name a folder")

@@ -1,0 +1,335 @@
+"""A calibration session: a folder with contacts and pictures (docs/formats.md)."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path, PurePosixPath
+
+import numpy as np
+
+from app.errors import Refusal
+from app.formats.atomic_write import write_atomically
+from app.formats.csv_table import Row, read_table, table_text
+from app.formats.datasheets.arm import read_any_arm, read_arm
+from app.formats.datasheets.sensor import SensorSheet, read_sensor
+from app.formats.datasheets.target import read_block, read_object
+from app.formats.file_names import shown_path
+from app.formats.images import grey_png_size
+from app.formats.session.pose_columns import COLUMNS, ArmReadings, joint_columns, pose_cells
+from app.metrology.arm.kinematics import Arm, RobotArm
+from app.metrology.targets.chessboard import Chessboard
+from app.metrology.targets.crenellated_block import FACES, Crenellated
+from app.metrology.transforms import Floats
+
+ARM, OBJECT, SENSOR = "arm.json", "object.json", "sensor.json"
+PROBING, IMAGES, PICTURES = "probing.csv", "images.csv", "images"
+LIGHTINGS = ("ambient", "laser", "both")
+BOARD_FEATURES = ("board",)
+"""The face of a chessboard: its plane."""
+STILL_DEG = 0.005
+"""An arm held still may read this much differently from picture to picture, plus its noise."""
+STILL_MM = 0.05
+"""The same of a robot, in place, and half a metre from its flange."""
+
+
+@dataclass(frozen=True)
+class Contacts:
+    """The contact points, in the order of the file."""
+
+    features: tuple[str, ...]
+    q_rad: Floats
+    """(N, n) encoder angles; (N, 0) of a robot."""
+    T_arm_flange: Floats | None = None
+    """(N, 4, 4) of a robot that reports its flange's poses."""
+
+    @property
+    def readings(self) -> Floats:
+        return self.q_rad if self.T_arm_flange is None else self.T_arm_flange
+
+
+@dataclass(frozen=True)
+class Pose:
+    """The pictures taken with the arm held still."""
+
+    number: int
+    q_rad: Floats
+    """(n,) encoder angles; (0,) of a robot."""
+    ambient: Path
+    """With the laser off; or the picture with both lights, where ``laser`` is None."""
+    laser: Path | None
+    T_arm_flange: Floats | None = None
+    """(4, 4) of a robot that reports its flange's pose."""
+
+    @property
+    def reading(self) -> Floats:
+        return self.q_rad if self.T_arm_flange is None else self.T_arm_flange
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        return (self.ambient,) if self.laser is None else (self.ambient, self.laser)
+
+
+@dataclass(frozen=True)
+class Session:
+    """A session as read; the pictures stay on disk, for ``images.read_grey``."""
+
+    folder: Path
+    arm: Arm
+    block: Crenellated
+    sensor: SensorSheet
+    contacts: Contacts
+    poses: tuple[Pose, ...]
+    """By ascending number."""
+
+    @property
+    def tables(self) -> tuple[Path, ...]:
+        """Its files, the pictures apart."""
+        return tuple(self.folder / name for name in (ARM, OBJECT, SENSOR, PROBING, IMAGES))
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """Everything that it was read from."""
+        return (*self.tables, *(file for pose in self.poses for file in pose.files))
+
+
+@dataclass(frozen=True)
+class BoardSession:
+    """A session on a flat chessboard, of an arm with joints or of a robot."""
+
+    folder: Path
+    arm: Arm | RobotArm
+    board: Chessboard
+    sensor: SensorSheet
+    contacts: Contacts | None
+    poses: tuple[Pose, ...]
+    """By ascending number."""
+
+    @property
+    def tables(self) -> tuple[Path, ...]:
+        """Its files, the pictures apart."""
+        names = (ARM, OBJECT, SENSOR, *((PROBING,) if self.contacts else ()), IMAGES)
+        return tuple(self.folder / name for name in names)
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """Everything that it was read from."""
+        return (*self.tables, *(file for pose in self.poses for file in pose.files))
+
+
+@dataclass(frozen=True)
+class ImageRow:
+    """One row of ``images.csv``."""
+
+    pose: int
+    file: str
+    """Relative to the session's folder, with forward slashes."""
+    lighting: str
+    q_rad: Floats
+    T_arm_flange: Floats | None = None
+    """(4, 4) of a robot, whose ``q_rad`` is (0,)."""
+
+
+def read_session(folder: Path) -> Session:
+    """Reads and checks a session on a block, touched by an arm with joints.
+
+    Raises:
+        Refusal: names file, line, value and remedy.
+    """
+    _refuse_no_folder(folder)
+    arm = read_arm(folder / ARM)
+    sensor = read_sensor(folder / SENSOR)
+    return Session(
+        folder=folder,
+        arm=arm,
+        block=read_block(folder / OBJECT),
+        sensor=sensor,
+        contacts=read_contacts(folder / PROBING, arm),
+        poses=read_poses(folder / IMAGES, arm, sensor),
+    )
+
+
+def read_any_session(folder: Path) -> Session | BoardSession:
+    """Reads and checks a session on a block or on a chessboard; ``Refusal`` as above.
+
+    Touching a chessboard is optional.
+    """
+    _refuse_no_folder(folder)
+    item = read_object(folder / OBJECT)
+    if not isinstance(item, Chessboard):
+        return read_session(folder)
+    arm = read_any_arm(folder / ARM)
+    sensor = read_sensor(folder / SENSOR)
+    touched = (folder / PROBING).exists()
+    return BoardSession(
+        folder=folder,
+        arm=arm,
+        board=item,
+        sensor=sensor,
+        contacts=read_contacts(folder / PROBING, arm, BOARD_FEATURES) if touched else None,
+        poses=read_poses(folder / IMAGES, arm, sensor),
+    )
+
+
+def _refuse_no_folder(folder: Path) -> None:
+    if not folder.is_dir():
+        there = "it is a file" if folder.exists() else "there is no such folder"
+        raise Refusal("session-missing", shown_path(folder), there, "Name a session's folder")
+
+
+def read_contacts(path: Path, arm: Arm | RobotArm, faces: Sequence[str] = FACES) -> Contacts:
+    """Reads ``probing.csv``; raises ``Refusal`` naming line and value."""
+    table = read_table(path, ("feature",))
+    readings = ArmReadings(table, arm)
+    features: list[str] = []
+    for row in table.rows:
+        feature = row.text("feature")
+        if feature not in faces:
+            raise Refusal(
+                "feature-unknown",
+                f"{row.place}: feature {feature!r}",
+                f"the faces are {', '.join(faces)}",
+                "Correct the name",
+            )
+        features.append(feature)
+    if not features:
+        raise Refusal(
+            "no-contacts", f"{shown_path(path)} holds no contact points", "", "Probe the object"
+        )
+    return Contacts(tuple(features), *readings.of_all(table.rows))
+
+
+def read_poses(path: Path, arm: Arm | RobotArm, sensor: SensorSheet) -> tuple[Pose, ...]:
+    """Reads ``images.csv`` and the headers of its pictures; raises ``Refusal``."""
+    table = read_table(path, ("pose", "file", "lighting"))
+    readings = ArmReadings(table, arm)
+    by_pose: dict[int, list[tuple[Row, ImageRow]]] = {}
+    for row in table.rows:
+        at = readings.of(row)
+        image = ImageRow(row.count("pose"), row.text("file"), _lighting_of(row), *at)
+        _check_picture(row, path.parent / image.file, sensor)
+        by_pose.setdefault(image.pose, []).append((row, image))
+    if not by_pose:
+        raise Refusal(
+            "no-images", f"{shown_path(path)} holds no pictures", "", "Take a picture of the object"
+        )
+    readings.of_all(table.rows)
+    return tuple(_pose_of(path.parent, arm, by_pose[number]) for number in sorted(by_pose))
+
+
+def write_contacts(path: Path, contacts: Contacts) -> None:
+    """Writes ``probing.csv`` atomically; reads back to the same angles within 1e-15."""
+    count = contacts.q_rad.shape[1]
+    rows = (
+        (feature, *np.rad2deg(q).tolist())
+        for feature, q in zip(contacts.features, contacts.q_rad, strict=True)
+    )
+    columns = joint_columns(count)
+    if contacts.T_arm_flange is not None:
+        columns = COLUMNS
+        rows = (
+            (feature, *pose_cells(T))
+            for feature, T in zip(contacts.features, contacts.T_arm_flange, strict=True)
+        )
+    text = table_text(("feature", *columns), rows)
+    write_atomically(path, text.encode())
+
+
+def write_images(path: Path, rows: Sequence[ImageRow]) -> None:
+    """Writes ``images.csv`` atomically; at least one row."""
+    own = COLUMNS if rows[0].T_arm_flange is not None else joint_columns(len(rows[0].q_rad))
+    text = table_text(
+        ("pose", "file", "lighting", *own),
+        ((row.pose, row.file, row.lighting, *_cells(row)) for row in rows),
+    )
+    write_atomically(path, text.encode())
+
+
+def _cells(row: ImageRow) -> Sequence[float]:
+    if row.T_arm_flange is not None:
+        return pose_cells(row.T_arm_flange)
+    return [float(angle) for angle in np.rad2deg(row.q_rad)]
+
+
+def _lighting_of(row: Row) -> str:
+    lighting = row.text("lighting")
+    if lighting not in LIGHTINGS:
+        raise Refusal(
+            "lighting-unknown",
+            f"{row.place}: lighting {lighting!r}",
+            f"it is one of {', '.join(LIGHTINGS)}",
+            "Correct the name",
+        )
+    return lighting
+
+
+def _check_picture(row: Row, path: Path, sensor: SensorSheet) -> None:
+    relative = PurePosixPath(row.text("file"))
+    if relative.is_absolute() or ".." in relative.parts:
+        raise Refusal(
+            "image-outside-session",
+            f"{row.place}: file {str(relative)!r}",
+            "a session's pictures lie inside its folder",
+        )
+    if not path.is_file():
+        raise Refusal(
+            "image-missing",
+            f"{row.place}: {shown_path(path)}",
+            "there is no such file",
+            "Restore the picture or delete the row",
+        )
+    width, height = grey_png_size(path)
+    if (width, height) != (sensor.width_px, sensor.height_px):
+        raise Refusal(
+            "image-size",
+            f"{shown_path(path)} has {width} × {height} pixels",
+            f"the sensor has {sensor.width_px} × {sensor.height_px}",
+            "Give the picture as the camera took it, and the right sensor.json",
+        )
+
+
+def _pose_of(folder: Path, arm: Arm | RobotArm, rows: list[tuple[Row, ImageRow]]) -> Pose:
+    first_row, first = rows[0]
+    files: dict[str, Path] = {}
+    for row, image in rows:
+        moved = _moved(arm, image, first)
+        if moved:
+            raise Refusal(
+                "pose-moved",
+                f"{row.place}: {moved} from line {first_row.line} of the same pose {image.pose}",
+                "the pictures of one pose are taken with the arm held still",
+                "Give the rows different pose numbers, or take the pictures again",
+            )
+        if image.lighting in files:
+            raise Refusal(
+                "image-twice",
+                f"{row.place}: a second {image.lighting!r} picture of pose {image.pose}",
+                "one is used of each lighting",
+                "Delete one of the rows",
+            )
+        files[image.lighting] = folder / image.file
+    q_rad = np.mean([image.q_rad for _, image in rows], axis=0)
+    if "ambient" in files and "laser" in files:
+        return Pose(first.pose, q_rad, files["ambient"], files["laser"], first.T_arm_flange)
+    if "both" in files:
+        return Pose(first.pose, q_rad, files["both"], None, first.T_arm_flange)
+    missing = "laser" if "ambient" in files else "ambient"
+    raise Refusal(
+        "pose-incomplete",
+        f"{first_row.place}: pose {first.pose} has no {missing!r} picture",
+        "a pose needs one 'ambient' and one 'laser' picture, or one with 'both' lights",
+        "Add the picture, or delete the pose",
+    )
+
+
+def _moved(arm: Arm | RobotArm, image: ImageRow, first: ImageRow) -> str:
+    """How an arm stood differently in two pictures of one pose; empty where it did not."""
+    if isinstance(arm, Arm):
+        moved = np.abs(np.rad2deg(image.q_rad - first.q_rad))
+        noise = 6 * np.sqrt(2) * np.rad2deg(arm.encoder_sd_rad)
+        worst = int(np.argmax(moved - noise))
+        still = moved[worst] <= STILL_DEG + noise[worst]
+        return "" if still else f"q{worst + 1}_deg differs by {moved[worst]:.4f}°"
+    assert image.T_arm_flange is not None
+    assert first.T_arm_flange is not None
+    apart = image.T_arm_flange - first.T_arm_flange
+    moved_mm = float(np.linalg.norm(apart[:3, 3]) + 500 * np.abs(apart[:3, :3]).max())
+    return "" if moved_mm <= STILL_MM else f"the flange differs by {moved_mm:.3f} mm"

@@ -1,0 +1,1 @@
+"""Settings of scanning: masks, and how stripes are extracted."""

@@ -1,0 +1,61 @@
+"""``mask.json``: zones of the sensor's picture in which nothing is to be measured."""
+
+from pathlib import Path
+from typing import Annotated, ClassVar, Self
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import Field, model_validator
+
+from app.errors import Refusal
+from app.formats.file_names import shown_path
+from app.formats.json_document import Document, Number
+
+MOST_ZONES = 32
+LEAST_AREA_PX = 4.0
+
+Corner = tuple[Number, Number]
+Zone = Annotated[tuple[Corner, ...], Field(min_length=3, max_length=64)]
+"""The corners (u, v) of a polygon, in pixels."""
+
+
+class Mask(Document):
+    """The zones, of one sensor's picture."""
+
+    FORMAT: ClassVar[str] = "crenel/mask"
+
+    width_px: int = Field(gt=0, le=65536)
+    height_px: int = Field(gt=0, le=65536)
+    sensor_serial: str = ""
+    zones: tuple[Zone, ...] = Field(max_length=MOST_ZONES)
+
+    @model_validator(mode="after")
+    def _zones_lie_in_the_picture(self) -> Self:
+        for number, zone in enumerate(self.zones, 1):
+            u, v = np.array(zone).T
+            if u.max() < 0 or v.max() < 0 or u.min() >= self.width_px or v.min() >= self.height_px:
+                raise ValueError(f"zone {number} lies beside the picture")
+            if np.abs(np.array(zone)).max() > 4 * 65536:
+                raise ValueError(f"zone {number} reaches far beyond the picture")
+            area = 0.5 * abs(float(u @ np.roll(v, -1) - v @ np.roll(u, -1)))
+            if area < LEAST_AREA_PX:
+                raise ValueError(f"zone {number} has no area")
+        return self
+
+    def where(self) -> NDArray[np.bool_]:
+        """(height, width) pixels in which the stripe may lie: all outside the zones."""
+        hidden = np.zeros((self.height_px, self.width_px), np.uint8)
+        for zone in self.zones:
+            cv2.fillPoly(hidden, [np.rint(np.array(zone)).astype(np.int32)], (1,))
+        return np.asarray(hidden == 0)
+
+    def check_size(self, path: Path, width_px: int, height_px: int) -> None:
+        """Raises ``Refusal`` for a picture that the zones were not drawn on."""
+        if (width_px, height_px) != (self.width_px, self.height_px):
+            raise Refusal(
+                "mask-size",
+                f"{shown_path(path)} has {width_px} × {height_px} pixels",
+                f"the mask is for {self.width_px} × {self.height_px}",
+                "Give the mask of the sensor that took this picture",
+            )

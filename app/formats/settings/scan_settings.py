@@ -1,0 +1,66 @@
+"""``scan_settings.json``: what an operator sets of a scan. What is not set is automatic."""
+
+import json
+from typing import Annotated, ClassVar
+
+from pydantic import Field
+
+from app.formats.json_document import Document, Number
+from app.formats.results.delay import Sync
+from app.formats.settings.mask import Mask
+from app.metrology.stripe import Choice, StripeSettings
+
+Threshold = Annotated[Number, Field(gt=0, le=60_000)]
+"""Grey levels over the surroundings."""
+Width = Annotated[Number, Field(ge=0.5, le=200)]
+"""Pixels at half height."""
+Exposure = Annotated[Number, Field(ge=1, le=10_000_000)]
+"""Microseconds."""
+Blur = Annotated[Number, Field(ge=0.001, le=100)]
+"""Millimetres."""
+
+
+class ScanSettings(Document):
+    """None leaves it to the station."""
+
+    FORMAT: ClassVar[str] = "crenel/scan-settings"
+
+    threshold: Threshold | None = None
+    min_width_px: Width | None = None
+    choice: Choice = "continuity"
+    exposure_us: Exposure | None = None
+    mask: Mask | None = None
+    blur_limit_mm: Blur | None = None
+    record_pictures: bool = False
+    sync: Sync | None = None
+
+    @property
+    def stripe(self) -> StripeSettings:
+        """What the extraction goes by."""
+        return StripeSettings(self.threshold, self.min_width_px, choice=self.choice)
+
+    @property
+    def extraction_text(self) -> str:
+        """How stripes are extracted, as JSON for a recording; empty where all is automatic."""
+        told: dict[str, object] = {}
+        if self.threshold is not None:
+            told["threshold"] = self.threshold
+        if self.min_width_px is not None:
+            told["min_width_px"] = self.min_width_px
+        if self.choice != "continuity":
+            told["choice"] = self.choice
+        if self.mask is not None:
+            told["mask"] = self.mask.fields()
+        return json.dumps(told) if told else ""
+
+    def delay_ns(self, arm_serial: str, sensor_serial: str) -> int:
+        """By how much the arm's stamps are later; 0 where it was found on other devices."""
+        sync = self.sync
+        if sync is None:
+            return 0
+        pairs = ((sync.arm_serial, arm_serial), (sync.sensor_serial, sensor_serial))
+        alike = all(of == now or not of or not now for of, now in pairs)
+        return sync.delay_ns if alike else 0
+
+
+AUTOMATIC = ScanSettings()

@@ -1,0 +1,107 @@
+"""What the simulated hand does in an arm session: seats, bars and spheres, one after another."""
+
+import time
+from collections.abc import Callable
+
+from app.guide.arm.evaluate import finish_seat
+from app.guide.arm.guide import ArmGuide
+from app.guide.arm.rules import SEATS_WANTED, touches_wanted
+from app.guide.arm.state import Kind, Purpose
+from app.guide.common.simulated_operator import Hand
+from app.station.jobs import Progress
+
+SETTLE_S = 0.5
+"""The joints' last samples come in after the hand has come to rest."""
+POSTURES: dict[Purpose, int] = {"check": 1, "tip": 1, "identify": 2}
+"""How often the hand puts the tip into a seat, each time with the elbow elsewhere."""
+
+
+def hand_work(guide: ArmGuide, hand: Hand) -> Callable[[Progress], None]:
+    """Takes the one seat of a check; of an identification all that are still wanted of the
+    chosen artefact, of a sphere one."""
+
+    def work(progress: Progress) -> None:
+        try:
+            if guide.state.swinging:
+                with guide.lock:
+                    guide.append("seat_dropped", {"name": guide.state.seats[-1].name})
+            if guide.state.purpose != "check" and guide.state.artefact.kind == "sphere":
+                _take_sphere(guide, hand, progress)
+                return
+            wanted = SEATS_WANTED if guide.state.purpose == "identify" else 1
+            wanted = max(wanted, len(guide.state.seats) + 1)
+            while guide.hand_running:
+                done = len(guide.state.seats)
+                if done >= wanted and not guide.state.half_bar:
+                    return
+                if not _take_seat(guide, hand, min(done / wanted, 1.0), progress):
+                    return
+        finally:
+            guide.hand_running = False
+
+    return work
+
+
+def _taken(guide: ArmGuide, kind: Kind) -> int:
+    return sum(seat.artefact.kind == kind for seat in guide.state.seats)
+
+
+def _take_seat(guide: ArmGuide, hand: Hand, share: float, progress: Progress) -> bool:
+    """One seat, or one end of the bar, from the approach to the end of the swing; False when
+    the hand was stopped."""
+    on_bar = guide.state.purpose == "identify" and guide.state.artefact.kind == "bar"
+    position, end = divmod(_taken(guide, "bar"), 2)
+    seat = _taken(guide, "seat")
+
+    def go(posture: int) -> bool:
+        if on_bar:
+            return hand.go_to_bar(position, end, posture)
+        return hand.go_to_seat(seat, posture)
+
+    name = f"the bar's end {'AB'[end]}" if on_bar else f"seat {seat + 1}"
+    progress(f"The hand goes to {name}", share)
+    if not go(0):
+        return False
+    time.sleep(SETTLE_S)
+    if not _begin(guide):
+        return False
+    progress(f"The hand swings the arm about {name}", share)
+    for posture in range(POSTURES[guide.state.purpose]):
+        if posture and not go(posture):
+            return False
+        time.sleep(SETTLE_S)
+        if not guide.hand_running or not hand.swing_in_seat():
+            return False
+    time.sleep(SETTLE_S)
+    _finish(guide)
+    return True
+
+
+def _take_sphere(guide: ArmGuide, hand: Hand, progress: Progress) -> None:
+    """One sphere, touched all over its top."""
+    ball = _taken(guide, "sphere")
+    if not _begin(guide):
+        return
+    of = touches_wanted(guide.state)
+    for index in range(of):
+        progress("The hand touches the sphere", index / of)
+        if not guide.hand_running or not hand.touch_ball(ball, index):
+            return
+    time.sleep(SETTLE_S)
+    _finish(guide)
+
+
+def _begin(guide: ArmGuide) -> bool:
+    with guide.lock:
+        if not guide.hand_running:
+            return False
+        guide.refuse_unless_possible("begin", {}, None, by_hand=True)
+        guide.begin_seat(None)
+        return True
+
+
+def _finish(guide: ArmGuide) -> None:
+    with guide.lock:
+        guide.refresh()
+        guide.refuse_unless_possible("finish", {}, None, by_hand=True)
+        finish_seat(guide, None)

@@ -1,0 +1,117 @@
+"""The longer works of an arm session: the fit, and putting the identified arm into use."""
+
+from datetime import UTC, datetime
+from pathlib import Path
+
+from app.errors import Refusal
+from app.formats.atomic_write import ensure_folder, write_atomically
+from app.formats.io_errors import files_refused
+from app.formats.open_file import read_bounded
+from app.formats.session.arm_session import IDENTIFIED
+from app.guide.arm.guide import ArmGuide
+from app.guide.arm.history import SOLVED
+from app.metrology.arm.identification.identify import Identification
+from app.station.jobs import Progress
+from app.workflows.identify_arm import (
+    Signature,
+    correlations_of,
+    held_figures,
+    identify_folder,
+    parameter_lines,
+)
+
+REPLACED = "replaced"
+"""Folder beside the station's arms that keeps those that were replaced."""
+
+
+def fit(guide: ArmGuide, progress: Progress) -> None:
+    """Identifies the arm from the session's folder, exactly as the command line does."""
+    folder, signing = guide.folder, guide.signing
+    signature = Signature(
+        signing.operator(), signing.station, signing.simulated, signing.temperature_c()
+    )
+    with guide.lock:
+        guide.keep_seats()
+    try:
+        sheet, result = identify_folder(
+            folder,
+            folder / IDENTIFIED,
+            progress=lambda share, text: progress(text, share),
+            signature=signature,
+        )
+    except Refusal as refusal:
+        told = {"what": refusal.what, "why": refusal.why, "remedy": refusal.remedy}
+        guide.append("fit_refused", {"code": refusal.code, **told})
+        guide.station.bus.event("refused", refusal.line, "bad")
+        return
+    named = {"arm_name": sheet.name, "arm_serial": sheet.serial_number}
+    guide.append(SOLVED, {**named, **_payload(result)})
+    guide.station.bus.event("step_done", "The arm is identified.", "good")
+
+
+def save(guide: ArmGuide, key: str | None) -> None:
+    """Makes the identified arm the station's; the one before is kept aside."""
+    target, aside = _places(guide)
+    stamp = datetime.now(UTC).strftime("%Y%m%d-%H%M%S")
+    kept = aside / f"{guide.state.arm}-{stamp}.json"
+    with files_refused(target):
+        ensure_folder(kept.parent)
+        write_atomically(kept, read_bounded(target))
+        write_atomically(target, read_bounded(guide.folder / IDENTIFIED))
+    guide.append("saved", {"name": target.name, "replaced": kept.name}, key)
+    guide.station.bus.event("accepted", "The identified arm is in use.", "good")
+
+
+def restore(guide: ArmGuide, key: str | None) -> None:
+    """Makes the arm before the identified one the station's again.
+
+    Raises:
+        Refusal: the arm's file is no longer what this session wrote, or cannot be replaced.
+    """
+    target, aside = _places(guide)
+    kept = aside / guide.state.replaced
+    with files_refused(target):
+        now, identified = read_bounded(target), read_bounded(guide.folder / IDENTIFIED)
+    if now != identified:
+        raise Refusal(
+            "arm-changed",
+            f"{target.name} was changed after this session had written it",
+            remedy=f"the arm of before is in arms/{REPLACED}/{kept.name}; put it back by hand",
+        )
+    with files_refused(kept):
+        write_atomically(target, read_bounded(kept))
+    guide.append("restored", {"name": target.name}, key)
+    guide.station.bus.event("accepted", "The arm is as it was before.", "good")
+
+
+def _places(guide: ArmGuide) -> tuple[Path, Path]:
+    """The file of the session's arm, and the folder that keeps those that were replaced."""
+    arms = guide.data_folder / "arms"
+    return arms / f"{guide.state.arm}.json", arms / REPLACED
+
+
+def _payload(result: Identification) -> dict[str, object]:
+    before, after = result.validation.before, result.validation.after
+    lines = [
+        {"title": title, "before_um": was, "after_um": now}
+        for title, was, now in (
+            ("Seats", before.seats_um, after.seats_um),
+            ("Spheres", before.spheres_um, after.spheres_um),
+            ("Ball bars' lengths", before.lengths_um, after.lengths_um),
+        )
+        if was is not None and now is not None
+    ]
+    return {
+        "volume_before_um": result.volume_before_mm * 1e3,
+        "volume_after_um": result.volume_after_mm * 1e3,
+        "size_known": result.size_known,
+        "places": result.validation.places,
+        "lines": lines,
+        "parameters": parameter_lines(result),
+        "kept": [{"names": names, "why": why} for names, why in held_figures(result)],
+        "correlated": [
+            {"first": first, "second": second, "coefficient": rho}
+            for first, second, rho in correlations_of(result)
+        ],
+        "warnings": list(result.warnings),
+    }

@@ -1,0 +1,33 @@
+"""What the commands of the guided calibration carry."""
+
+from typing import Literal
+
+from app.guide.common.arguments import (
+    Arguments,
+    ArgumentTable,
+    BackArguments,
+    IndexArguments,
+    NumberArguments,
+    OperatorArguments,
+    Text,
+)
+
+
+class _Choice(Arguments):
+    field: Literal["arm", "object", "sensor"]
+    id: Text
+
+
+class _Face(Arguments):
+    face: Text
+
+
+ARGUMENTS: ArgumentTable = {
+    "choose": _Choice,
+    "select_face": _Face,
+    "void_point": IndexArguments,
+    "void_pose": NumberArguments,
+    "restore_pose": NumberArguments,
+    "back": BackArguments,
+    "let_hand": OperatorArguments,
+}

@@ -1,0 +1,215 @@
+"""What the operator can tell the flow to do; each command leaves a row in the journal."""
+
+from collections.abc import Callable
+
+from app.errors import Refusal
+from app.guide.calibration import tasks as works
+from app.guide.calibration.flow import HEADINGS
+from app.guide.calibration.guide import Guide
+from app.guide.calibration.simulated_operator import hand_work
+from app.guide.calibration.state import STEPS
+from app.guide.calibration.touch import points as taking
+from app.guide.common.arguments import Args
+from app.guide.common.buttons import ButtonName, Press
+from app.guide.common.commands import AT_ANY_REV, start_hand, start_job, stop_hand
+from app.guide.common.view import FlowView
+
+
+def command(guide: Guide, name: str, args: Args, rev: int, key: str) -> FlowView:
+    """Does a command of the browser, once for each ``key``.
+
+    Raises:
+        StaleCommand: ``rev`` is not that of the present view, which it carries.
+        Refusal: the command is not possible now.
+    """
+    with guide.lock:
+        if guide.knows_key(key):
+            return guide.refresh()
+        rev_seen = None if name in AT_ANY_REV else rev
+        _act(guide, name, guide.refuse_unless_possible(name, args, rev_seen), key)
+        return guide.refresh()
+
+
+BY_MAIN_BUTTON = ("place", "capture", "solve")
+"""Steps whose main action the arm's main button does too. Devices, set-up and the result are
+looked at, and confirmed on the screen."""
+
+
+def action_of(guide: Guide, button: ButtonName) -> tuple[str, Args]:
+    """The command that a button of the arm gives now; its name is empty for none."""
+    step = guide.state.step
+    if not guide.running:
+        return "", {}
+    if button == "back":
+        return ("back" if step != STEPS[0] else ""), {}
+    if step == "touch":
+        return ("take_point" if button == "primary" else "undo"), {}
+    if button == "primary" and step in BY_MAIN_BUTTON and not guide.hand_running:
+        for action in guide.view().actions:
+            if action.primary:
+                return action.name, action.args
+    return "", {}
+
+
+def press(guide: Guide, event: Press) -> bool:
+    """The arm's buttons: primary takes a point or does the step's main action, undo takes a
+    point back, and back goes a step back. False where the button means nothing now."""
+    with guide.lock:
+        name, args = action_of(guide, event.button)
+        if not name:
+            return False
+        by_hand = guide.hand_running and guide.state.step == "touch"
+        try:
+            if name == "take_point":
+                # whether the arm was still is judged as of the press, not as of now
+                source = "hand" if by_hand else "button"
+                taking.take_point(guide, source, event.stamp_ns, None)
+            else:
+                undoing = by_hand and name == "undo"
+                _act(guide, name, guide.refuse_unless_possible(name, args, None, undoing), None)
+        except Refusal as refusal:
+            guide.decline(refusal)
+        guide.refresh()
+        return True
+
+
+def _act(guide: Guide, name: str, args: Args, key: str | None) -> None:
+    if name in CONFIRMATIONS:
+        confirm(guide, name, key)
+    else:
+        ACTS[name](guide, args, key)
+
+
+def _choose(guide: Guide, args: Args, key: str | None) -> None:
+    guide.append("chosen", {"field": args["field"], "id": args["id"]}, key)
+
+
+def _select_face(guide: Guide, args: Args, key: str | None) -> None:
+    guide.append("face_selected", {"face": args["face"]}, key)
+
+
+def _take_point(guide: Guide, args: Args, key: str | None) -> None:
+    taking.take_point(guide, "click", None, key)
+
+
+def _undo(guide: Guide, args: Args, key: str | None) -> None:
+    taking.undo(guide, key)
+
+
+def _redo(guide: Guide, args: Args, key: str | None) -> None:
+    taking.redo(guide, key)
+
+
+def _void_point(guide: Guide, args: Args, key: str | None) -> None:
+    index = args["index"]
+    assert isinstance(index, int)
+    taking.void_point(guide, index, key)
+
+
+def _back(guide: Guide, args: Args, key: str | None) -> None:
+    before = STEPS[STEPS.index(guide.state.step) - 1]
+    guide.append("went_back", {"to": args.get("to", before)}, key)
+
+
+def _retake(guide: Guide, args: Args, key: str | None) -> None:
+    guide.append("retaken", {}, key)
+
+
+def _another_pose(guide: Guide, args: Args, key: str | None) -> None:
+    guide.append("another_pose", {}, key)
+
+
+def _void_pose(guide: Guide, args: Args, key: str | None) -> None:
+    guide.append("pose_voided", {"number": args["number"]}, key)
+    _poses_changed(guide)
+
+
+def _restore_pose(guide: Guide, args: Args, key: str | None) -> None:
+    guide.append("pose_restored", {"number": args["number"]}, key)
+    _poses_changed(guide)
+
+
+def _poses_changed(guide: Guide) -> None:
+    """The folder follows; while poses are still taken, the next one is advised anew."""
+    guide.folder.keep_images(guide.state.pictures)
+    if guide.state.step == "solve" and guide.state.advice is None:
+        title = "Working out which pose would help most"
+        start_job(guide, title, lambda _progress: works.keep_advice(guide))
+
+
+def _capture(guide: Guide, args: Args, key: str | None) -> None:
+    guide.append("capture_started", {}, key)
+    start_job(guide, "Taking the picture", lambda progress: works.capture(guide, progress))
+
+
+def _solve(guide: Guide, args: Args, key: str | None) -> None:
+    guide.append("solve_started", {}, key)
+    start_job(guide, "Calibrating", lambda progress: works.calibrate(guide, progress))
+
+
+def _let_hand(guide: Guide, args: Args, key: str | None) -> None:
+    hand = guide.station.hand
+    assert hand is not None
+    whole = args.get("all") is True
+    guide.append("hand_started", {"all": whole}, key)
+    start_hand(guide, hand_work(guide, hand, whole))
+
+
+def _stop_hand(guide: Guide, args: Args, key: str | None) -> None:
+    stop_hand(guide)
+    guide.append("hand_stopped", {}, key)
+
+
+def _accept(guide: Guide, args: Args, key: str | None) -> None:
+    seen = guide.live().seen
+    assert seen is not None
+    assert seen.result is not None
+    guide.accept(seen.result, key)
+
+
+def _repeat(guide: Guide, args: Args, key: str | None) -> None:
+    guide.repeat(key)
+
+
+def _abandon(guide: Guide, args: Args, key: str | None) -> None:
+    guide.append("abandoned", {}, key)
+
+
+ACTS: dict[str, Callable[[Guide, Args, str | None], None]] = {
+    "choose": _choose,
+    "select_face": _select_face,
+    "take_point": _take_point,
+    "undo": _undo,
+    "redo": _redo,
+    "void_point": _void_point,
+    "back": _back,
+    "retake": _retake,
+    "another_pose": _another_pose,
+    "void_pose": _void_pose,
+    "restore_pose": _restore_pose,
+    "capture": _capture,
+    "solve": _solve,
+    "let_hand": _let_hand,
+    "stop_hand": _stop_hand,
+    "accept": _accept,
+    "repeat": _repeat,
+    "abandon": _abandon,
+}
+
+
+CONFIRMATIONS = {
+    "confirm_devices": "devices_confirmed",
+    "confirm_setup": "setup_confirmed",
+    "confirm_touch": "touch_confirmed",
+    "confirm_place": "place_confirmed",
+    "keep_picture": "capture_kept",
+}
+
+
+def confirm(guide: Guide, name: str, key: str | None) -> None:
+    """Confirms a step; from the set-up on, the session uses its own copies of the sheets."""
+    with guide.lock:
+        if name == "confirm_setup":
+            guide.folder.keep_sheets(guide.sheets.library(True), guide.state)
+        guide.append(CONFIRMATIONS[name], {}, key)
+        guide.station.bus.event("step_done", f"Next: {HEADINGS[guide.state.step].lower()}.")

@@ -1,0 +1,102 @@
+"""The guided calibration: the journal's state and the live station, as one view. Pure."""
+
+from collections.abc import Callable
+
+from app.guide.calibration.live import Live
+from app.guide.calibration.state import STEPS, CalibrationState
+from app.guide.calibration.steps.body import Body, offer
+from app.guide.calibration.steps.capture import capture_step, place_step, solve_step
+from app.guide.calibration.steps.review import review_step
+from app.guide.calibration.steps.setup import devices_step, setup_step
+from app.guide.calibration.steps.touch import touch_step
+from app.guide.common.view import Action, FlowView, Step, StepState
+
+TITLES = {
+    "devices": "Devices",
+    "setup": "Set-up",
+    "touch": "Touch",
+    "place": "Hold",
+    "capture": "Capture",
+    "solve": "Calibrate",
+    "review": "Review",
+}
+HEADINGS = {
+    "devices": "Check the devices",
+    "setup": "Choose what is in use",
+    "touch": "Touch the object",
+    "place": "Hold the sensor over the object",
+    "capture": "Take the picture",
+    "solve": "Calibrate",
+    "review": "Review the calibration",
+}
+BODIES: dict[str, Callable[[CalibrationState, Live], Body]] = {
+    "devices": devices_step,
+    "setup": setup_step,
+    "touch": touch_step,
+    "place": place_step,
+    "capture": capture_step,
+    "solve": solve_step,
+    "review": review_step,
+}
+
+
+def view_of(state: CalibrationState, live: Live) -> FlowView:
+    """Everything that the browser shows of the calibration, for any state."""
+    if state.ended in ("abandoned", "repeated"):
+        state = CalibrationState(choices=state.choices)
+    body = BODIES[state.step](state, live)
+    running = bool(state.session_id) and not state.ended
+    return FlowView(
+        session_id=state.session_id,
+        rev=live.rev,
+        running=running,
+        steps=[Step(step, TITLES[step], _step_state(state, step)) for step in STEPS],
+        step=state.step,
+        title="The calibration is in use" if state.ended == "accepted" else HEADINGS[state.step],
+        instruction=body.instruction,
+        picture=body.picture,
+        number=body.number,
+        progress=body.progress,
+        findings=[*([live.trouble] if live.trouble else []), *body.findings],
+        actions=[*body.actions, *_common(state, live)] if running else _closed(state, live, body),
+        busy=live.busy,
+    )
+
+
+def _step_state(state: CalibrationState, step: str) -> StepState:
+    place, here = STEPS.index(step), STEPS.index(state.step)
+    if state.ended == "accepted" or place < here:
+        return "done"
+    if place == here:
+        return "current"
+    return "stale" if place <= STEPS.index(state.reached) else "todo"
+
+
+def _common(state: CalibrationState, live: Live) -> list[Action]:
+    """What every step offers: the hand, the way back, the way out."""
+    actions = []
+    if live.hand_running:
+        actions.append(offer(state, live, "stop_hand", "Stop the hand", primary=True))
+    elif live.has_hand and state.step != "review":
+        actions.append(offer(state, live, "let_hand", "Let the hand do it"))
+        if state.step == "devices":
+            actions.append(
+                offer(state, live, "let_hand", "Let the hand do everything", {"all": True})
+            )
+    if state.step not in ("devices", "review"):
+        actions.append(offer(state, live, "back", "Back"))
+    actions.append(
+        offer(
+            state,
+            live,
+            "abandon",
+            "Abandon",
+            confirm="Abandon this calibration? The calibration in use stays as it is.",
+        )
+    )
+    return actions
+
+
+def _closed(state: CalibrationState, live: Live, body: Body) -> list[Action]:
+    """Of a session that is over only its result is shown."""
+    return list(body.actions) if state.ended == "accepted" else []

@@ -1,0 +1,306 @@
+"""Walks the operator through the calibration: journal, station and view, brought together."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from pathlib import Path
+
+import numpy as np
+
+from app.errors import Refusal
+from app.findings import Finding
+from app.guide.calibration.arguments import ARGUMENTS
+from app.guide.calibration.flow import view_of
+from app.guide.calibration.live import ConnectedArm, ConnectedSensor, Live
+from app.guide.calibration.outcome import Outcome, from_payload
+from app.guide.calibration.poses.advice import Advice, remaining
+from app.guide.calibration.poses.advice import from_payload as advice_from
+from app.guide.calibration.poses.detection import SeenPoses
+from app.guide.calibration.rules import why_not
+from app.guide.calibration.session_datasheets import CHOOSING, Sheets, best_guess
+from app.guide.calibration.session_folder import SessionFolder
+from app.guide.calibration.state import ENDS, FIELDS, KINDS, CalibrationState, after
+from app.guide.common.guided_session import Flow, GuidedSession, new_session_id
+from app.guide.common.journal import Calibrations, Journal
+from app.guide.common.provenance import UNSIGNED, Signing
+from app.guide.common.result_view import CalibrationResult
+from app.guide.common.simulated_operator import Hand
+from app.guide.common.view import FlowView
+from app.metrology.adjustment.planning.next_pose import Hold
+from app.metrology.arm.kinematics import flange_pose
+from app.metrology.limits import LIMITS, Limits
+from app.metrology.transforms import Floats
+from app.station.bus import Bus
+from app.station.devices.rig import Rig
+from app.station.jobs import Jobs
+from app.station.preview.preview import Preview
+from app.station.scan.state import ScanState
+from app.station.view3d.scene import Scene
+from app.workflows.calibrate import AnySeen
+
+KIND = "calibration"
+FLOW = Flow(KIND, "flow", CalibrationState(), after, view_of, why_not, ARGUMENTS)
+
+
+class StaleCommand(Exception):
+    """A command was given on a view that is no longer the present one."""
+
+    def __init__(self, view: FlowView) -> None:
+        self.view = view
+        super().__init__("the calibration went on meanwhile")
+
+
+@dataclass(frozen=True)
+class Station:
+    """The parts of the machine room that the guide works with."""
+
+    bus: Bus
+    rig: Rig
+    preview: Preview
+    scene: Scene
+    jobs: Jobs
+    hand: Hand | None
+
+
+class Guide(GuidedSession[CalibrationState, Live, FlowView]):
+    """The one calibration session of a station: its journal, and what is shown of it.
+
+    ``on_closed`` is called after a session was accepted or abandoned.
+    """
+
+    station: Station
+
+    def __init__(
+        self,
+        station: Station,
+        journal: Journal,
+        calibrations: Calibrations,
+        data_folder: Path,
+        on_closed: Callable[[], None],
+        limits: Limits = LIMITS,
+        signing: Signing = UNSIGNED,
+    ) -> None:
+        super().__init__(station, journal, FLOW)
+        self.signing = signing
+        self.limits = limits
+        """What a calibration's verdict goes by."""
+        self.seen_poses = SeenPoses()
+        self.calibrations = calibrations
+        self.tip: Callable[[], Finding | None] = lambda: None
+        """What the last check of the tip says."""
+        self._data_folder = data_folder
+        self._on_closed = on_closed
+        self._sheets: Sheets | None = None
+        self._outcome: tuple[Mapping[str, object] | None, Outcome | None] = (None, None)
+        self._captured: dict[int, tuple[Mapping[str, object], Outcome]] = {}
+        self._advised: tuple[Mapping[str, object] | None, Advice | None] = (None, None)
+        self.resume()
+
+    @property
+    def sheets(self) -> Sheets:
+        """What the present session chooses from, and chose."""
+        path = self._data_folder / "sessions" / (self.state.session_id or "none")
+        if self._sheets is None or self._sheets.folder.path != path:
+            self._sheets = Sheets(SessionFolder(path), self.limits)
+        return self._sheets
+
+    @property
+    def folder(self) -> SessionFolder:
+        """The present session's folder."""
+        return self.sheets.folder
+
+    def known_poses(self) -> Mapping[int, AnySeen | Refusal]:
+        """What the pictures of this session's poses show, by number, as far as remembered."""
+        return self.seen_poses.of(self.state.session_id)
+
+    # -- what is shown -------------------------------------------------------
+
+    def live(self) -> Live:
+        """The station as the flow sees it."""
+        rig, state = self.station.rig, self.state
+        preview = self.station.preview.latest()
+        return Live(
+            rev=self.rev,
+            arm_link=rig.arm.link(),
+            sensor_link=rig.sensor.link(),
+            arm=self._connected_arm(),
+            sensor=self._connected_sensor(),
+            stillness=rig.arm.stillness(),
+            library=self.sheets.library(state.step in CHOOSING),
+            chosen=self.sheets.chosen(state),
+            touch=self.sheets.touch(state),
+            laser_on=rig.sensor.laser_on,
+            corners_seen=len(preview.header.corners) if preview else 0,
+            picture_findings=tuple(preview.header.findings) if preview else (),
+            seen=self._seen(),
+            looked_at=self._looked_at(),
+            advice=self._advice(),
+            to_move=self._to_move(),
+            scanning=self._scanning(),
+            tip=self.tip() if state.step == "setup" else None,
+            has_hand=self.station.hand is not None,
+            busy=self.busy,
+            hand_running=self.hand_running,
+            trouble=self._trouble,
+        )
+
+    def _seen(self) -> Outcome | None:
+        """The outcome of the solve, or before one of the capture; parsed once."""
+        picture = self.state.picture
+        payload = self.state.outcome or (picture.outcome if picture else None)
+        if self.state.step == "review" and self.state.solved is not None:
+            payload = self.state.solved.outcome
+        if self._outcome[0] is not payload:
+            self._outcome = (payload, from_payload(payload) if payload else None)
+        return self._outcome[1]
+
+    def _looked_at(self) -> Mapping[int, Outcome]:
+        """What the captures showed, each parsed once."""
+        for capture in self.state.captures:
+            known = self._captured.get(capture.number)
+            if known is None or known[0] is not capture.outcome:
+                self._captured[capture.number] = (capture.outcome, from_payload(capture.outcome))
+        return {
+            capture.number: self._captured[capture.number][1] for capture in self.state.captures
+        }
+
+    def _advice(self) -> Advice | None:
+        """The advice on the next pose, parsed once."""
+        payload = self.state.advice
+        if self._advised[0] is not payload:
+            self._advised = (payload, advice_from(payload) if payload else None)
+        return self._advised[1]
+
+    def _to_move(self) -> Hold | None:
+        """What is still to be moved to the advised hold, while the sensor is aimed."""
+        advice, chosen = self._advice(), self.sheets.chosen(self.state)
+        newest = self.station.rig.arm.latest()
+        aiming = self.state.step in ("place", "capture")
+        if not aiming or advice is None or chosen.arm is None or chosen.object is None:
+            return None
+        if newest is None or len(newest.joints_rad) != chosen.arm.joint_count:
+            return None
+        T_arm_flange = flange_pose(chosen.arm, np.array(newest.joints_rad))
+        return remaining(advice, T_arm_flange, chosen.object)
+
+    def _scanning(self) -> bool:
+        scan = self.station.bus.latest("scan")
+        return isinstance(scan, ScanState) and scan.state in ("running", "stopping")
+
+    def _connected_arm(self) -> ConnectedArm | None:
+        info = self.station.rig.arm.info
+        return ConnectedArm(info.serial_number, info.joint_count) if info else None
+
+    def _connected_sensor(self) -> ConnectedSensor | None:
+        info = self.station.rig.sensor.info
+        if info is None:
+            return None
+        return ConnectedSensor(info.serial_number, info.width_px, info.height_px)
+
+    # -- sessions ------------------------------------------------------------
+
+    def start(self) -> FlowView:
+        """Begins a session; an open one is resumed instead."""
+        with self.lock:
+            if not self.running:
+                self._begin("devices", None)
+            return self.refresh()
+
+    def repeat(self, key: str | None) -> None:
+        """Closes the session if it is open, and begins the next with the same set-up."""
+        with self.lock:
+            if self.running:
+                self.append("repeated", {})
+            library = self.sheets.library(True)
+            known = all(library.has(name, self.state.choices.get(name, "")) for name in FIELDS)
+            self._begin("touch" if known else "devices", key)
+
+    def _begin(self, step: str, key: str | None) -> None:
+        library = self.sheets.library(True)
+        choices = dict(self.state.choices)
+        if step == "devices":
+            choices = best_guess(
+                library, self.state, self._connected_arm(), self._connected_sensor()
+            )
+        session_id = new_session_id()
+        with self.beginning():
+            self.state = CalibrationState(session_id=session_id, choices=choices)
+            if step == "touch":
+                self.folder.keep_sheets(library, self.state)
+            self._journal.begin_session(session_id, KIND)
+            self.append("started", {"choices": choices, "step": step}, key)
+
+    # -- changes -------------------------------------------------------------
+
+    def append(self, kind: str, payload: Mapping[str, object], key: str | None = None) -> None:
+        """Writes a row, and brings state, folder and station in line with it."""
+        assert kind in KINDS, kind
+        with self.lock:
+            session_id = self.state.session_id
+            self.keep(lambda check: self._journal.append(session_id, kind, payload, key, check))
+            self._trouble = None
+            if kind in ENDS:
+                self._journal.end_session(self.state.session_id)
+            self._settle()
+
+    def accept(self, result: CalibrationResult, key: str | None) -> None:
+        """Makes the session's calibration the one in use."""
+        with self.lock:
+            chosen = self.sheets.chosen(self.state)
+            figures = {
+                "total_um": result.total_um,
+                "verdict": result.verdict,
+                "arm_serial": chosen.arm.serial_number if chosen.arm else "",
+                "object_serial": chosen.object.serial_number if chosen.object else "",
+                "sensor_serial": chosen.sensor.serial_number if chosen.sensor else "",
+            }
+            name = f"Calibration {datetime.now(UTC):%Y-%m-%d %H:%M} UTC"
+            file = self.folder.calibration
+            self.folder.keep_acceptance(name, result, self.signing)
+            session_id = self.state.session_id
+            self.keep(
+                lambda check: self.calibrations.accept(session_id, name, file, figures, key, check)
+            )
+            self.station.bus.event("accepted", f"{name} is in use.", "good")
+            self._settle()
+
+    def _settle(self) -> None:
+        self.bring_in_line()
+        self.changed.notify_all()
+        self.refresh()
+        if self.state.ended in ("accepted", "abandoned"):
+            self._on_closed()
+
+    def bring_in_line(self) -> None:
+        """The rig, the preview and the 3D view work with what the session chose."""
+        state, station = self.state, self.station
+        if not self.running:
+            station.preview.detect(None)
+            return
+        chosen = self.sheets.chosen(state)
+        station.rig.arm.set_model(chosen.arm)
+        if chosen.sensor is not None:
+            station.preview.set_stripe_axis(chosen.sensor.stripe_axis)
+        aiming = state.step in ("place", "capture")
+        station.preview.detect(chosen.object if aiming else None)
+        if chosen.arm is not None:
+            station.scene.set_arm_model(chosen.arm)
+        T_arm_obj = self._place_of_object()
+        if T_arm_obj is not None and chosen.object is not None:
+            station.scene.set_object(T_arm_obj, chosen.object)
+        else:
+            station.scene.clear_object()
+
+    def _place_of_object(self) -> Floats | None:
+        """``T_arm_obj`` (4, 4) by the contacts, or by the pictures so far; None before."""
+        touch, advice = self.sheets.touch(self.state), self._advice()
+        if touch is not None and touch.alignment is not None:
+            return touch.alignment.T_arm_obj
+        return np.array(advice.T_arm_obj) if advice is not None else None
+
+    @property
+    def rev(self) -> int:
+        return self._journal.last_number()
+
+    def stale(self) -> Exception:
+        return StaleCommand(self.view())

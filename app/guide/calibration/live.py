@@ -1,0 +1,88 @@
+"""What the flow's view depends on beside the journal. Pure."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from app.findings import Finding
+from app.formats.datasheets.sensor import SensorSheet
+from app.guide.calibration.outcome import Outcome
+from app.guide.calibration.poses.advice import Advice
+from app.guide.calibration.touch.report import TouchReport
+from app.guide.common.datasheet_library import Library
+from app.guide.common.view import Busy
+from app.metrology.adjustment.planning.next_pose import Hold
+from app.metrology.arm.kinematics import Arm
+from app.metrology.targets.chessboard import Chessboard
+from app.metrology.targets.target import CalibrationObject
+from app.station.devices.link_state import DeviceState
+from app.station.devices.stillness import Stillness
+
+
+@dataclass(frozen=True)
+class ConnectedArm:
+    """What the arm on the line says of itself."""
+
+    serial_number: str
+    joint_count: int
+
+
+@dataclass(frozen=True)
+class ConnectedSensor:
+    """What the sensor on the line says of itself."""
+
+    serial_number: str
+    width_px: int
+    height_px: int
+
+
+@dataclass(frozen=True)
+class Chosen:
+    """The sheets that the session's choices name; None where there is none (any more)."""
+
+    arm: Arm | None
+    object: CalibrationObject | None
+    sensor: SensorSheet | None
+
+    @property
+    def board(self) -> Chessboard | None:
+        """The object where it is a chessboard."""
+        return self.object if isinstance(self.object, Chessboard) else None
+
+
+@dataclass(frozen=True)
+class Live:
+    """The station as it is now."""
+
+    rev: int
+    """Number of the newest row in the station's whole journal."""
+    arm_link: DeviceState
+    sensor_link: DeviceState
+    arm: ConnectedArm | None
+    sensor: ConnectedSensor | None
+    stillness: Stillness
+    library: Library
+    chosen: Chosen
+    touch: TouchReport | None
+    """None until an arm and an object are chosen."""
+    laser_on: bool
+    corners_seen: int
+    """Corners of the object found in the live picture."""
+    picture_findings: tuple[Finding, ...]
+    """Exposure, saturation and sharpness of the live picture."""
+    seen: Outcome | None
+    """What the solve, or before it the capture, found in the pictures; in the review the
+    last solve's, even where a pose was set aside or taken back since."""
+    looked_at: Mapping[int, Outcome]
+    """What each capture showed as it was taken, by the pose's number."""
+    advice: Advice | None
+    """Which pose to take next, for the points and pictures as they are."""
+    to_move: Hold | None
+    """What is still to be moved to the advised hold."""
+    scanning: bool
+    tip: Finding | None
+    """What the last check of the tip says, while the set-up is looked at."""
+    has_hand: bool
+    busy: Busy | None
+    hand_running: bool
+    trouble: Finding | None
+    """Why the last thing asked for was not done."""

@@ -1,0 +1,1 @@
+"""The poses of a calibration: detection in each capture, and which pose helps most next."""

@@ -1,0 +1,53 @@
+"""Which pictures of a chessboard to take before the calibration itself can tell. Pure."""
+
+from collections.abc import Sequence
+
+from app.guide.calibration.state import Capture
+from app.metrology.adjustment.board.initial_guess import FEWEST_POSES
+from app.metrology.adjustment.planning.next_pose import Hold
+
+# From straight above, then tilted to every side: a flat board tells the focal length only where
+# it is tilted, and where the sensor sits only where the arm turns about more than one axis.
+VIEWS = (
+    Hold(0.0, 0.0, 0.0, 0.0),
+    Hold(20.0, 0.0, 0.0, 0.0),
+    Hold(0.0, 20.0, 20.0, 0.0),
+    Hold(-20.0, 0.0, 0.0, 0.0),
+    Hold(0.0, -20.0, -20.0, 0.0),
+)
+"""Each against a hold straight above the board."""
+
+
+def next_view(listed: Sequence[Capture]) -> int | None:
+    """Which of ``VIEWS`` to take after the pictures taken, those set aside among them: the next,
+    or in the end one that was set aside; None once the calibration tells which helps most."""
+    aside = [view for view, picture in enumerate(listed[: len(VIEWS)]) if picture.gone]
+    if sum(not picture.gone for picture in listed) >= len(VIEWS):
+        return None
+    if len(listed) < len(VIEWS):
+        return len(listed)
+    again = len(listed) - len(VIEWS)  # pictures taken since, for the first of those set aside
+    return aside[min(again, len(aside) - 1)]
+
+
+def planned_view(listed: Sequence[Capture]) -> Hold | None:
+    """How to hold the sensor for the ``next_view``."""
+    view = next_view(listed)
+    return None if view is None else VIEWS[view]
+
+
+def words_of(view: Hold) -> str:
+    """How to hold the sensor, as one sentence."""
+    if view == VIEWS[0]:
+        return "Hold the sensor straight above the chessboard, its longer side along the picture."
+    return f"From straight above the chessboard: {view.words}. Follow the dashed outline."
+
+
+def still_missing(usable: int) -> str:
+    """Why there is no calibration yet from so many pictures; empty where there may be one."""
+    more = FEWEST_POSES - usable
+    if more <= 0:
+        return ""
+    if more == 1:
+        return "A chessboard is seen from several sides: take one more picture."
+    return f"A chessboard is seen from several sides: take {more} more pictures."

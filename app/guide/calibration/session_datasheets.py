@@ -1,0 +1,96 @@
+"""Which arm, object and sensor a session uses, and how its points agree with them."""
+
+import time
+
+from app.guide.calibration.live import Chosen, ConnectedArm, ConnectedSensor
+from app.guide.calibration.session_folder import SessionFolder
+from app.guide.calibration.state import FIELDS, CalibrationState
+from app.guide.calibration.touch.report import TouchReport, touch_report
+from app.guide.common.datasheet_library import Library, read_library
+from app.metrology.limits import Limits
+from app.metrology.targets.crenellated_block import Crenellated
+
+FRESH_S = 2.0
+"""While the operator chooses, files that were added are seen after this time."""
+CHOOSING = ("devices", "setup")
+TARGET_SHARE = 0.3
+"""The contacts may take so much of what a good calibration may be uncertain by."""
+
+
+class Sheets:
+    """Reads the sheets once and again only when they may have changed; not thread-safe."""
+
+    def __init__(self, folder: SessionFolder, limits: Limits) -> None:
+        self._target_um = TARGET_SHARE * limits.good_um
+        self._data_folder = folder.path.parent.parent
+        self.folder = folder
+        self._library: Library | None = None
+        self._read_at = 0.0
+        self._own: Chosen | None = None
+        self._report: tuple[object, TouchReport | None] = (None, None)
+
+    def library(self, choosing: bool) -> Library:
+        """What the station knows."""
+        old = time.monotonic() - self._read_at > FRESH_S
+        if self._library is None or (choosing and old):
+            self._library = read_library(self._data_folder)
+            self._read_at = time.monotonic()
+        return self._library
+
+    def chosen(self, state: CalibrationState) -> Chosen:
+        """The library's sheets while choosing; later the session's own copies."""
+        if state.step in CHOOSING or not state.session_id:
+            self._own = None
+            library = self.library(True)
+            arm, item, sensor = (state.choices.get(name, "") for name in FIELDS)
+            return Chosen(
+                library.arms[arm].sheet if arm in library.arms else None,
+                library.objects[item].sheet if item in library.objects else None,
+                library.sensors[sensor].sheet if sensor in library.sensors else None,
+            )
+        if self._own is None:
+            self._own = self.folder.sheets()
+        return self._own
+
+    def touch(self, state: CalibrationState) -> TouchReport | None:
+        """The touch report of the points that count; computed once for the same points."""
+        chosen = self.chosen(state)
+        key = (state.counted, chosen.arm, chosen.object)
+        if self._report[0] != key:
+            report = None
+            if chosen.arm is not None and chosen.object is not None:
+                report = touch_report(state.counted, chosen.arm, chosen.object, self._target_um)
+            self._report = (key, report)
+        return self._report[1]
+
+
+def best_guess(
+    library: Library,
+    before: CalibrationState,
+    arm: ConnectedArm | None,
+    sensor: ConnectedSensor | None,
+) -> dict[str, str]:
+    """What a new session begins with: the connected devices' sheets, else the last choice, else
+    the only one there is; of objects the only block, beside any chessboards."""
+    guess: dict[str, str] = {}
+    arms = {entry.id: entry.sheet.serial_number for entry in library.arms.values()}
+    sensors = {entry.id: entry.sheet.serial_number for entry in library.sensors.values()}
+    blocks = [
+        entry.id for entry in library.objects.values() if isinstance(entry.sheet, Crenellated)
+    ]
+    for field, known, serial in (
+        ("arm", arms, arm.serial_number if arm else None),
+        ("object", dict.fromkeys(library.objects, ""), None),
+        ("sensor", sensors, sensor.serial_number if sensor else None),
+    ):
+        connected = [entry for entry, number in known.items() if serial and number == serial]
+        last = before.choices.get(field, "")
+        if len(connected) == 1:
+            guess[field] = connected[0]
+        elif last in known:
+            guess[field] = last
+        elif len(known) == 1:
+            guess[field] = next(iter(known))
+        elif field == "object" and len(blocks) == 1:
+            guess[field] = blocks[0]
+    return guess

@@ -1,0 +1,136 @@
+"""The folder of a guided session (docs/formats.md), which can be rebuilt from its files alone."""
+
+from collections.abc import Sequence
+from datetime import UTC, datetime
+from pathlib import Path
+
+import numpy as np
+
+from app.errors import Refusal
+from app.formats.atomic_write import ensure_folder, write_atomically
+from app.formats.datasheets.arm import read_arm
+from app.formats.datasheets.sensor import read_sensor
+from app.formats.datasheets.target import read_object
+from app.formats.images import write_png
+from app.formats.io_errors import files_refused
+from app.formats.json_document import sha256_of
+from app.formats.open_file import read_bounded
+from app.formats.results.acceptance import ACCEPTANCE, Acceptance, ComparisonPart
+from app.formats.session.calibration_session import (
+    ARM,
+    IMAGES,
+    OBJECT,
+    PICTURES,
+    PROBING,
+    SENSOR,
+    Contacts,
+    ImageRow,
+    write_contacts,
+    write_images,
+)
+from app.guide.calibration.live import Chosen
+from app.guide.calibration.state import CalibrationState, Contact
+from app.guide.calibration.state import Capture as Captured
+from app.guide.common.datasheet_library import Library
+from app.guide.common.provenance import Signing
+from app.guide.common.result_view import CalibrationResult
+from app.station.devices.capture import Capture
+
+CALIBRATION = "calibration.json"
+
+
+class SessionFolder:
+    """Writes what the journal says into the session's folder; the journal is the record."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self.calibration = path / CALIBRATION
+
+    def keep_sheets(self, library: Library, state: CalibrationState) -> None:
+        """Copies the chosen arm, object and sensor, which the session uses from now on."""
+        with files_refused(self.path):
+            ensure_folder(self.path / PICTURES)
+            sources = (
+                (library.arms[state.choices["arm"]].path, ARM),
+                (library.objects[state.choices["object"]].path, OBJECT),
+                (library.sensors[state.choices["sensor"]].path, SENSOR),
+            )
+            for source, name in sources:
+                write_atomically(self.path / name, read_bounded(source))
+
+    def sheets(self) -> Chosen:
+        """The session's own copies; None for what cannot be read any more."""
+        try:
+            return Chosen(
+                read_arm(self.path / ARM),
+                read_object(self.path / OBJECT),
+                read_sensor(self.path / SENSOR),
+            )
+        except Refusal:
+            return Chosen(None, None, None)
+
+    def keep_contacts(self, contacts: Sequence[Contact]) -> None:
+        """Brings ``probing.csv`` up to date; without points there is none."""
+        path = self.path / PROBING
+        if not contacts:
+            path.unlink(missing_ok=True)
+            return
+        faces = tuple(contact.face for contact in contacts)
+        write_contacts(path, Contacts(faces, np.array([contact.q_rad for contact in contacts])))
+
+    def keep_capture(self, number: int, capture: Capture) -> dict[str, str | None]:
+        """Writes the pictures of a capture; their names relative to the folder."""
+        names: dict[str, str | None] = {"ambient": None, "laser": None}
+        for lighting, frame in (("ambient", capture.ambient), ("laser", capture.laser)):
+            if frame is not None:
+                shown = lighting if capture.laser is not None else "both"
+                name = f"{PICTURES}/capture-{number}-{shown}.png"
+                write_png(self.path / name, frame.image)
+                names[lighting] = name
+        return names
+
+    def keep_images(self, pictures: Sequence[Captured]) -> None:
+        """Brings ``images.csv`` up to date with the captures that count, one pose each."""
+        rows = []
+        for picture in pictures:
+            lightings = [(picture.ambient, "ambient"), (picture.laser, "laser")]
+            if picture.laser is None:
+                lightings = [(picture.ambient, "both")]
+            q_rad = np.array(picture.q_rad)
+            rows += [
+                ImageRow(picture.number, name, lighting, q_rad)
+                for name, lighting in lightings
+                if name is not None
+            ]
+        if rows:
+            write_images(self.path / IMAGES, rows)
+        else:
+            (self.path / IMAGES).unlink(missing_ok=True)
+
+    def keep_acceptance(self, name: str, result: CalibrationResult, signing: Signing) -> None:
+        """Writes who puts the session's calibration to use, and by which limits."""
+        moved = result.comparison
+        compared = (
+            ComparisonPart(name=moved.with_name, rms_um=moved.rms_um, max_um=moved.max_um)
+            if moved is not None
+            else None
+        )
+        Acceptance(
+            name=name,
+            accepted_at=datetime.now(UTC).isoformat(timespec="seconds"),
+            operator=signing.operator(),
+            station=signing.station,
+            simulated=signing.simulated,
+            calibration_sha256=sha256_of(self.calibration),
+            good_um=result.good_um,
+            usable_um=result.usable_um,
+            temperature_c=signing.temperature_c(),
+            compared=compared,
+        ).write(self.path / ACCEPTANCE)
+
+    def image(self, name: str) -> Path | None:
+        """The path of one of the session's pictures by its bare name."""
+        folder = self.path / PICTURES
+        if not folder.is_dir():
+            return None
+        return next((path for path in folder.iterdir() if path.name == name), None)

@@ -1,0 +1,179 @@
+"""What the simulated hand does for the operator: a step's whole job, or all up to the review."""
+
+import time
+from collections.abc import Callable
+
+from app.errors import Refusal
+from app.guide.calibration import tasks as works
+from app.guide.calibration.commands import confirm
+from app.guide.calibration.guide import Guide
+from app.guide.calibration.poses.board_views import next_view
+from app.guide.calibration.touch.report import face_in_use, face_progress
+from app.guide.common.simulated_operator import Hand
+from app.station.jobs import Progress
+
+TIMEOUT_S = 4.0
+SENSOR_TIMEOUT_S = 10.0
+ATTEMPTS = 3
+POSES, BOARD_POSES = 5, 9
+
+
+def hand_work(guide: Guide, hand: Hand, whole: bool) -> Callable[[Progress], None]:
+    """The job by which the hand does the present step, or goes on up to the review."""
+
+    def work(progress: Progress) -> None:
+        try:
+            # the sensor may have been elsewhere since: a simulated arm begins at its rest
+            if guide.state.step == "capture" and not _hold(guide, hand, progress):
+                return
+            while guide.hand_running:
+                step = guide.state.step
+                STEP_WORKS[step](guide, hand, progress)
+                if not whole or guide.state.step in (step, "review"):
+                    break
+        finally:
+            guide.hand_running = False
+
+    return work
+
+
+def _confirm(guide: Guide, name: str) -> None:
+    """Goes on as the operator would, by the same rules; not once the hand was stopped."""
+    _await(guide, lambda: _possible(guide, name), TIMEOUT_S)
+    with guide.lock:
+        if guide.hand_running:
+            guide.refuse_unless_possible(name, {}, None, by_hand=True)
+            confirm(guide, name, None)
+
+
+def _possible(guide: Guide, name: str) -> bool:
+    try:
+        guide.refuse_unless_possible(name, {}, None, by_hand=True)
+    except Refusal:
+        return False
+    return True
+
+
+def _devices(guide: Guide, hand: Hand, progress: Progress) -> None:
+    _confirm(guide, "confirm_devices")
+
+
+def _setup(guide: Guide, hand: Hand, progress: Progress) -> None:
+    _confirm(guide, "confirm_setup")
+
+
+def _touch(guide: Guide, hand: Hand, progress: Progress) -> None:
+    """Takes the points that are still wanted, by the arm's own button."""
+    item, report = guide.sheets.chosen(guide.state).object, guide.sheets.touch(guide.state)
+    assert item is not None
+    assert report is not None
+    faces = face_progress(report, guide.state.face, item)
+    todo = [(face, i) for face in faces for i in range(face.taken, face.wanted)]
+    for done, (face, index) in enumerate(todo):
+        progress(f"The hand touches: {face.title.lower()}", done / len(todo))
+        if not guide.hand_running or not _touch_one(guide, hand, face.face, index):
+            return
+    _confirm(guide, "confirm_touch")
+
+
+def _touch_one(guide: Guide, hand: Hand, face: str, index: int) -> bool:
+    """One place, again where a point was declined; False when the hand was stopped."""
+    for attempt in range(ATTEMPTS):
+        with guide.lock:
+            item = guide.sheets.chosen(guide.state).object
+            if item is not None and face_in_use(guide.state.face, item) != face:
+                guide.append("face_selected", {"face": face})
+            before = len(guide.state.contacts)
+            declined = guide.declined
+        if not hand.touch(face, index + 100 * attempt):
+            return False
+        if _await_point(guide, before, declined):
+            return True
+    raise Refusal(
+        "hand-declined",
+        f"The hand's point {index + 1} on the {face} face was declined {ATTEMPTS} times",
+        remedy="Look at the last message, and let the hand try again",
+    )
+
+
+def _await_point(guide: Guide, before: int, declined: int) -> bool:
+    """Whether the press became a point; the arm's bytes and the journal take their time."""
+    with guide.changed:
+        guide.changed.wait_for(
+            lambda: len(guide.state.contacts) > before or guide.declined > declined, TIMEOUT_S
+        )
+        return len(guide.state.contacts) > before
+
+
+def _hold(guide: Guide, hand: Hand, progress: Progress) -> bool:
+    """Brings the sensor to where the next picture is wanted; False when the hand was stopped."""
+    advice = guide.live().advice
+    if advice is None:
+        progress("The hand holds the sensor over the object", 0.2)
+        if guide.sheets.chosen(guide.state).board is None:
+            return hand.hold_over("block")
+        view = next_view(guide.state.listed)
+        return hand.hold_over("board", len(guide.state.pictures) if view is None else view)
+    progress(f"The hand goes to the next pose: {advice.words}", 0.2)
+    return hand.hold_at(advice.q_rad)
+
+
+def _place(guide: Guide, hand: Hand, progress: Progress) -> None:
+    if _hold(guide, hand, progress):
+        progress("The hand holds still", 0.8)
+        _await(guide, lambda: _ready_to_capture(guide), SENSOR_TIMEOUT_S)
+        _confirm(guide, "confirm_place")
+
+
+def _capture(guide: Guide, hand: Hand, progress: Progress) -> None:
+    """Takes the picture, again where the arm or the camera was not ready for it."""
+    for attempt in range(ATTEMPTS):
+        _await(guide, lambda: _ready_to_capture(guide), SENSOR_TIMEOUT_S)
+        try:
+            works.capture(guide, progress)
+        except Refusal:
+            if attempt == ATTEMPTS - 1 or not guide.hand_running:
+                raise
+        else:
+            break
+
+
+def _ready_to_capture(guide: Guide) -> bool:
+    rig = guide.station.rig
+    return rig.arm.stillness().still and rig.sensor.fresh
+
+
+def _solve(guide: Guide, hand: Hand, progress: Progress) -> None:
+    """Takes the poses that are asked for, as the operator is told to, then calibrates."""
+    if _another_helps(guide):
+        guide.append("another_pose", {})
+    else:
+        works.calibrate(guide, progress)
+
+
+def _another_helps(guide: Guide) -> bool:
+    advice, taken = guide.live().advice, len(guide.state.pictures)
+    most = POSES
+    if guide.sheets.chosen(guide.state).board is not None:
+        if next_view(guide.state.listed) is not None:
+            return True
+        most = BOARD_POSES
+    return advice is not None and advice.worth_it and taken < most
+
+
+def _await(guide: Guide, ready: Callable[[], bool], timeout_s: float) -> None:
+    """Waits a little for the station to be ready; what follows judges it anew."""
+    deadline_s = time.monotonic() + timeout_s
+    with guide.changed:
+        while guide.hand_running and not ready() and time.monotonic() < deadline_s:
+            guide.changed.wait(0.1)
+
+
+STEP_WORKS: dict[str, Callable[[Guide, Hand, Progress], None]] = {
+    "devices": _devices,
+    "setup": _setup,
+    "touch": _touch,
+    "place": _place,
+    "capture": _capture,
+    "solve": _solve,
+}

@@ -1,0 +1,1 @@
+"""The view of each step of the guided calibration."""

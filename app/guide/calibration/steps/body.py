@@ -1,0 +1,69 @@
+"""What one step contributes to the view. Pure."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from app.findings import Finding
+from app.guide.calibration.live import Live
+from app.guide.calibration.rules import why_not
+from app.guide.calibration.state import CalibrationState
+from app.guide.common.view import (
+    Action,
+    BlockGeometry,
+    BoardGeometry,
+    LiveNumber,
+    ObjectGeometry,
+    Picture,
+    StepProgress,
+)
+from app.metrology.targets.chessboard import Chessboard
+from app.metrology.targets.target import CalibrationObject
+
+
+@dataclass(frozen=True)
+class Body:
+    """A step's own part of the view; actions of its own come first."""
+
+    instruction: str
+    picture: Picture
+    actions: Sequence[Action]
+    number: LiveNumber | None = None
+    progress: StepProgress | None = None
+    findings: Sequence[Finding] = ()
+
+
+def offer(
+    state: CalibrationState,
+    live: Live,
+    name: str,
+    label: str,
+    args: Mapping[str, object] | None = None,
+    primary: bool = False,
+    confirm: str = "",
+) -> Action:
+    """The action, enabled or with the reason why not."""
+    reason = why_not(state, live, name, args or {})
+    return Action(name, label, args or {}, primary, not reason, reason, confirm)
+
+
+def geometry(item: CalibrationObject) -> ObjectGeometry:
+    """The object for drawing."""
+    if isinstance(item, Chessboard):
+        return BoardGeometry(item.inner_corners, item.square_mm)
+    return BlockGeometry(
+        edges_x_mm=item.edges_x_mm,
+        front_y_mm=item.front_y_mm,
+        back_y_mm=item.back_y_mm,
+        crest_z_mm=item.crest_z_mm,
+        floor_z_mm=item.floor_z_mm,
+        base_z_mm=item.base_z_mm,
+    )
+
+
+def lost_devices(live: Live) -> list[Finding]:
+    """A device that went away while the operator is at work; nothing is lost by it."""
+    return [
+        Finding("bad", f"{link.title}: {link.text}", "Wait, or check it. What was taken is kept.")
+        for link in (live.arm_link, live.sensor_link)
+        if link.state != "connected"
+    ]

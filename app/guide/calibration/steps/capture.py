@@ -1,0 +1,261 @@
+"""The steps 'place', 'capture' and 'solve': the calibration picture. Pure."""
+
+from collections.abc import Sequence
+
+from app.findings import Finding
+from app.guide.calibration.live import Live
+from app.guide.calibration.poses.advice import ENOUGH_OF_A_BOARD, ENOUGH_POSES, Advice
+from app.guide.calibration.poses.board_views import planned_view, words_of
+from app.guide.calibration.state import CalibrationState
+from app.guide.calibration.steps.body import Body, lost_devices, offer
+from app.guide.calibration.steps.first_pose import first_outline
+from app.guide.calibration.steps.poses import pose_pictures
+from app.guide.common.view import (
+    Action,
+    CameraPicture,
+    LiveNumber,
+    StepProgress,
+    StillPicture,
+    sentence,
+)
+from app.metrology.adjustment.planning.next_pose import Hold
+
+FEWEST_CORNERS = 8
+# A hold is the advised one within these.
+NEAR_DEG, NEAR_MM = 5.0, 5.0
+
+
+def place_step(state: CalibrationState, live: Live) -> Body:
+    """Bring the sensor over the object and clamp the arm."""
+    found = live.corners_seen >= FEWEST_CORNERS
+    there = live.to_move is None or reached(live.to_move)
+    planned, picture = _planned(state, live), _camera(state, live)
+    goal = "Hold the sensor over the object, in another way than before."
+    if picture.target:
+        goal = "Hold the sensor over the object so that it lies about as the dashed outline."
+    if planned is not None:
+        goal = words_of(planned)
+    elif live.advice is not None and not there:
+        goal = f"For the next pose {live.advice.words}. Follow the dashed outline."
+    return Body(
+        instruction=(
+            "The object is in the picture. Hold the arm there, or clamp it."
+            if found and there and planned is None
+            else goal
+        ),
+        picture=picture,
+        number=_to_go(live) or _stillness(live),
+        progress=_poses(state, live),
+        findings=[*lost_devices(live), *_picture_findings(live), *_about_line(live)],
+        actions=[
+            offer(state, live, "confirm_place", "The object is in the picture", primary=True),
+            *_enough(state, live),
+        ],
+    )
+
+
+def capture_step(state: CalibrationState, live: Live) -> Body:
+    """Take the picture while the arm is still."""
+    return Body(
+        instruction="Hold still and take the picture. The laser switches itself.",
+        picture=_camera(state, live),
+        number=_stillness(live),
+        progress=_poses(state, live),
+        findings=[*lost_devices(live), *_picture_findings(live)],
+        actions=[
+            offer(state, live, "capture", "Take the picture", primary=True),
+            *_enough(state, live),
+        ],
+    )
+
+
+def _poses(state: CalibrationState, live: Live) -> StepProgress:
+    """How many poses there are, of as many as are asked for while they help."""
+    done = len(state.pictures)
+    if live.advice is not None and not live.advice.worth_it:
+        return StepProgress(done, done, f"{done} poses are enough")
+    enough = ENOUGH_POSES if live.chosen.board is None else ENOUGH_OF_A_BOARD
+    of = max(done, enough)
+    return StepProgress(done, of, f"{done} of up to {of} poses")
+
+
+def _enough(state: CalibrationState, live: Live) -> list[Action]:
+    """The way on without another pose, where there are some."""
+    count = len(state.pictures)
+    if not count:
+        return []
+    label = f"Go on with {count} pose{'s' if count > 1 else ''}"
+    return [offer(state, live, "keep_picture", label)]
+
+
+def _camera(state: CalibrationState, live: Live) -> CameraPicture:
+    """With the outline to match: of the advised pose, or of a good first one."""
+    item, sensor = live.chosen.object, live.chosen.sensor
+    planned = _planned(state, live)
+    if item is None or sensor is None:
+        return CameraPicture()
+    size_px, upright = (sensor.width_px, sensor.height_px), sensor.stripe_axis == "u"
+    if planned is not None:
+        return CameraPicture(first_outline(item, *size_px, upright, planned))
+    if live.advice is not None:
+        return CameraPicture(live.advice.outline)
+    return CameraPicture(() if state.pictures else first_outline(item, *size_px, upright))
+
+
+def _planned(state: CalibrationState, live: Live) -> Hold | None:
+    """Of a chessboard the first views; there is no advice before them."""
+    return planned_view(state.listed) if live.chosen.board is not None else None
+
+
+def _about_line(live: Live) -> list[Finding]:
+    """A block is crossed by the line wherever it is sharp; a board, only where it is held so."""
+    if live.chosen.board is None or live.laser_on:
+        return []
+    return [
+        Finding(
+            "neutral",
+            "The laser's line must cross the chessboard in every picture.",
+            "Switch the laser on to look where it lies.",
+        )
+    ]
+
+
+def _to_go(live: Live) -> LiveNumber | None:
+    """How far the present hold is from the advised one."""
+    if live.to_move is None:
+        return None
+    left = live.to_move
+    there = reached(left)
+    return LiveNumber(
+        "Still to turn",
+        left.largest_deg,
+        "°",
+        0,
+        "good" if there else "attention",
+        "Hold it there" if there else f"{left.words[:1].upper()}{left.words[1:]}",
+    )
+
+
+def reached(left: Hold) -> bool:
+    """Whether a hold is as good as the advised one."""
+    return left.largest_deg < NEAR_DEG and abs(left.higher_mm) < NEAR_MM
+
+
+def solve_step(state: CalibrationState, live: Live) -> Body:
+    """Take another pose, or compute the calibration from the points and the pictures."""
+    advice = live.advice
+    findings = list(live.seen.findings) if live.seen else []
+    findings.sort(key=lambda finding: finding.quality != "bad")
+    refused = state.refused if state.refused and state.refused.inputs == state.inputs else None
+    if refused is not None:
+        why = f": {refused.why}" if refused.why else ""
+        remedy = refused.remedy or "Go back, and take the picture or the points again."
+        text = sentence(f"{refused.what.rstrip('.')}{why}")
+        # of the shown picture it may be said already, after what is at fault
+        if not any(finding.text.endswith(text) for finding in findings):
+            findings.insert(0, Finding("bad", text, sentence(remedy)))
+    unusable = refused is not None or any(finding.quality == "bad" for finding in findings)
+    planned = _planned(state, live)
+    more = not unusable and (planned is not None or (advice is not None and advice.worth_it))
+    if advice is not None and not (more or unusable):
+        findings.append(_advised(advice))
+    return Body(
+        instruction=_solve_instruction(state, live, refused is not None, unusable, more),
+        picture=_taken(state, live),
+        number=_known(advice) if advice else None,
+        progress=_poses(state, live),
+        findings=findings,
+        actions=[
+            offer(state, live, "another_pose", "Take another pose", primary=more),
+            offer(state, live, "solve", "Calibrate", primary=not (unusable or more)),
+            offer(state, live, "retake", "Take this picture anew", primary=unusable),
+            offer(state, live, "back", "Back to the points", {"to": "touch"}),
+        ],
+    )
+
+
+def _solve_instruction(
+    state: CalibrationState, live: Live, refused: bool, unusable: bool, more: bool
+) -> str:
+    if refused:
+        return "This could not be solved. What was taken is kept."
+    if unusable:
+        others = " or go on without it" if len(state.pictures) > 1 else ""
+        return f"This picture cannot be used. Take it anew{others}."
+    count = len(state.pictures)
+    taken = f"{count} pose{'s are' if count != 1 else ' is'} taken."
+    planned = _planned(state, live)
+    if more and planned is not None:
+        return f"{taken} Take another: {planned.words}."
+    if more and live.advice is not None:
+        return f"{taken} Take another: {live.advice.words}."
+    return f"{taken} Compute the calibration, or take another pose."
+
+
+def _advised(advice: Advice) -> Finding:
+    gain = f"{advice.now_um:.0f} → {advice.then_um:.0f} µm (k = 1)"
+    return Finding(
+        "neutral",
+        f"The pose that would help most: {advice.words}. A scanned point: {gain}.",
+        "" if advice.worth_it else "More poses would bring little.",
+    )
+
+
+def _known(advice: Advice) -> LiveNumber:
+    return LiveNumber(
+        "Uncertainty of a scanned point so far (k = 1)",
+        advice.now_um,
+        "µm",
+        0,
+        "neutral",
+        f"{advice.then_um:.0f} µm after the advised pose",
+    )
+
+
+def _taken(state: CalibrationState, live: Live) -> StillPicture | CameraPicture:
+    """The poses taken so far, the newest shown first."""
+    if state.picture is None:
+        return CameraPicture()
+    return StillPicture(pose_pictures(state, live), state.picture.number)
+
+
+def _stillness(live: Live) -> LiveNumber:
+    still = live.stillness
+    moved_um = None if still.moved_um != still.moved_um else still.moved_um
+    return LiveNumber(
+        "Movement of the tip",
+        moved_um,
+        "µm",
+        0,
+        "good" if still.still else "attention",
+        still.text,
+    )
+
+
+def _picture_findings(live: Live) -> list[Finding]:
+    """What is to be said of the live picture, each thing once."""
+    if live.corners_seen >= FEWEST_CORNERS:
+        found = Finding("good", f"{live.corners_seen} corners of the object are found.")
+        # their number stands below the picture, too: what needs attention has the room
+        return _once(live.picture_findings) or [found]
+    if live.laser_on:
+        return [
+            Finding(
+                "neutral",
+                "The laser is on, and beside it the object may be too dark to be found.",
+                "Switch it off to aim. For the picture it is switched by itself.",
+            )
+        ]
+    return _once(live.picture_findings)
+
+
+def _once(findings: Sequence[Finding]) -> list[Finding]:
+    """Each once, and none that another one gives as its reason."""
+    told = {
+        sentence(finding.text): Finding(
+            finding.quality, sentence(finding.text), sentence(finding.remedy)
+        )
+        for finding in findings
+        if not any(f": {finding.text}" in other.text for other in findings)
+    }
+    return list(told.values())

@@ -1,0 +1,113 @@
+"""The poses as they are looked at: each picture, what was found in it, what became of it. Pure."""
+
+from collections.abc import Mapping
+from typing import Literal
+
+from app.guide.calibration.live import Live
+from app.guide.calibration.outcome import Outcome, PoseDrawing
+from app.guide.calibration.state import CalibrationState, Capture
+from app.guide.calibration.steps.body import offer
+from app.guide.common.result_view import CalibrationResult, PoseRow
+from app.guide.common.view import Action, PosePicture
+
+
+def pose_pictures(
+    state: CalibrationState, live: Live, solved: Outcome | None = None
+) -> list[PosePicture]:
+    """All poses that were taken for what is chosen, those set aside too.
+
+    Args:
+        solved: the result that they are shown with; None before there is one.
+    """
+    rows = {row.number: row for row in _rows(solved.result if solved else None)}
+    drawings = {drawing.number: drawing for drawing in (solved.poses if solved else ())}
+    return [
+        _pose(
+            capture,
+            f"/api/flow/image/{capture.ambient.rsplit('/', 1)[-1]}?session={state.session_id}",
+            live.looked_at.get(capture.number),
+            rows.get(capture.number),
+            drawings.get(capture.number),
+            None if state.ended else _action(state, live, capture),
+        )
+        for capture in state.listed
+    ]
+
+
+def recorded_poses(
+    state: CalibrationState, looked_at: Mapping[int, Outcome], solved: Outcome, image_url: str
+) -> list[PosePicture]:
+    """The same of a session that is over, whose pictures are at ``image_url``."""
+    rows = {row.number: row for row in _rows(solved.result)}
+    drawings = {drawing.number: drawing for drawing in solved.poses}
+    return [
+        _pose(
+            capture,
+            image_url + capture.ambient.rsplit("/", 1)[-1],
+            looked_at.get(capture.number),
+            rows.get(capture.number),
+            drawings.get(capture.number),
+            None,
+        )
+        for capture in state.listed
+    ]
+
+
+def _rows(result: CalibrationResult | None) -> tuple[PoseRow, ...]:
+    return tuple(result.poses) if result else ()
+
+
+def _pose(
+    capture: Capture,
+    image_url: str,
+    looked_at: Outcome | None,
+    row: PoseRow | None,
+    drawing: PoseDrawing | None,
+    action: Action | None,
+) -> PosePicture:
+    found = drawing or looked_at
+    used = row is not None and row.used and not capture.gone
+    return PosePicture(
+        number=capture.number,
+        state=_state(capture, row),
+        note=_note(capture, row, looked_at),
+        image_url=image_url,
+        width_px=capture.width_px,
+        height_px=capture.height_px,
+        corners=found.corners if found else (),
+        outline=found.outline if found else (),
+        stripe=found.stripe if found else (),
+        marks=looked_at.marks if looked_at else (),
+        edges_rms_px=row.edges_rms_px if row and used else None,
+        stripe_rms_px=row.stripe_rms_px if row and used else None,
+        off_um=row.off_um if row and used else None,
+        action=action,
+        stripe_off=drawing.stripe_off if drawing else (),
+    )
+
+
+def _state(capture: Capture, row: PoseRow | None) -> Literal["taken", "used", "left_out", "aside"]:
+    if capture.gone:
+        return "aside"
+    if row is None:
+        return "taken"
+    return "used" if row.used else "left_out"
+
+
+def _note(capture: Capture, row: PoseRow | None, looked_at: Outcome | None) -> str:
+    """Why the pose, or its laser line, does not count; empty where both do."""
+    if capture.gone:
+        return "Set aside"
+    if row is not None and row.reason:
+        return f"Used, but {row.reason}" if row.used else f"Left out: {row.reason}"
+    bad = looked_at is not None and any(f.quality == "bad" for f in looked_at.findings)
+    if row is not None or looked_at is None or not bad:
+        return ""
+    return f"Not usable: {looked_at.fault}" if looked_at.fault else "Not usable"
+
+
+def _action(state: CalibrationState, live: Live, capture: Capture) -> Action:
+    args = {"number": capture.number}
+    if capture.gone:
+        return offer(state, live, "restore_pose", "Take it back", args)
+    return offer(state, live, "void_pose", "Set aside", args)

@@ -1,0 +1,99 @@
+"""The flow's longer works, each run as one job: taking the picture, and solving."""
+
+from app.errors import Refusal
+from app.guide.calibration.guide import Guide
+from app.guide.calibration.outcome import from_payload, to_payload
+from app.guide.calibration.poses.advice import advise
+from app.guide.calibration.poses.advice import to_payload as to_advice
+from app.guide.calibration.poses.board_views import next_view
+from app.guide.calibration.poses.detection import look_at
+from app.guide.calibration.solve import solve
+from app.station.jobs import Progress
+
+
+def capture(guide: Guide, progress: Progress) -> None:
+    """Takes the pictures while the arm is still, and looks at once whether they will do.
+
+    Raises:
+        Refusal: the arm moved, or a device is lost; nothing is kept then.
+    """
+    progress("Taking the picture", 0.1)
+    chosen = guide.sheets.chosen(guide.state)
+    taken = guide.station.rig.capture_pair()
+    progress("Looking for the object in the picture", 0.4)
+    number = len(guide.state.captures) + 1
+    with guide.station.preview.resting():  # this picture is what counts now
+        outcome, seen = look_at(taken, chosen, number)
+    height, width = taken.ambient.image.shape
+    with guide.lock:
+        names = guide.folder.keep_capture(number, taken)
+        guide.append(
+            "image_captured",
+            {
+                **names,
+                "q_rad": taken.joints.q_rad.tolist(),
+                "scatter_rad": taken.joints.scatter_rad.tolist(),
+                "samples": taken.joints.samples,
+                "exposure_us": taken.ambient.exposure_us,
+                "width_px": width,
+                "height_px": height,
+                "outcome": to_payload(outcome),
+            },
+        )
+        guide.seen_poses.keep(guide.state.session_id, number, seen)
+        guide.folder.keep_contacts(guide.state.counted)
+        guide.folder.keep_images(guide.state.pictures)
+        guide.station.bus.event("step_done", f"Pose {number} is taken.", "good")
+    progress("Working out which pose would help most", 0.7)
+    keep_advice(guide)
+
+
+def keep_advice(guide: Guide) -> None:
+    """Keeps which pose to take next; where the poses cannot be solved, why."""
+    inputs, board = guide.state.inputs, guide.sheets.chosen(guide.state).board
+    if board is not None and next_view(guide.state.listed) is not None:
+        return  # the next view is planned, whatever was found
+    try:
+        advice = advise(guide.folder, guide.known_poses(), guide.limits)
+    except Refusal as refusal:
+        pictures = guide.state.pictures
+        known = guide.known_poses()
+        unusable = any(isinstance(known.get(one.number), Refusal) for one in pictures)
+        newest = from_payload(pictures[-1].outcome).findings if pictures else ()
+        told = any(found.quality == "bad" for found in newest)
+        if not (unusable or told):  # of a picture that is, it was told already
+            _refused(guide, inputs, refusal)
+        return
+    if advice is not None:
+        guide.append("advised", {"inputs": inputs, "advice": to_advice(advice)})
+
+
+def calibrate(guide: Guide, progress: Progress) -> None:
+    """Solves from the session's folder, exactly as the command line does."""
+    with guide.lock:
+        state = guide.state
+        guide.folder.keep_contacts(state.counted)
+        guide.folder.keep_images(state.pictures)
+        in_use = guide.calibrations.active()
+    known, points = guide.known_poses(), [contact.index for contact in state.counted]
+    try:
+        outcome = solve(guide.folder, in_use, progress, known, guide.limits, points)
+    except Refusal as refusal:
+        _refused(guide, state.inputs, refusal)
+        return
+    guide.append("solved", {"inputs": state.inputs, "outcome": to_payload(outcome)})
+    guide.station.bus.event("step_done", "The calibration is computed.", "good")
+
+
+def _refused(guide: Guide, inputs: str, refusal: Refusal) -> None:
+    guide.append(
+        "solve_refused",
+        {
+            "inputs": inputs,
+            "code": refusal.code,
+            "what": refusal.what,
+            "why": refusal.why,
+            "remedy": refusal.remedy,
+        },
+    )
+    guide.station.bus.event("refused", refusal.line, "bad")

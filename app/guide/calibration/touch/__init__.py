@@ -1,0 +1,1 @@
+"""The contact points of a calibration: taken, undone, and judged against the target."""

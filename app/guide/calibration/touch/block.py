@@ -1,0 +1,168 @@
+"""The touch step on a block: where to touch it, and how well the points agree. Pure."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from app.errors import Refusal
+from app.findings import Finding
+from app.guide.calibration.state import Contact
+from app.guide.calibration.touch.report import TouchReport
+from app.guide.common.view import FaceProgress, TouchedPoint, Vec3, sentence, signed_um
+from app.metrology.adjustment.planning.next_touches import next_touches
+from app.metrology.arm.kinematics import Arm, tip_centres, tip_covariances
+from app.metrology.probing.alignment import Alignment, align, other_face
+from app.metrology.probing.contacts import what_is_missing
+from app.metrology.targets.crenellated_block import FACES, Crenellated
+from app.metrology.transforms import Floats
+
+WANTED = 9
+"""Points on each of three faces. Three fix a plane without telling anything of its
+quality; the uncertainty falls with the root of the number, and 27 points with
+25 µm of arm noise bring the object's position to about 20 µm."""
+WRONG_FACE_MM = 1.0
+EDGE_MARGIN_MM = 1.0
+TITLES = {
+    "crest": "Crests (top)",
+    "floor": "Floors (grooves)",
+    "front": "Front face",
+    "back": "Back face",
+    "left": "Left end",
+    "right": "Right end",
+}
+
+
+def block_report(
+    contacts: Sequence[Contact], arm: Arm, block: Crenellated, target_um: float
+) -> TouchReport:
+    """Aligns the block with the points so far, as soon as that is possible.
+
+    ``target_um`` is how well the object's place is wanted, k = 1.
+    """
+    faces = [contact.face for contact in contacts]
+    missing = what_is_missing(faces)
+    unplaced = tuple(TouchedPoint(c.index, c.face, None, None, False) for c in contacts)
+    if missing:
+        return TouchReport(unplaced, None, missing, (), ())
+    q_rad = np.array([contact.q_rad for contact in contacts])
+    try:
+        found = align(
+            faces,
+            tip_centres(arm, q_rad),
+            arm.tip.radius_mm,
+            block,
+            tip_covariances(arm, q_rad),
+        )
+    except Refusal as refusal:
+        text = refusal.what + (f": {refusal.why}" if refusal.why else "")
+        finding = Finding("bad", sentence(text), sentence(refusal.remedy))
+        return TouchReport(unplaced, None, sentence(refusal.remedy), (finding,), ())
+    points = tuple(
+        TouchedPoint(c.index, c.face, _vec(at), float(r) * 1e3, bool(outlier))
+        for c, at, r, outlier in zip(
+            contacts, found.points_obj_mm, found.residuals_mm, found.outliers, strict=True
+        )
+    )
+    suspects = tuple(point.index for point in points if point.outlier)
+    findings = tuple(
+        _outlier_finding(point, i, found, block) for i, point in enumerate(points) if point.outlier
+    )
+    advice = next_touches(found, faces, block, target_um) if found.sigma_mm > 0 else None
+    return TouchReport(points, found, "", findings, suspects, advice, target_um)
+
+
+def _outlier_finding(
+    point: TouchedPoint, contact: int, found: Alignment, block: Crenellated
+) -> Finding:
+    assert point.residual_um is not None
+    name = f"Point {point.index + 1}"
+    off_mm = abs(point.residual_um) / 1e3
+    if off_mm >= WRONG_FACE_MM:
+        where = other_face(found, contact, point.face, block)
+        guess = f" and lies on the {where} face" if where else ""
+        return Finding(
+            "bad",
+            f"{name} misses the {point.face} face by {off_mm:.1f} mm{guess}.",
+            "Remove it, then touch the face that is marked in the drawing.",
+        )
+    return Finding(
+        "attention",
+        f"{name} is {signed_um(point.residual_um)} off the {point.face} face; "
+        f"the others agree to {found.rms_mm * 1e3:.0f} µm.",
+        "Remove it and touch there again, at rest and clear of the edge.",
+    )
+
+
+def block_faces(report: TouchReport, selected: str, block: Crenellated) -> list[FaceProgress]:
+    """Every face of the block: what was taken, what is wanted, where to touch."""
+    taken = {face: sum(p.face == face for p in report.points) for face in FACES}
+    wanted = wanted_on(taken)
+    return [
+        FaceProgress(
+            face=face,
+            title=TITLES[face],
+            taken=taken[face],
+            wanted=wanted[face],
+            selected=face == selected,
+            rms_um=report.face_rms_um(face),
+            suggested_mm=suggested_places(block, face),
+        )
+        for face in FACES
+    ]
+
+
+def wanted_on(taken: dict[str, int]) -> dict[str, int]:
+    """Points wanted on each face: the crests, and of front/back and left/right the better."""
+    wanted = dict.fromkeys(FACES, 0)
+    wanted["crest"] = WANTED
+    wanted["back" if taken["back"] > taken["front"] else "front"] = WANTED
+    wanted["left" if taken["left"] > taken["right"] else "right"] = WANTED
+    return wanted
+
+
+def suggested_places(block: Crenellated, face: str) -> list[Vec3]:
+    """``WANTED`` places on a face, spread as widely as its edges allow, object frame, mm."""
+    x, front, back = block.edges_x_mm, block.front_y_mm, block.back_y_mm
+    if face in ("crest", "floor"):
+        first = 0 if face == "crest" else 1
+        tops = [(x[i], x[i + 1]) for i in range(first, len(x) - 1, 2)]
+        z = block.crest_z_mm if face == "crest" else block.floor_z_mm
+        return _on_strips(tops, (front, back), z)
+    if face in ("front", "back"):
+        y = front if face == "front" else back
+        solid = _between(block.base_z_mm, block.floor_z_mm, 2)
+        low = [(u, y, z) for z in solid for u in _between(x[0], x[-1], 3)]
+        tall = _between(block.floor_z_mm, block.crest_z_mm, 3)[1]
+        merlons = [(x[2 * i] + x[2 * i + 1]) / 2 for i in _spread(block.merlon_count, 3)]
+        return low + [(u, y, tall) for u in merlons]
+    u = x[0] if face == "left" else x[-1]
+    heights = _between(block.base_z_mm, block.crest_z_mm, 3)
+    return [(u, v, z) for z in heights for v in _between(front, back, 3)]
+
+
+def _on_strips(
+    strips: Sequence[tuple[float, float]], y_range: tuple[float, float], z: float
+) -> list[Vec3]:
+    """Three lines of three places, on as many strips as there are: never all in one line."""
+    a_strip = -(-3 // len(strips))
+    lines = [u for low, high in strips for u in _between(low, high, a_strip)]
+    chosen = [lines[i] for i in _spread(len(lines), 3)]
+    return [(u, v, z) for u in chosen for v in _between(*y_range, 3)]
+
+
+def _spread(count: int, wanted: int) -> list[int]:
+    """Up to ``wanted`` indices below ``count``, evenly over the range, ends included."""
+    return sorted({round(i) for i in np.linspace(0, count - 1, min(count, wanted))})
+
+
+def _between(low: float, high: float, count: int) -> list[float]:
+    """Values spread between two edges, clear of both."""
+    margin = max(EDGE_MARGIN_MM, 0.15 * (high - low))
+    margin = min(margin, 0.4 * (high - low))
+    if count == 1:
+        return [(low + high) / 2]
+    return [float(v) for v in np.linspace(low + margin, high - margin, count)]
+
+
+def _vec(point: Floats) -> Vec3:
+    return float(point[0]), float(point[1]), float(point[2])

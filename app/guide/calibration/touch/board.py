@@ -1,0 +1,83 @@
+"""The touch step on a chessboard, which need not be touched: how well points fit a plane. Pure."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from app.errors import Refusal
+from app.findings import Finding
+from app.guide.calibration.state import Contact
+from app.guide.calibration.touch.report import TouchReport
+from app.guide.common.view import FaceProgress, TouchedPoint, Vec3, signed_um
+from app.metrology.arm.kinematics import Arm, tip_centres
+from app.metrology.fitting.plane_sphere import fit_plane
+from app.metrology.targets.chessboard import Chessboard, middle_of
+
+FACE = "board"
+"""The one face of a board that is touched."""
+TITLE = "Board (printed side)"
+WANTED = 6
+"""Three fix a plane, the others tell whether one of them slipped."""
+FEWEST_JUDGED = 6
+SLIPPED_MM, SLIPPED_BENDS = 0.1, 2.0
+"""A point has slipped that lies so far off the others, and by more than the sheet bends."""
+
+
+def board_report(contacts: Sequence[Contact], arm: Arm, board: Chessboard) -> TouchReport:
+    """How well the points so far fit a plane; where on it they lie is told by the pictures."""
+    off_um = _off_plane_um(contacts, arm)
+    slipped_um = 1e3 * max(SLIPPED_MM, SLIPPED_BENDS * board.flatness_mm)
+    points = tuple(
+        TouchedPoint(c.index, FACE, None, um, um is not None and abs(um) > slipped_um)
+        for c, um in zip(contacts, off_um, strict=True)
+    )
+    return TouchReport(
+        points,
+        None,
+        "",
+        tuple(_slipped(point) for point in points if point.outlier),
+        tuple(point.index for point in points if point.outlier),
+    )
+
+
+def board_face(report: TouchReport, board: Chessboard) -> FaceProgress:
+    """The board's one face: what was taken, what is welcome, where to touch."""
+    return FaceProgress(
+        face=FACE,
+        title=TITLE,
+        taken=len(report.points),
+        wanted=WANTED,
+        selected=True,
+        rms_um=None,
+        suggested_mm=suggested_on_board(board),
+    )
+
+
+def suggested_on_board(board: Chessboard) -> list[Vec3]:
+    """Places spread over the pattern, ``WANTED`` of them, in the board's frame, mm."""
+    (x, y), (half_x, half_y) = middle_of(board)[:2].tolist(), (board.extent_mm / 2).tolist()
+    return [(x + a * half_x, y + b * half_y, 0.0) for b in (-0.8, 0.8) for a in (-0.8, 0.0, 0.8)]
+
+
+def _off_plane_um(contacts: Sequence[Contact], arm: Arm) -> list[float | None]:
+    """Each point's distance from the plane of those that agree, positive upward; None for all
+    while they are too few to judge one another."""
+    if len(contacts) < FEWEST_JUDGED:
+        return [None] * len(contacts)
+    tips = tip_centres(arm, np.array([contact.q_rad for contact in contacts]))
+    try:
+        plane = fit_plane(tips)
+    except Refusal:  # all on one line
+        return [None] * len(contacts)
+    up = 1.0 if plane.normal[2] >= 0 else -1.0
+    off_mm = up * (tips @ plane.normal - plane.offset_mm)
+    return [float(1e3 * mm) for mm in off_mm]
+
+
+def _slipped(point: TouchedPoint) -> Finding:
+    assert point.residual_um is not None
+    return Finding(
+        "attention",
+        f"Point {point.index + 1} is {signed_um(point.residual_um)} off the plane of the others.",
+        "Remove it and touch there again, at rest.",
+    )

@@ -1,0 +1,107 @@
+"""Taking contact points: by click, by the arm's buttons, by the hand."""
+
+from app.errors import Refusal
+from app.findings import Quality
+from app.guide.calibration.guide import Guide
+from app.guide.calibration.touch.board import FACE as BOARD
+from app.guide.calibration.touch.report import (
+    SAME_PLACE_MM,
+    face_in_use,
+    face_progress,
+    next_face,
+    same_place,
+)
+from app.guide.common.view import signed_um
+
+
+def take_point(guide: Guide, source: str, until_ns: int | None, key: str | None) -> None:
+    """Adds the point that the tip touches now, or touched at ``until_ns``.
+
+    Raises:
+        Refusal: the arm is lost or moves, or the point was taken already.
+    """
+    with guide.lock:
+        state = guide.state
+        chosen = guide.sheets.chosen(state)
+        arm = chosen.arm
+        if arm is None or chosen.object is None:
+            raise Refusal("no-arm-model", "The arm that was chosen cannot be read any more")
+        mean = guide.station.rig.arm.average(until_ns=until_ns)
+        twin = same_place(mean.q_rad, state.counted, arm)
+        if twin is not None:
+            raise Refusal(
+                "same-place",
+                f"This is point {twin + 1} again",
+                f"the tip lies within {SAME_PLACE_MM} mm of it",
+                "Move the tip to another place",
+            )
+        guide.append(
+            "point_taken",
+            {
+                "face": face_in_use(state.face, chosen.object),
+                "q_rad": mean.q_rad.tolist(),
+                "scatter_rad": mean.scatter_rad.tolist(),
+                "samples": mean.samples,
+                "source": source,
+            },
+            key,
+        )
+        guide.folder.keep_contacts(guide.state.counted)
+        _tell_point(guide)
+        _go_on(guide)
+
+
+def undo(guide: Guide, key: str | None) -> None:
+    """Takes the last counted point back, and returns to its face."""
+    with guide.lock:
+        last = guide.state.counted[-1]
+        void_point(guide, last.index, key)
+        if last.face != guide.state.face:
+            guide.append("face_selected", {"face": last.face})
+
+
+def redo(guide: Guide, key: str | None) -> None:
+    """Puts the point back that was taken back last, and returns to its face."""
+    with guide.lock:
+        index = guide.state.undone[-1]
+        guide.append("point_restored", {"index": index}, key)
+        guide.folder.keep_contacts(guide.state.counted)
+        guide.station.bus.event("point_restored", f"Point {index + 1} is back.")
+        face = guide.state.contacts[index].face
+        if face != guide.state.face:
+            guide.append("face_selected", {"face": face})
+
+
+def void_point(guide: Guide, index: int, key: str | None) -> None:
+    """Takes one point out; it stays in the journal."""
+    with guide.lock:
+        guide.append("point_voided", {"index": index}, key)
+        guide.folder.keep_contacts(guide.state.counted)
+        guide.station.bus.event("point_voided", f"Point {index + 1} is removed.")
+
+
+def _go_on(guide: Guide) -> None:
+    """Turns to the next face when this point completed its face."""
+    state, item = guide.state, guide.sheets.chosen(guide.state).object
+    report = guide.sheets.touch(state)
+    if report is None or item is None:
+        return
+    faces = face_progress(report, face_in_use(state.face, item), item)
+    here = next(face for face in faces if face.selected)
+    goal = next_face(faces, here.face)
+    if here.taken == here.wanted and goal != here.face:
+        guide.append("face_selected", {"face": goal})
+
+
+def _tell_point(guide: Guide) -> None:
+    """Says what the new point is worth, for an operator who looks at the arm."""
+    point, report = guide.state.counted[-1], guide.sheets.touch(guide.state)
+    text = f"Point {point.index + 1} on the {point.face} face"
+    if point.face == BOARD:
+        text = f"Point {point.index + 1} on the board"
+    quality: Quality = "good"
+    judged = next((p for p in report.points if p.index == point.index), None) if report else None
+    if judged is not None and judged.residual_um is not None:
+        text += f": {signed_um(judged.residual_um)}"
+        quality = "attention" if judged.outlier else "good"
+    guide.station.bus.event("point_taken", f"{text}.", quality)

@@ -1,0 +1,114 @@
+"""How the points taken so far agree with the object. Pure."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from app.findings import Finding
+from app.guide.calibration.state import Contact
+from app.guide.calibration.touch import block as touching
+from app.guide.calibration.touch import board as board_touching
+from app.guide.common.view import FaceProgress, TouchedPoint
+from app.metrology.adjustment.planning.next_touches import TouchAdvice
+from app.metrology.arm.joint_plausibility import outside_limits
+from app.metrology.arm.kinematics import Arm, tip_centres
+from app.metrology.probing.alignment import Alignment
+from app.metrology.targets.chessboard import Chessboard
+from app.metrology.targets.crenellated_block import FACES
+from app.metrology.targets.target import CalibrationObject
+from app.metrology.transforms import Floats
+
+
+@dataclass(frozen=True)
+class TouchReport:
+    """The points, what they tell of the object, and what is to be said of them."""
+
+    points: tuple[TouchedPoint, ...]
+    alignment: Alignment | None
+    """The block's place; None before it is known, and always on a board."""
+    missing: str
+    """What to probe before anything can be computed; empty when nothing is missing."""
+    findings: tuple[Finding, ...]
+    suspects: tuple[int, ...]
+    """Indices of points that should be taken away."""
+    advice: TouchAdvice | None = None
+    """How many more, on which face, make the object known as well as is wanted."""
+    target_um: float = 0.0
+
+    def face_rms_um(self, face: str) -> float | None:
+        if self.alignment is None:
+            return None
+        return next((f.rms_mm * 1e3 for f in self.alignment.faces if f.face == face), None)
+
+
+SAME_PLACE_MM = 0.3
+
+
+def faces_of(item: CalibrationObject) -> tuple[str, ...]:
+    """The names of all faces that may be touched."""
+    return (board_touching.FACE,) if isinstance(item, Chessboard) else FACES
+
+
+def face_in_use(selected: str, item: CalibrationObject) -> str:
+    """The selected face; the only one where the object has no other."""
+    faces = faces_of(item)
+    return selected if selected in faces else faces[0]
+
+
+def touch_report(
+    contacts: Sequence[Contact], arm: Arm, item: CalibrationObject, target_um: float
+) -> TouchReport:
+    """How well the points so far agree with the object.
+
+    Args:
+        target_um: how well the place of a block is wanted, k = 1.
+    """
+    report = (
+        board_touching.board_report(contacts, arm, item)
+        if isinstance(item, Chessboard)
+        else touching.block_report(contacts, arm, item, target_um)
+    )
+    return _with_impossible(report, contacts, arm)
+
+
+def _with_impossible(report: TouchReport, contacts: Sequence[Contact], arm: Arm) -> TouchReport:
+    """Names the points whose joints lie outside their limits: of before this was noticed."""
+    suspects, findings = [], []
+    for contact in contacts:
+        wrong = outside_limits(contact.q_rad, arm)
+        if wrong is not None:
+            suspects.append(contact.index)
+            text = f"Point {contact.index + 1} cannot be true: {wrong.what}; {wrong.why}."
+            findings.append(Finding("bad", text, "Remove it, and touch there again."))
+    if not suspects:
+        return report
+    others = [index for index in report.suspects if index not in suspects]
+    return replace(report, suspects=(*suspects, *others), findings=(*findings, *report.findings))
+
+
+def face_progress(
+    report: TouchReport, selected: str, item: CalibrationObject
+) -> list[FaceProgress]:
+    """Every face of the object: what was taken, what is wanted, where to touch."""
+    if isinstance(item, Chessboard):
+        return [board_touching.board_face(report, item)]
+    return touching.block_faces(report, selected, item)
+
+
+def same_place(contact_q_rad: Floats, others: Sequence[Contact], arm: Arm) -> int | None:
+    """Index of a counted point that lies within ``SAME_PLACE_MM`` of a new one, if any."""
+    if not others:
+        return None
+    tips = tip_centres(arm, np.array([c.q_rad for c in others] + [tuple(contact_q_rad)]))
+    distances = np.linalg.norm(tips[:-1] - tips[-1], axis=1)
+    nearest = int(np.argmin(distances))
+    return others[nearest].index if distances[nearest] < SAME_PLACE_MM else None
+
+
+def next_face(faces: Sequence[FaceProgress], selected: str) -> str:
+    """The face to go on with: the selected one until it has its points."""
+    here = next(face for face in faces if face.face == selected)
+    if here.taken < max(here.wanted, 1):
+        return selected
+    return next((f.face for f in faces if f.taken < f.wanted), selected)

@@ -1,0 +1,41 @@
+"""What the commands of every guided session share: jobs, and the hand."""
+
+from collections.abc import Callable
+from typing import Any
+
+from app.errors import Refusal
+from app.guide.common.guided_session import GuidedSession
+from app.station.jobs import Job, Progress
+
+AT_ANY_REV = ("stop_hand",)
+"""Stopping must not wait for a fresh view."""
+
+
+def start_job(
+    guide: GuidedSession[Any, Any, Any], title: str, work: Callable[[Progress], None]
+) -> None:
+    """Starts a session's work in the background; why it failed is shown in the session."""
+
+    def done(job: Job[None]) -> None:
+        if job.refusal is not None:
+            guide.decline(job.refusal)
+        guide.refresh()
+
+    guide.station.jobs.start(title, work, done)
+
+
+def start_hand(guide: GuidedSession[Any, Any, Any], work: Callable[[Progress], None]) -> None:
+    """Sets the hand to work; raises ``Refusal`` while another job runs."""
+    guide.hand_running = True
+    try:
+        start_job(guide, "The hand at work", work)
+    except Refusal:
+        guide.hand_running = False
+        raise
+
+
+def stop_hand(guide: GuidedSession[Any, Any, Any]) -> None:
+    """Ends the hand's work of this session early; idempotent."""
+    if guide.hand_running and guide.station.hand is not None:
+        guide.hand_running = False
+        guide.station.hand.cancel()

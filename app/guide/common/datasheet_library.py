@@ -1,0 +1,69 @@
+"""The arms, objects and sensors that the station knows, from files in its data folder."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Generic, TypeVar
+
+from app.errors import Refusal
+from app.findings import Finding
+from app.formats.datasheets.arm import read_arm
+from app.formats.datasheets.sensor import SensorSheet, read_sensor
+from app.formats.datasheets.target import read_object
+from app.formats.file_names import check_name
+from app.metrology.arm.kinematics import Arm
+from app.metrology.targets.target import CalibrationObject
+
+Sheet = TypeVar("Sheet")
+
+
+@dataclass(frozen=True)
+class Entry(Generic[Sheet]):
+    """One readable file; its id is the file's name without ``.json``."""
+
+    id: str
+    path: Path
+    sheet: Sheet
+
+
+@dataclass(frozen=True)
+class Library:
+    """What can be chosen; files that cannot be read are told, not hidden."""
+
+    arms: Mapping[str, Entry[Arm]]
+    objects: Mapping[str, Entry[CalibrationObject]]
+    sensors: Mapping[str, Entry[SensorSheet]]
+    findings: tuple[Finding, ...]
+
+    def has(self, field: str, entry_id: str) -> bool:
+        """Whether ``arm``, ``object`` or ``sensor`` has an entry of this id."""
+        known: Mapping[str, Mapping[str, object]] = {
+            "arm": self.arms,
+            "object": self.objects,
+            "sensor": self.sensors,
+        }
+        return entry_id in known.get(field, {})
+
+
+def read_library(data_folder: Path) -> Library:
+    """Reads ``arms/*.json``, ``objects/*.json`` and ``sensors/*.json``."""
+    findings: list[Finding] = []
+    return Library(
+        arms=_entries(data_folder / "arms", read_arm, findings),
+        objects=_entries(data_folder / "objects", read_object, findings),
+        sensors=_entries(data_folder / "sensors", read_sensor, findings),
+        findings=tuple(findings),
+    )
+
+
+def _entries(
+    folder: Path, read: Callable[[Path], Sheet], findings: list[Finding]
+) -> dict[str, Entry[Sheet]]:
+    entries: dict[str, Entry[Sheet]] = {}
+    for path in sorted(folder.glob("*.json")):
+        try:
+            check_name(path)
+            entries[path.stem] = Entry(path.stem, path, read(path))
+        except Refusal as refusal:
+            findings.append(Finding("attention", refusal.line, "Correct or remove the file."))
+    return entries

@@ -1,0 +1,250 @@
+"""What every guided session of a station has: its journal, the state folded from it, its view."""
+
+import logging
+import secrets
+import threading
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from datetime import UTC, datetime
+from typing import Any, ClassVar, Generic, Protocol, TypeVar
+
+from app.errors import Refusal
+from app.findings import Finding
+from app.guide.common.arguments import Args, ArgumentTable, checked
+from app.guide.common.journal import Check, Journal, Row, fold
+from app.guide.common.simulated_operator import Hand
+from app.guide.common.view import Busy, sentence
+from app.station.bus import Bus
+from app.station.jobs import Jobs
+
+
+class Machinery(Protocol):
+    """What every session needs of the machine room."""
+
+    @property
+    def bus(self) -> Bus: ...
+    @property
+    def jobs(self) -> Jobs: ...
+    @property
+    def hand(self) -> Hand | None: ...
+
+
+class SessionState(Protocol):
+    """What all states have."""
+
+    @property
+    def session_id(self) -> str: ...
+    @property
+    def ended(self) -> object:
+        """True in some way once the session is over."""
+
+
+class SessionLive(Protocol):
+    """The station as a flow sees it: a dataclass that tells, besides other things, what is busy."""
+
+    __dataclass_fields__: ClassVar[dict[str, Any]]
+
+    @property
+    def busy(self) -> Busy | None: ...
+
+
+log = logging.getLogger(__name__)
+STALE = "stale-view"
+State = TypeVar("State", bound=SessionState)
+Live = TypeVar("Live", bound=SessionLive)
+View = TypeVar("View")
+
+
+@dataclass(frozen=True)
+class Flow(Generic[State, Live, View]):
+    """What is known of a kind of session without a station: pure functions of its state."""
+
+    kind: str
+    """Of the sessions in the journal."""
+    topic: str
+    """Under which the view is published."""
+    empty: State
+    """Before the first row."""
+    after: Callable[[State, Row], State]
+    """What a row makes of a state."""
+    view_of: Callable[[State, Live], View]
+    why_not: Callable[[State, Live, str, Mapping[str, object]], str]
+    """Why a command cannot be done; empty when it can."""
+    arguments: ArgumentTable
+    """What the commands take."""
+
+
+def new_session_id() -> str:
+    """By the time, and different within a second."""
+    return f"{datetime.now(UTC):%Y%m%d-%H%M%S}-{secrets.token_hex(2)}"
+
+
+class GuidedSession(ABC, Generic[State, Live, View]):
+    """The latest session of a kind. All methods may be called from any thread."""
+
+    station: Machinery
+
+    def __init__(self, station: Machinery, journal: Journal, flow: Flow[State, Live, View]) -> None:
+        self.lock = threading.RLock()
+        self.changed = threading.Condition(self.lock)
+        self.hand_running = False
+        self.declined = 0
+        """Counts what was asked for and declined."""
+        self.station = station
+        self._journal, self._flow = journal, flow
+        self._trouble: Finding | None = None
+        self._published: View | None = None
+        self.aside = ""
+        """Why the last session is not gone on with: it cannot be read. Empty where it can."""
+        self.state = self._last_state()
+
+    def _last_state(self) -> State:
+        """Where the latest session stands; as before the first where it cannot be read.
+
+        Raises:
+            Refusal: the database itself is damaged.
+        """
+        session = self._journal.latest_session(self._flow.kind)
+        if session is None:
+            return self._flow.empty
+        try:
+            return fold(self._journal.rows(session.id), self._flow.empty, self._flow.after)
+        except Refusal:
+            raise
+        except Exception as error:  # whatever stands there, the rest is served
+            self._set_aside(session.id, error)
+            return self._flow.empty
+
+    def resume(self) -> None:
+        """Brings the station in line with the session; one that cannot be shown is set aside."""
+        try:
+            self.bring_in_line()
+            self.view()
+        except Exception as error:  # as above
+            self._set_aside(self.state.session_id, error)
+            self.state = self._flow.empty
+            self.bring_in_line()
+
+    def bring_in_line(self) -> None:
+        """The station works with what the session chose."""
+
+    def _set_aside(self, session_id: str, error: Exception) -> None:
+        log.warning("session %s cannot be gone on with", session_id, exc_info=error)
+        self.aside = f"The session {session_id} cannot be read, and is set aside: {error}."
+
+    def keep(self, write: Callable[[Check], object]) -> None:
+        """Has a row written, which is folded before it is committed; the state follows.
+
+        Raises:
+            Refusal: it cannot be folded, and is not kept.
+        """
+        states: list[State] = []
+
+        def check(row: Row) -> None:
+            try:
+                states.append(self._flow.after(self.state, row))
+            except Exception as error:
+                log.exception("a row %s cannot be folded", row.kind)
+                raise Refusal(
+                    "not-readable",
+                    "This was not kept",
+                    "the session could not be read with it",
+                    "Send the support bundle",
+                ) from error
+
+        write(check)
+        self.state = states[-1]
+
+    @property
+    def running(self) -> bool:
+        """Whether a session is open."""
+        return bool(self.state.session_id) and not self.state.ended
+
+    @property
+    def busy(self) -> Busy | None:
+        """The work that is under way."""
+        job = self.station.jobs.current
+        return Busy(job.text or job.title, job.fraction) if job is not None else None
+
+    @abstractmethod
+    def live(self) -> Live:
+        """The station as the flow sees it."""
+
+    def view(self) -> View:
+        """The session as of now."""
+        with self.lock:
+            return self._flow.view_of(self.state, self.live())
+
+    @property
+    @abstractmethod
+    def rev(self) -> int:
+        """What the view's revision is now."""
+
+    def why_not(self, name: str, args: Mapping[str, object], by_hand: bool) -> str:
+        """Why a command cannot be done now; ``by_hand``: the hand's own work is no hindrance."""
+        live = self.live()
+        return self._flow.why_not(
+            self.state, replace(live, busy=None) if by_hand else live, name, args
+        )
+
+    def refuse_unless_possible(
+        self, name: str, args: Args, rev: int | None, by_hand: bool = False
+    ) -> Args:
+        """Before every command: of a browser with its view's revision, of the hand as its own.
+
+        Returns:
+            The arguments, each of its type.
+
+        Raises:
+            Refusal: it cannot be done now, was given on an old view, or has wrong arguments.
+        """
+        if rev is not None and rev != self.rev:
+            raise self.stale()
+        typed = checked(self._flow.arguments, name, args)
+        if reason := self.why_not(name, typed, by_hand):
+            raise Refusal("not-now", reason)
+        return typed
+
+    def stale(self) -> Exception:
+        """What is raised where a command was given on an old view."""
+        return Refusal(
+            STALE,
+            "The session went on meanwhile; nothing was done",
+            remedy="Look at the present step, and act on that",
+        )
+
+    @contextmanager
+    def beginning(self) -> Iterator[None]:
+        """A session that cannot be written, as on a full disk, is not begun."""
+        before = self.state
+        try:
+            yield
+        except BaseException:
+            self.state = before
+            raise
+
+    def refresh(self) -> View:
+        """Publishes the view if it changed, and returns it."""
+        with self.lock:
+            view = self.view()
+            if view != self._published:
+                self._published = view
+                self.station.bus.publish(self._flow.topic, view)
+            return view
+
+    def knows_key(self, key: str) -> bool:
+        """Whether a command with this idempotency key has acted already."""
+        return self._journal.knows_key(key)
+
+    def decline(self, refusal: Refusal) -> None:
+        """Shows why something was not done, until something is."""
+        with self.lock:
+            why = f": {refusal.why}" if refusal.why else ""
+            text = sentence(f"{refusal.what}{why}")
+            self._trouble = Finding("attention", text, sentence(refusal.remedy))
+            self.declined += 1
+            self.station.bus.event("refused", refusal.line, "attention")
+            self.changed.notify_all()
+            self.refresh()

@@ -1,0 +1,112 @@
+"""What the browser is shown of a calibration's result; field for field of resultTypes.ts."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from app.findings import Quality
+
+
+@dataclass(frozen=True)
+class BudgetRow:
+    source: str
+    value_um: float
+
+
+@dataclass(frozen=True)
+class FaceResult:
+    face: str
+    points: int
+    rms_um: float
+    form_um: float
+
+
+@dataclass(frozen=True)
+class WorstPoint:
+    """One of those that fit worst: ``point`` is the touched point's index, ``at_px`` the place
+    in the picture of ``pose``."""
+
+    kind: Literal["contact", "corner", "stripe"]
+    name: str
+    value: float
+    unit: str
+    point: int | None = None
+    pose: int | None = None
+    at_px: tuple[float, float] | None = None
+
+
+@dataclass(frozen=True)
+class MovedPoint:
+    """How far the point that a pixel shows moved between two calibrations."""
+
+    u: float
+    v: float
+    moved_um: float
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """How far points of the measuring volume moved since another calibration."""
+
+    with_name: str
+    max_um: float
+    rms_um: float
+    map: Sequence[MovedPoint] = ()
+
+
+@dataclass(frozen=True)
+class PlaneKnown:
+    """Standard uncertainty of a plane swept straight across, k = 1."""
+
+    angle_arcsec: float
+    offset_um: float
+
+
+@dataclass(frozen=True)
+class MapPoint:
+    """Standard uncertainty of the point that a pixel shows, k = 1; ``inside`` the depths
+    that the stripe covered."""
+
+    u: float
+    v: float
+    u_um: float
+    inside: bool
+
+
+@dataclass(frozen=True)
+class PoseRow:
+    """What became of one pose; ``reason`` where it, or its laser line, was left out."""
+
+    number: int
+    used: bool
+    reason: str
+    edges_rms_px: float
+    stripe_rms_px: float | None
+    """None without a laser line."""
+    off_um: float
+
+
+@dataclass(frozen=True)
+class CalibrationResult:
+    verdict: Quality
+    verdict_text: str
+    reprojection_rms_px: float
+    laser_plane_rms_um: float
+    alignment_rms_um: float | None
+    """Of the contacts; None where the object was not touched."""
+    depth_range_mm: tuple[float, float]
+    probe_matrix: Sequence[Sequence[float]]
+    faces: Sequence[FaceResult]
+    budget: Sequence[BudgetRow]
+    total_um: float
+    worst: Sequence[WorstPoint]
+    comparison: Comparison | None
+    distortion: Sequence[float]
+    plane: PlaneKnown | None = None
+    map: Sequence[MapPoint] = ()
+    poses: Sequence[PoseRow] = ()
+    shown_pose: int = 0
+    """The pose whose picture is shown first: its edges fit worst."""
+    good_um: float | None = None
+    usable_um: float | None = None
+    """The limits that the verdict went by."""

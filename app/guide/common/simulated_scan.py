@@ -1,0 +1,87 @@
+"""The simulated hand sweeping the sensor over the parts on the table, while a scan runs."""
+
+from collections.abc import Callable
+
+from app.errors import Refusal
+from app.guide.common.simulated_operator import Hand
+from app.station.bus import Bus
+from app.station.jobs import Job, Jobs, Progress
+
+
+class ScanHand:
+    """Lets the hand scan every part once; ``changed`` is called when it begins and ends."""
+
+    def __init__(
+        self, hand: Hand | None, jobs: Jobs, bus: Bus, changed: Callable[[], None]
+    ) -> None:
+        self._hand, self._jobs, self._bus, self._changed = hand, jobs, bus, changed
+        self._running = False
+
+    @property
+    def running(self) -> bool:
+        return self._running
+
+    def start(self) -> None:
+        """Begins; nothing happens when it is at work already.
+
+        Raises:
+            Refusal: ``no-hand`` on real devices, ``busy`` while another job runs.
+        """
+        if self._running:
+            return
+        hand = self._hand
+        if hand is None:
+            raise _no_hand()
+
+        def work(progress: Progress) -> None:
+            for done, part in enumerate(hand.parts):
+                progress(f"The hand scans the {part}", done / len(hand.parts))
+                if not self._running or not hand.scan_part(part):
+                    return
+
+        self._running = True
+        try:
+            self._jobs.start("The hand at work", work, self._done)
+        except Refusal:
+            self._running = False
+            raise
+        self._changed()
+
+    def pass_over_plate(self) -> bool:
+        """Goes over the plate, nearer and away again, within a job of the caller's.
+
+        Returns False when it was stopped. Raises ``Refusal``: ``no-hand``, or ``busy`` while
+        it scans.
+        """
+        hand = self._hand
+        if hand is None:
+            raise _no_hand()
+        if self._running:
+            raise Refusal("busy", "The hand is scanning", remedy="Stop it first")
+        self._running = True
+        self._changed()
+        try:
+            return hand.pass_over_plate()
+        finally:
+            self._running = False
+            self._changed()
+
+    def stop(self) -> None:
+        """Ends the sweep under way; idempotent."""
+        if self._running and self._hand is not None:
+            self._running = False
+            self._hand.cancel()
+
+    def _done(self, job: Job[None]) -> None:
+        self._running = False
+        if job.refusal is not None:
+            self._bus.event("refused", job.refusal.line, "bad")
+        self._changed()
+
+
+def _no_hand() -> Refusal:
+    return Refusal(
+        "no-hand",
+        "There is no simulated hand on real devices",
+        remedy="Move the sensor over the part yourself",
+    )

@@ -1,0 +1,250 @@
+"""What the browser is shown of a guided flow; field for field the shapes of flowTypes.ts."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Literal
+
+from app.findings import Finding, Quality, signed
+from app.guide.common.result_view import CalibrationResult
+from app.metrology.detection.failure_evidence import Mark
+
+Vec3 = tuple[float, float, float]
+Segment = tuple[float, float, float, float]
+StepState = Literal["done", "current", "todo", "stale"]
+
+
+@dataclass(frozen=True)
+class LiveNumber:
+    """A number that the operator watches."""
+
+    label: str
+    value: float | None
+    unit: str
+    decimals: int
+    quality: Quality = "neutral"
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class Action:
+    """One thing that the operator may do now, or why not."""
+
+    name: str
+    label: str
+    args: Mapping[str, object] = field(default_factory=dict)
+    primary: bool = False
+    enabled: bool = True
+    why_not: str = ""
+    confirm: str = ""
+
+
+@dataclass(frozen=True)
+class Step:
+    id: str
+    title: str
+    state: StepState
+
+
+@dataclass(frozen=True)
+class BlockGeometry:
+    """The block for drawing, in mm, from its certificate."""
+
+    edges_x_mm: Sequence[float]
+    front_y_mm: float
+    back_y_mm: float
+    crest_z_mm: float
+    floor_z_mm: float
+    base_z_mm: float
+    kind: Literal["block"] = "block"
+
+
+@dataclass(frozen=True)
+class BoardGeometry:
+    """The chessboard for drawing, from its certificate: columns and rows of inner corners."""
+
+    inner_corners: tuple[int, int]
+    square_mm: float
+    kind: Literal["board"] = "board"
+
+
+ObjectGeometry = BlockGeometry | BoardGeometry
+
+
+@dataclass(frozen=True)
+class TouchedPoint:
+    index: int
+    face: str
+    at_mm: Vec3 | None
+    residual_um: float | None
+    outlier: bool
+
+
+@dataclass(frozen=True)
+class FaceProgress:
+    face: str
+    title: str
+    taken: int
+    wanted: int
+    selected: bool
+    rms_um: float | None
+    suggested_mm: Sequence[Vec3]
+
+
+@dataclass(frozen=True)
+class ChoiceOption:
+    id: str
+    label: str
+    detail: str
+
+
+@dataclass(frozen=True)
+class Choice:
+    field: str
+    title: str
+    options: Sequence[ChoiceOption]
+    selected: str
+
+
+@dataclass(frozen=True)
+class DeviceLine:
+    title: str
+    quality: Quality
+    text: str
+
+
+@dataclass(frozen=True)
+class ImageCorner:
+    """``off_px`` is found minus computed (u, v), of a result; ``residual_px`` its length."""
+
+    name: str
+    u: float
+    v: float
+    residual_px: float | None
+    off_px: tuple[float, float] | None = None
+
+
+@dataclass(frozen=True)
+class DevicesPicture:
+    devices: Sequence[DeviceLine]
+    kind: Literal["devices"] = "devices"
+
+
+@dataclass(frozen=True)
+class ChoicesPicture:
+    choices: Sequence[Choice]
+    object: ObjectGeometry | None
+    kind: Literal["choices"] = "choices"
+
+
+@dataclass(frozen=True)
+class ObjectPicture:
+    object: ObjectGeometry
+    faces: Sequence[FaceProgress]
+    points: Sequence[TouchedPoint]
+    kind: Literal["object"] = "object"
+
+
+@dataclass(frozen=True)
+class CameraPicture:
+    """The live picture; ``target`` is the object as it would look from the advised hold, or for
+    the first picture about so."""
+
+    target: Sequence[Segment] = ()
+    kind: Literal["camera"] = "camera"
+
+
+@dataclass(frozen=True)
+class PosePicture:
+    """One pose: its picture with what was found in it, or why nothing was (``marks``).
+
+    ``note`` says why it does not count; the figures are those of the result, where there
+    is one. ``action`` sets the pose aside or takes it back.
+    """
+
+    number: int
+    state: Literal["taken", "used", "left_out", "aside"]
+    note: str
+    image_url: str
+    width_px: int
+    height_px: int
+    corners: Sequence[ImageCorner]
+    outline: Sequence[Segment]
+    stripe: Sequence[tuple[float, float]]
+    marks: Sequence[Mark]
+    edges_rms_px: float | None
+    stripe_rms_px: float | None
+    off_um: float | None
+    action: Action | None
+    stripe_off: Sequence[Vec3] = ()
+    """Of a result: u, v of some of the stripe's points, and how far each lies off (px)."""
+
+
+@dataclass(frozen=True)
+class StillPicture:
+    """The poses taken so far; the one to look at is ``shown``."""
+
+    poses: Sequence[PosePicture]
+    shown: int
+    kind: Literal["still"] = "still"
+
+
+@dataclass(frozen=True)
+class ResultPicture:
+    """A result; ``stale`` once a pose was set aside or taken back since."""
+
+    result: CalibrationResult
+    stale: bool
+    object: ObjectGeometry
+    points: Sequence[TouchedPoint]
+    poses: Sequence[PosePicture]
+    kind: Literal["result"] = "result"
+
+
+Picture = (
+    DevicesPicture | ChoicesPicture | ObjectPicture | CameraPicture | StillPicture | ResultPicture
+)
+
+
+@dataclass(frozen=True)
+class StepProgress:
+    done: int
+    of: int
+    text: str
+
+
+@dataclass(frozen=True)
+class Busy:
+    """A job or the hand at work."""
+
+    text: str
+    fraction: float | None
+
+
+@dataclass(frozen=True)
+class FlowView:
+    """The whole state of the guided flow."""
+
+    session_id: str
+    rev: int
+    running: bool
+    steps: Sequence[Step]
+    step: str
+    title: str
+    instruction: str
+    picture: Picture
+    number: LiveNumber | None
+    progress: StepProgress | None
+    findings: Sequence[Finding]
+    actions: Sequence[Action]
+    busy: Busy | None
+
+
+def signed_um(value: float) -> str:
+    """With its sign."""
+    return f"{signed(value)} µm"
+
+
+def sentence(text: str) -> str:
+    """With a capital letter and a full stop; empty stays empty."""
+    text = text.strip().rstrip(".")
+    return f"{text[0].upper()}{text[1:]}." if text else ""

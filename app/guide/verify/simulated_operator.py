@@ -1,0 +1,128 @@
+"""What the simulated hand does in a verification: touches the gauge, and passes over it."""
+
+import time
+from collections.abc import Callable
+
+from app.errors import Refusal
+from app.guide.common.simulated_operator import Hand
+from app.guide.verify import tasks as works
+from app.guide.verify.guide import VerifyGuide
+from app.guide.verify.rules import CLOUDS_WANTED, wanted
+from app.station.jobs import Progress
+
+GAUGES = {"plane": "plate", "sphere": "sphere"}
+"""What the hand calls the gauge of a shape on its table."""
+TIMEOUT_S = 4.0
+ATTEMPTS = 3
+PAUSE_S = 0.1
+
+
+def hand_work(guide: VerifyGuide, hand: Hand, whole: bool) -> Callable[[Progress], None]:
+    """The job by which the hand does the present step, or goes on up to the result."""
+
+    def work(progress: Progress) -> None:
+        try:
+            while guide.hand_running and guide.state.step in STEP_WORKS:
+                step = guide.state.step
+                STEP_WORKS[step](guide, hand, progress)
+                if not whole or guide.state.step == step:
+                    break
+        finally:
+            guide.hand_running = False
+
+    return work
+
+
+def _confirm(guide: VerifyGuide, name: str, kind: str) -> None:
+    """Goes on as the operator would, by the same rules; not once the hand was stopped."""
+    with guide.lock:
+        if guide.hand_running:
+            guide.refuse_unless_possible(name, {}, None, by_hand=True)
+            guide.append(kind, {})
+
+
+def _gauge(guide: VerifyGuide, hand: Hand, progress: Progress) -> None:
+    with guide.lock:
+        guide.refuse_unless_possible("confirm_gauge", {}, None, by_hand=True)
+        works.confirm_gauge(guide, None)
+
+
+def _name(guide: VerifyGuide) -> str:
+    gauge = guide.live().gauge
+    assert gauge is not None
+    return GAUGES[gauge.shape]
+
+
+def _touch(guide: VerifyGuide, hand: Hand, progress: Progress) -> None:
+    name, of = _name(guide), wanted(guide.live())
+    for index in range(len(guide.state.counted), of):
+        progress(f"The hand touches the {name}", index / of)
+        if not guide.hand_running or not _touch_one(guide, hand, name, index):
+            return
+    _confirm(guide, "confirm_touch", "touch_confirmed")
+
+
+def _touch_one(guide: VerifyGuide, hand: Hand, name: str, index: int) -> bool:
+    """One place, again where it was declined; False when the hand was stopped."""
+    for attempt in range(ATTEMPTS):
+        with guide.lock:
+            before, declined = len(guide.state.touches), guide.declined
+        if not hand.touch_gauge(name, index + 50 * attempt):
+            return False
+        with guide.changed:
+            guide.changed.wait_for(
+                lambda: len(guide.state.touches) > before or guide.declined > declined,  # noqa: B023
+                TIMEOUT_S,
+            )
+            if len(guide.state.touches) > before:
+                return True
+    raise Refusal(
+        "hand-declined",
+        f"The hand's touch {index + 1} was declined {ATTEMPTS} times",
+        remedy="Look at the last message, and let the hand try again",
+    )
+
+
+def _scan(guide: VerifyGuide, hand: Hand, progress: Progress) -> None:
+    name = _name(guide)
+    at_least_one = max(CLOUDS_WANTED, len(guide.state.good) + 1)
+    for done in range(len(guide.state.good), at_least_one):
+        progress(f"The hand scans the {name}, cloud {done + 1}", done / at_least_one)
+        if not guide.hand_running or not _scan_one(guide, hand, name, progress):
+            return
+    _confirm(guide, "confirm_clouds", "clouds_confirmed")
+
+
+def _scan_one(guide: VerifyGuide, hand: Hand, name: str, progress: Progress) -> bool:
+    """One cloud from its begin to its measure; False when the hand was stopped, or it is of
+    no use."""
+    _await_scanner(guide)
+    with guide.lock:
+        if not guide.hand_running:
+            return False
+        guide.refuse_unless_possible("begin_cloud", {}, None, by_hand=True)
+        works.begin_cloud(guide, None)
+    whole = hand.scan_part(name)
+    with guide.lock:
+        if guide.state.open_cloud is None:
+            return False
+        cloud = works.end_cloud(guide, "cloud_ended" if whole else "cloud_voided", None)
+    seconds = works.end_scan(guide)
+    if not whole:
+        return False
+    works.measure(guide, cloud, seconds, progress)
+    return any(good.number == cloud.number for good in guide.state.good)
+
+
+def _await_scanner(guide: VerifyGuide) -> None:
+    """A camera or an arm that was just connected takes a moment."""
+    deadline_s = time.monotonic() + TIMEOUT_S
+    while guide.station.scanner.why_not() is not None and time.monotonic() < deadline_s:
+        time.sleep(PAUSE_S)
+
+
+STEP_WORKS: dict[str, Callable[[VerifyGuide, Hand, Progress], None]] = {
+    "gauge": _gauge,
+    "touch": _touch,
+    "scan": _scan,
+}

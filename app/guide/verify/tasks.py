@@ -1,0 +1,255 @@
+"""The longer works of a verification: measuring a cloud, and writing the record."""
+
+import shutil
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Protocol
+
+from app.errors import Refusal
+from app.formats.atomic_write import sync_file, sync_folder
+from app.formats.io_errors import files_refused
+from app.formats.json_document import sha256_of
+from app.formats.results.calibration import CalibrationFile, Input
+from app.formats.results.verification import (
+    GAUGE,
+    TOUCHES,
+    CloudPart,
+    GaugePart,
+    PlacingPart,
+    TemperaturePart,
+    UsedCalibration,
+    VerificationFile,
+    write_verification,
+)
+from app.formats.session.calibration_session import ARM
+from app.formats.software import SOFTWARE
+from app.guide.calibration.session_folder import CALIBRATION
+from app.guide.verify.guide import VerifyGuide
+from app.guide.verify.live import VerifyLive
+from app.guide.verify.state import Cloud, VerifyState
+from app.metrology.gauges.errors import ARCSEC_PER_RAD
+from app.metrology.gauges.probed_gauge import TouchedPlane, TouchedSphere
+from app.station.jobs import Progress
+from app.workflows.measure_gauge import MAP, Fit, measure_recording
+from app.workflows.verification_metrics import Errors
+
+RECORDING = "scan.mcap"
+
+
+class Temperatures(Protocol):
+    """What the temperature was at a time; None where nobody told it."""
+
+    def celsius_near(self, at: str) -> float | None: ...
+
+
+def confirm_gauge(guide: VerifyGuide, key: str | None) -> None:
+    """From here on the session uses its own copies of gauge, arm and calibration."""
+    guide.keep_sheets()
+    guide.append("gauge_confirmed", {}, key)
+
+
+def begin_cloud(guide: VerifyGuide, key: str | None) -> None:
+    """Starts the scan of the next cloud; raises ``Refusal`` where it cannot start."""
+    number = len(guide.state.clouds) + 1
+    folder = guide.folder / Cloud(number, "", "").name
+    # of a process that was killed before the row below was kept
+    shutil.rmtree(folder, ignore_errors=True)
+    guide.station.scanner.start(f"Verification, cloud {number}", folder)
+    guide.append("cloud_begun", {"number": number}, key)
+
+
+def end_cloud(guide: VerifyGuide, kind: str, key: str | None) -> Cloud:
+    """Ends the cloud that is scanned, as ``cloud_ended`` or ``cloud_voided``."""
+    cloud = guide.state.open_cloud
+    assert cloud is not None
+    guide.append(kind, {"number": cloud.number, "ended": True, "voided": True}, key)
+    return cloud
+
+
+def end_scan(guide: VerifyGuide) -> float:
+    """Stops the cloud's scan; how long it took, 0 where it had ended already."""
+    result = guide.station.scanner.stop()
+    return result.seconds if result is not None else 0.0
+
+
+def drop_scan(guide: VerifyGuide) -> None:
+    """Stops the scan of a cloud that is not wanted."""
+    end_scan(guide)
+
+
+def measure(guide: VerifyGuide, cloud: Cloud, seconds: float, progress: Progress) -> None:
+    """Rebuilds a cloud from its recording and fits the gauge to it; a refusal is kept, too."""
+    progress(f"Measuring cloud {cloud.number}", 0.5)
+    folder = guide.folder / cloud.name
+    with guide.lock:
+        gauge, arm = guide.sheets()
+    try:
+        if gauge is None or arm is None:
+            raise Refusal("sheets-gone", "The session's gauge or arm cannot be read any more")
+        with files_refused(folder / RECORDING):  # a killed process left it in memory alone
+            sync_file(folder / RECORDING)
+            sync_folder(folder)
+        measured = measure_recording(folder / RECORDING, guide.calibration(), arm, gauge)
+        measured.map.write(folder / MAP)
+    except Refusal as refusal:
+        told = {"what": refusal.what, "why": refusal.why, "remedy": refusal.remedy}
+        refused = {"code": refusal.code, **told}
+        guide.append("cloud_refused", {"number": cloud.number, "refused": refused})
+        guide.station.bus.event("refused", refusal.line, "attention")
+    else:
+        payload = {"number": cloud.number, "fit": measured.fit.model_dump(mode="json")}
+        guide.append("cloud_measured", {**payload, "seconds": seconds})
+        text = f"Cloud {cloud.number}: {measured.fit.rms_um:.0f} µm rms about the gauge."
+        guide.station.bus.event("step_done", text, "good")
+    scan_id = f"{guide.folder.name}-{cloud.name}"
+    guide.station.scanner.forget(scan_id)
+    guide.station.scene.close_scan(scan_id)
+
+
+def accept(guide: VerifyGuide, operator: str, temperatures: Temperatures, key: str | None) -> None:
+    """Writes the record and keeps the verification.
+
+    Raises:
+        Refusal: a file cannot be read or written; nothing is kept then.
+    """
+    live, state = guide.live(), guide.state
+    sheet = record_of(guide, live, operator, temperatures)
+    write_verification(guide.folder, sheet)
+    figures = {
+        "result": sheet.verdict.result,
+        "text": sheet.verdict.text,
+        "shape": sheet.gauge.shape,
+        "gauge": sheet.gauge.name,
+        "clouds": len(sheet.clouds),
+        "touched": sheet.placing is not None,
+        "operator": operator,
+    }
+    guide.keep(
+        lambda check: guide.verifications.accept(
+            state.session_id, state.calibration_id, guide.folder, figures, key, check
+        )
+    )
+    quality = {"pass": "good", "fail": "bad"}.get(sheet.verdict.result, "attention")
+    guide.station.bus.event("accepted", f"Verified: {sheet.verdict.text}", quality)  # type: ignore[arg-type]
+
+
+def record_of(
+    guide: VerifyGuide, live: VerifyLive, operator: str, temperatures: Temperatures
+) -> VerificationFile:
+    """The record as of now."""
+    state, gauge, verdict = guide.state, live.gauge, live.judged.verdict
+    active = guide.calibrations.active()
+    assert gauge is not None
+    assert verdict is not None
+    assert active is not None
+    calibration = CalibrationFile.read(guide.folder / CALIBRATION)
+    accepted_at = datetime.now(UTC).isoformat(timespec="seconds").replace("+00:00", "Z")
+    probe = live.touched if state.by_probe and not isinstance(live.touched, Refusal) else None
+    return VerificationFile(
+        id=state.session_id,
+        station=guide.signing.station,
+        simulated=guide.signing.simulated,
+        operator=operator,
+        started_at=state.started_at,
+        accepted_at=accepted_at,
+        gauge=GaugePart(
+            shape=gauge.shape,
+            name=gauge.name or state.gauge,
+            serial_number=gauge.serial_number,
+            certificate=gauge.certificate,
+            radius_mm=gauge.radius_mm,
+            standard_uncertainty_um=gauge.standard_uncertainty_um,
+            form_um=gauge.form_um,
+        ),
+        serial_numbers=calibration.serial_numbers,
+        calibration=UsedCalibration(
+            id=active.id,
+            name=active.name,
+            accepted_at=active.accepted_at,
+            total_um=calibration.uncertainty.total_um if calibration.uncertainty else 0.0,
+        ),
+        placing=placing_of(probe),
+        clouds=tuple(
+            cloud_part(cloud, live.judged.fits[cloud.number], live.judged.errors[cloud.number])
+            for cloud in state.good
+        ),
+        figures=live.judged.figures,
+        verdict=verdict,
+        notes=_notes(state),
+        temperature=TemperaturePart(
+            start_c=temperatures.celsius_near(state.started_at),
+            end_c=temperatures.celsius_near(accepted_at),
+        ),
+        inputs=_inputs(guide.folder, state),
+        software=SOFTWARE,
+    )
+
+
+def placing_of(touched: TouchedPlane | TouchedSphere | None) -> PlacingPart | None:
+    """Where the touches have the gauge."""
+    if touched is None:
+        return None
+    values: dict[str, object] = {
+        "touches": len(touched.residuals_mm),
+        "rms_um": touched.rms_mm * 1e3,
+    }
+    if isinstance(touched, TouchedPlane):
+        at = touched.nominal.point_mm
+        values |= {
+            "point_mm": at.tolist(),
+            "normal": touched.nominal.normal.tolist(),
+            "standard_uncertainty_um": touched.height_sd_mm(at) * 1e3,
+            "standard_uncertainty_arcsec": touched.angle_sd_rad * ARCSEC_PER_RAD,
+        }
+    else:
+        values |= {
+            "point_mm": touched.nominal.centre_mm.tolist(),
+            "radius_mm": touched.radius_mm,
+            "standard_uncertainty_um": touched.centre_sd_mm * 1e3,
+        }
+    return PlacingPart.model_validate(values)
+
+
+def cloud_part(cloud: Cloud, fit: Fit, errors: Errors) -> CloudPart:
+    """One cloud as the record has it."""
+    return CloudPart(
+        name=f"Cloud {cloud.number}",
+        recording=f"{cloud.name}/{RECORDING}",
+        taken_at=cloud.at,
+        seconds=cloud.seconds,
+        frames=fit.frames,
+        points=fit.points,
+        used=fit.used,
+        rms_um=fit.rms_um,
+        form_um=fit.form_um,
+        centre_mm=fit.centre_mm,
+        normal=fit.normal,
+        offset_mm=fit.offset_mm,
+        radius_mm=fit.radius_mm,
+        angle_arcsec=errors.angle_arcsec,
+        z_error_um=errors.z_error_um,
+        offset_error_um=errors.offset_error_um,
+        radius_error_um=errors.radius_error_um,
+        centre_error_um=errors.centre_error_um,
+    )
+
+
+def _notes(state: VerifyState) -> tuple[str, ...]:
+    notes = []
+    if state.by_probe:
+        notes.append("Scan and probe share the arm: what both have wrong alike does not show here.")
+    else:
+        notes.append("The gauge was not touched: only its shape and size are judged.")
+    aside = sum(cloud.voided or cloud.refused is not None for cloud in state.listed)
+    if aside:
+        notes.append(f"{aside} further cloud{'s were' if aside > 1 else ' was'} not used.")
+    return tuple(notes)
+
+
+def _inputs(folder: Path, state: VerifyState) -> tuple[Input, ...]:
+    names = [CALIBRATION, ARM, GAUGE]
+    if state.by_probe:
+        names.append(TOUCHES)
+    names += [f"{cloud.name}/{RECORDING}" for cloud in state.good]
+    with files_refused(folder):
+        return tuple(Input(file=name, sha256=sha256_of(folder / name)) for name in names)

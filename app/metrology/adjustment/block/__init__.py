@@ -1,0 +1,1 @@
+"""The joint adjustment with the crenellated block. Entry point: ``calibrate``."""

@@ -1,0 +1,312 @@
+"""The calibration over many poses: contacts and pictures of one block, all in one adjustment.
+
+One pose alone gives the paper's method (Eq. 5-8) with the arm's errors counted in.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from app.errors import Refusal
+from app.metrology.adjustment.block.findings import JointEvidence, joint_findings
+from app.metrology.adjustment.block.initial_guess import common_camera, seen_from
+from app.metrology.adjustment.block.laser_lines import (
+    plane_of_poses,
+    without_lines,
+    without_stray_lines,
+)
+from app.metrology.adjustment.block.observations import BlockView, block_papers, block_touches
+from app.metrology.adjustment.core.arm_errors import arm_motion
+from app.metrology.adjustment.core.gauss_newton import Adjusted, adjust, unsettled
+from app.metrology.adjustment.core.hand_eye import (
+    Mounting,
+    mounting_by_contacts,
+    refuse_contradictions,
+)
+from app.metrology.adjustment.core.observations import (
+    NotSeen,
+    Problem,
+    SeenPose,
+    refuse_nothing_seen,
+)
+from app.metrology.adjustment.core.parameters import State
+from app.metrology.adjustment.core.uncertainty import Known, known, sensor_of
+from app.metrology.adjustment.outliers.poses import without_strays
+from app.metrology.adjustment.results.poses import (
+    NO_LINE,
+    PoseResult,
+    left_out,
+    line_left_out,
+    pose_results,
+    worst_of_all,
+)
+from app.metrology.adjustment.results.stripes import depth_range_mm, sorted_anew, stripe_rms_mm
+from app.metrology.arm.kinematics import Arm, tip_centres, tip_covariances
+from app.metrology.calibration.findings import Finding, WorstPoint
+from app.metrology.calibration.laser_plane_fit import stripe_on_levels
+from app.metrology.detection.detect_block import detect_object
+from app.metrology.detection.image_quality import picture_findings
+from app.metrology.image import Image
+from app.metrology.limits import LIMITS, Limits
+from app.metrology.probing.alignment import Alignment, align, refuse_wrong_faces
+from app.metrology.sensor.camera import Camera
+from app.metrology.sensor.laser_plane import LaserPlane, in_frame
+from app.metrology.stripe import extract_stripe
+from app.metrology.targets.crenellated_block import Crenellated
+from app.metrology.transforms import Floats, inverse
+
+Progress = Callable[[str, float], None]
+# What is not known to a metre is not known.
+HOPELESS_UM = 1e6
+
+
+@dataclass(frozen=True)
+class JointInputs:
+    """What a calibration over P poses is made from: one block that has not moved.
+
+    ``q_rad`` (P, n) belongs to ``seen``; ``unseen`` are poses that show nothing usable.
+    """
+
+    arm: Arm
+    block: Crenellated
+    features: tuple[str, ...]  # (N) the face of each contact
+    contact_q_rad: Floats  # (N, n)
+    seen: tuple[SeenPose, ...]
+    q_rad: Floats
+    unseen: tuple[NotSeen, ...] = ()
+    limits: Limits = LIMITS
+
+
+@dataclass(frozen=True)
+class JointCalibration:
+    """A calibration and what it rests on.
+
+    The sensor frame is the object's frame as the first used pose saw it (Eq. 6): a
+    choice, which lets one pose give what the paper gives.
+    """
+
+    adjusted: Adjusted
+    alignment: Alignment
+    camera: Camera
+    plane: LaserPlane
+    T_flange_sensor: Floats
+    T_arm_obj: Floats
+    poses: tuple[PoseResult, ...]
+    known: Known
+    stripe_rms_um: float  # of the stripe's points to the laser plane
+    depth_range_mm: tuple[float, float]
+    findings: tuple[Finding, ...]
+    worst: tuple[WorstPoint, ...]
+
+
+def see_pose(
+    number: int, block: Crenellated, ambient: Image, laser: Image | None, axis: str
+) -> SeenPose:
+    """What the pictures of one pose show, by themselves.
+
+    Args:
+        ambient: (H, W) with room light; with both lights where ``laser`` is None.
+        axis: along which stripe points are counted, see ``extract_stripe``.
+
+    Raises:
+        Refusal: the object or the stripe is not to be found.
+    """
+    lit = ambient if laser is None else laser
+    in_the_way = extract_stripe(lit, axis) if laser is None else None
+    detection = detect_object(ambient, block, in_the_way)
+    stripe = stripe_on_levels(detection.camera, block, lit, axis)
+    return SeenPose(number, detection, stripe, tuple(picture_findings(ambient)))
+
+
+def calibrate_joint(inputs: JointInputs, progress: Progress | None = None) -> JointCalibration:
+    """Camera, laser plane and probe matrix from all poses and contacts at once.
+
+    Raises:
+        Refusal: whatever makes the calibration impossible, by its reason.
+    """
+    say = progress or (lambda _what, _share: None)
+    _refuse_unusable(inputs)
+    say("Fitting the contact points", 0.0)
+    alignment = _aligned(inputs)
+    say("Finding a start", 0.1)
+    start = _start(inputs, alignment)
+    say("Adjusting all poses together", 0.3)
+    found = _adjusted(start.problem, start.state)
+    found, mounting = without_strays(found, start.mounting, block_size_mm(inputs.block))
+    found, astray = without_stray_lines(found)
+    say("Working out the uncertainty", 0.8)
+    result = _assembled(inputs, alignment, found, mounting, start.lines_out | astray)
+    say("Done", 1.0)
+    return result
+
+
+def _aligned(inputs: JointInputs) -> Alignment:
+    tips = tip_centres(inputs.arm, inputs.contact_q_rad)
+    noise = tip_covariances(inputs.arm, inputs.contact_q_rad)
+    weighed = noise if np.any(noise) else None
+    alignment = align(inputs.features, tips, inputs.arm.tip.radius_mm, inputs.block, weighed)
+    refuse_wrong_faces(alignment, inputs.features, inputs.block)
+    return alignment
+
+
+@dataclass(frozen=True)
+class _Start:
+    """What is to be adjusted, from where, and what was set aside before: poses that contradict
+    the others, and laser lines by their poses' numbers, with how far off (mm) they lie."""
+
+    problem: Problem
+    state: State
+    mounting: Mounting
+    lines_out: dict[int, float]
+
+
+def _start(inputs: JointInputs, alignment: Alignment) -> _Start:
+    """All that is to agree without poses that contradict the others, and a start for it."""
+    arm, block = inputs.arm, inputs.block
+    camera, plane = common_camera(inputs.seen, block)
+    T_cam_obj = np.array([seen_from(camera, pose, block) for pose in inputs.seen])
+    plane, lines_out = plane_of_poses(inputs.seen, block, camera, T_cam_obj, plane)
+    moves = arm_motion(arm, inputs.q_rad)
+    mounting = mounting_by_contacts(
+        moves.T_arm_flange, T_cam_obj, alignment.T_arm_obj, block_size_mm(block)
+    )
+    refuse_contradictions(mounting, [pose.number for pose in inputs.seen], "object")
+    papers = block_papers(block)
+    views = tuple(
+        _view(pose, block, camera, plane, T) for pose, T in zip(inputs.seen, T_cam_obj, strict=True)
+    )
+    problem = Problem(
+        tuple(pose.number for pose in inputs.seen),
+        views,
+        moves,
+        block_touches(arm, block, inputs.features, inputs.contact_q_rad, ~alignment.outliers),
+        papers,
+        camera.width_px,
+        camera.height_px,
+    )
+    problem = without_lines(problem, lines_out).without_poses(mounting.contradicts)
+    start = State(
+        camera,
+        plane,
+        mounting.T_flange_cam,
+        mounting.T_arm_obj,
+        papers.coordinates,
+        np.zeros(moves.by_links.shape[2]),
+        np.zeros((len(problem.views), moves.by_noise.shape[2])),
+    )
+    return _Start(problem, start, mounting, lines_out)
+
+
+def block_size_mm(block: Crenellated) -> float:
+    return float(
+        np.linalg.norm(
+            [
+                block.edges_x_mm[-1] - block.edges_x_mm[0],
+                block.back_y_mm - block.front_y_mm,
+                block.crest_z_mm - block.floor_z_mm,
+            ]
+        )
+    )
+
+
+def _view(
+    pose: SeenPose, block: Crenellated, camera: Camera, plane: LaserPlane, T_cam_obj: Floats
+) -> BlockView:
+    """The pose's pictures, the stripe sorted as the pose itself saw the block."""
+    found = pose.detection
+    view = BlockView(
+        block, found.edges, found.corners, pose.stripe, np.full(len(pose.stripe.u), "", "<U5")
+    )
+    placed, in_obj = in_frame(camera, plane, inverse(T_cam_obj))
+    return view.sorted_anew(placed, in_obj, block_papers(block).coordinates)
+
+
+def _adjusted(problem: Problem, start: State) -> Adjusted:
+    """Adjusted, the stripes sorted by the first result, and adjusted again where that differs."""
+    found = adjust(problem, start)
+    again = sorted_anew(found)
+    same = all(
+        len(a.stripe_px()) == len(b.stripe_px())
+        for a, b in zip(problem.views, again.views, strict=True)
+    )
+    return found if same else adjust(again, found.state)
+
+
+def _assembled(
+    inputs: JointInputs,
+    alignment: Alignment,
+    found: Adjusted,
+    mounting: Mounting,
+    lines_out: dict[int, float],
+) -> JointCalibration:
+    state = found.state
+    T_arm_flange = found.problem.motion.T_arm_flange[0]
+    T_cam_sensor = inverse(T_arm_flange @ state.T_flange_cam) @ state.T_arm_obj
+    worth = known(found, T_cam_sensor)
+    if not worth.total_um < HOPELESS_UM:
+        raise unsettled()
+    camera, plane, T_flange_sensor = sensor_of(state, T_cam_sensor)
+    used = [
+        replace(pose, reason=_about_line(pose, lines_out))
+        for pose in pose_results(found, inputs.seen, inputs.block)
+    ]
+    out = left_out([pose.number for pose in inputs.seen], mounting)
+    unseen = [PoseResult(one.number, False, str(one.refusal).rstrip(".")) for one in inputs.unseen]
+    poses = tuple(sorted((*used, *out, *unseen), key=lambda pose: pose.number))
+    evidence = JointEvidence(
+        inputs.block,
+        alignment,
+        inputs.features,
+        inputs.seen,
+        found,
+        worth,
+        poses,
+        lines_out,
+        inputs.limits,
+    )
+    return JointCalibration(
+        found,
+        alignment,
+        camera,
+        plane,
+        T_flange_sensor,
+        state.T_arm_obj,
+        poses,
+        worth,
+        1e3 * stripe_rms_mm(found),
+        depth_range_mm(found),
+        joint_findings(evidence),
+        worst_of_all(found, alignment, inputs.features, used),
+    )
+
+
+def _about_line(pose: PoseResult, lines_out: dict[int, float]) -> str:
+    """What is wrong with the laser's line of a pose that was used, if anything."""
+    if pose.number in lines_out:
+        return line_left_out(lines_out[pose.number])
+    return "" if pose.stripe_points else NO_LINE
+
+
+def _refuse_unusable(inputs: JointInputs) -> None:
+    refuse_nothing_seen(inputs.seen, inputs.unseen, "object")
+    joints = inputs.arm.joint_count
+    for name, q in (("the poses", inputs.q_rad), ("the contacts", inputs.contact_q_rad)):
+        if q.ndim != 2 or q.shape[1] != joints:
+            raise Refusal(
+                "joint-count",
+                f"{name}: {q.shape[-1]} joint angles",
+                f"the arm {inputs.arm.name} has {joints} joints",
+                "check that the session was taken with this arm",
+            )
+        if not np.isfinite(q).all():
+            raise Refusal("angles-not-finite", f"{name}: a joint angle is not a number")
+    sizes = {(p.detection.camera.width_px, p.detection.camera.height_px) for p in inputs.seen}
+    if len(sizes) > 1:
+        raise Refusal(
+            "image-size",
+            "the pictures are of different sizes: "
+            + ", ".join(f"{width} x {height}" for width, height in sorted(sizes)),
+            "they come from more than one camera, or were scaled",
+            "use full pictures of one sensor",
+        )

@@ -1,0 +1,137 @@
+"""The laser's lines on the block in several poses: the plane of most, and lines that lie off it."""
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from app.errors import Refusal
+from app.metrology.adjustment.block.initial_guess import in_own_frame
+from app.metrology.adjustment.core.gauss_newton import Adjusted, adjust
+from app.metrology.adjustment.core.observations import Problem, SeenPose
+from app.metrology.adjustment.outliers.poses import worst_astray
+from app.metrology.adjustment.results.stripes import off_plane_mm
+from app.metrology.calibration.findings import AGREEING
+from app.metrology.calibration.laser_plane_fit import fit_laser_plane
+from app.metrology.sensor.camera import Camera
+from app.metrology.sensor.laser_plane import LaserPlane
+from app.metrology.targets.crenellated_block import Crenellated
+from app.metrology.transforms import Floats, apply
+
+# A line that lies less far off than this is never astray.
+ASTRAY_MM = 0.05
+FEWEST_LINES = 3
+# Lines that lie so far off the plane that suits them best are of no one plane.
+HOPELESS_MM = 0.5
+
+
+def plane_of_poses(
+    seen: Sequence[SeenPose],
+    block: Crenellated,
+    camera: Camera,
+    T_cam_obj: Floats,
+    plane: LaserPlane,
+) -> tuple[LaserPlane, dict[int, float]]:
+    """The plane, in the camera's frame, that most poses' lines lie in.
+
+    A line on crests and floors gives a plane by itself: that one's is taken which suits the
+    most others best. Lines that do not lie in one plane by themselves have no say where others
+    do: they are of another pose's picture, or reflections.
+
+    Args:
+        camera: its own frame as sensor frame.
+        T_cam_obj: (P, 4, 4) where each pose saw the block.
+        plane: what is answered where no two poses show a line.
+
+    Returns:
+        the plane, and by the poses' numbers the lines that are far off it, in mm.
+
+    Raises:
+        Refusal: ``lines-contradict``: there is no such plane.
+    """
+    lines = {
+        pose.number: _line_of(pose, block, camera, T)
+        for pose, T in zip(seen, T_cam_obj, strict=True)
+    }
+    shown = {number: line for number, line in lines.items() if line is not None}
+    if len(shown) < 2:
+        return plane, {}
+    telling = {number: line for number, line in shown.items() if line.share >= AGREEING} or shown
+    plane = min((line.plane for line in telling.values()), key=lambda k: _against(telling, k))
+    off_mm = {number: line.off_mm(plane) for number, line in shown.items()}
+    far = {number: off for number, off in off_mm.items() if off > HOPELESS_MM}
+    if len(telling) > 1 and 2 * len(telling.keys() & far) >= len(telling):
+        most_mm = max(off_mm[number] for number in telling)
+        raise Refusal(
+            "lines-contradict",
+            f"the laser's lines of poses {', '.join(map(str, telling))} lie up to"
+            f" {most_mm:.1f} mm off one plane",
+            "with half of them or more contradicting the others, none can be trusted",
+            "check that each laser picture is of its own pose, that the laser was not moved"
+            " against the camera, and that the line seen is its own and not a reflection",
+        )
+    return plane, far
+
+
+@dataclass(frozen=True)
+class _Line:
+    """A line by itself: its points (N, 3), its plane, and the share of it that lies in that."""
+
+    in_cam: Floats
+    plane: LaserPlane
+    share: float
+
+    def off_mm(self, plane: LaserPlane) -> float:
+        """Rms distance of its points from a plane."""
+        return float(np.sqrt(np.mean((self.in_cam @ plane.normal - plane.offset_mm) ** 2)))
+
+
+def _against(lines: Mapping[int, _Line], plane: LaserPlane) -> tuple[int, float]:
+    """How many lines lie far off a plane, and how far (mm) the others do, together."""
+    off = np.array([line.off_mm(plane) for line in lines.values()])
+    near = off[off <= HOPELESS_MM]
+    return len(off) - len(near), float(np.sum(near))
+
+
+def _line_of(pose: SeenPose, block: Crenellated, camera: Camera, T: Floats) -> _Line | None:
+    placed = replace(camera, rotation=T[:3, :3], translation_mm=T[:3, 3])
+    try:
+        fit = fit_laser_plane(placed, block, pose.stripe)
+    except Refusal:
+        return None
+    share = float(fit.used.sum() / max(int((fit.level != "").sum()), 1))
+    return _Line(apply(T, fit.points_mm[fit.used]), in_own_frame(placed, fit.plane)[1], share)
+
+
+def lines_off_mm(found: Adjusted) -> Floats:
+    """(P,) how far the line of each pose lies off the laser plane, NaN where there is none."""
+    off = [off_plane_mm(stripe) for _, stripe in found.linear.rows]
+    return np.array([abs(np.nanmedian(one)) if np.isfinite(one).any() else np.nan for one in off])
+
+
+def without_stray_lines(found: Adjusted) -> tuple[Adjusted, dict[int, float]]:
+    """Adjusted without the lines that lie off the plane of the others, worst first.
+
+    Fewer than half of all lines are left out; their poses stay. Beside it, by the numbers of
+    these poses, how far off (mm) their lines are.
+    """
+    astray: dict[int, float] = {}
+    off_mm = lines_off_mm(found)
+    total = int(np.isfinite(off_mm).sum())
+    while np.isfinite(off_mm).sum() >= FEWEST_LINES and 2 * (len(astray) + 1) < total:
+        worst = worst_astray(off_mm, ASTRAY_MM)
+        if worst is None:
+            break
+        astray[found.problem.numbers[worst]] = float(off_mm[worst])
+        found = adjust(without_lines(found.problem, astray), found.state)
+        off_mm = lines_off_mm(found)
+    return found, astray
+
+
+def without_lines(problem: Problem, numbers: Collection[int]) -> Problem:
+    """The same without the laser's lines of the poses of these numbers; the poses stay."""
+    views = tuple(
+        view.without_line() if number in numbers else view
+        for number, view in zip(problem.numbers, problem.views, strict=True)
+    )
+    return replace(problem, views=views)

@@ -1,0 +1,1 @@
+"""The joint adjustment with a chessboard, bent or flat. Entry point: ``calibrate``."""

@@ -1,0 +1,139 @@
+"""A bundle of pictures of one board: lens, places and the sheet's shape, from corners alone.
+
+It needs neither arm nor laser, and starts the adjustment of everything.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from app.metrology.adjustment.board.observations import BoardView
+from app.metrology.adjustment.board.surface import board_papers, groups_of
+from app.metrology.adjustment.core.linearise import usual_camera
+from app.metrology.adjustment.core.observations import Papers
+from app.metrology.calibration.observation_model import BLOCK
+from app.metrology.sensor.camera import Camera
+from app.metrology.sensor.projection import COUNT, stepped
+from app.metrology.targets.chessboard import Chessboard
+from app.metrology.transforms import Floats
+
+# Of ``PARAMETERS``: what all pictures have in common (fx, fy, u0, v0, k1, k2), what each has
+# of its own, and what of the common ones' prior counts here.
+COMMON = np.array([0, 1, 2, 3, 10, 11])
+OWN = np.arange(4, 10)
+OF_PRIOR = np.array([0, 1, 2, 3, 4, 5])
+ROUNDS = 12
+SETTLED_PX = 1e-3
+# Corners scatter by this at least; and those beyond so many deviations do not count.
+LEAST_SCATTER_PX, OUTLIER_SIGMAS = 0.02, 4.5
+
+
+@dataclass(frozen=True)
+class Bundle:
+    """The camera in each of P poses, board frame as sensor frame; the sheet's coordinates, with
+    deviations as certified or worse; by how much corners scatter in each picture (P,), as rms
+    of one coordinate; and the covariance (6P, 6P) of the left twists (rad, mm) of
+    ``T_cam_obj``."""
+
+    cameras: tuple[Camera, ...]
+    sheet: Papers
+    scatter_px: Floats
+    covariance: Floats
+
+    @property
+    def coordinates(self) -> Floats:
+        return self.sheet.coordinates
+
+
+def bundle(views: Sequence[BoardView], cameras: Sequence[Camera]) -> Bundle:
+    """The most likely lens, places and sheet for the corners of all views.
+
+    Args:
+        cameras: a start, one for each view, alike but for their places.
+    """
+    papers = board_papers(views[0].board)
+    none = np.zeros(len(views))
+    found = Bundle(tuple(cameras), papers, none + np.inf, np.diag(np.tile(none, 6)))
+    for _ in range(ROUNDS):
+        before, found = found, _stepped(views, found, papers)
+        if np.max(np.abs(found.scatter_px - before.scatter_px)) < SETTLED_PX:
+            break
+    return found
+
+
+def _stepped(views: Sequence[BoardView], at: Bundle, papers: Papers) -> Bundle:
+    """One round of Gauss-Newton; the sheet's deviations are told anew."""
+    certified, sd, board = papers.coordinates, at.sheet.sd, views[0].board
+    shared, common = len(COMMON) + len(certified), np.arange(len(COMMON))
+    sheet = np.arange(len(COMMON), shared)
+    count = shared + len(OWN) * len(views)
+    N, g = np.zeros((count, count)), np.zeros(count)
+    normed, scatter = [], np.zeros(len(views))
+    for p, (view, camera) in enumerate(zip(views, at.cameras, strict=True)):
+        rows = view.corner_rows(camera, at.sheet.coordinates)
+        J, r = np.zeros((len(rows.residuals), count)), rows.residuals
+        J[:, : len(COMMON)] = rows.jacobian[:, COMMON]
+        J[:, len(COMMON) : shared] = rows.jacobian[:, BLOCK]
+        J[:, _own(shared, p)] = rows.jacobian[:, OWN]
+        scatter[p] = max(float(np.median(np.abs(r))) / 0.6745, LEAST_SCATTER_PX)
+        kept = np.abs(r) < OUTLIER_SIGMAS * scatter[p]
+        N += J[kept].T @ J[kept] / scatter[p] ** 2
+        g += J[kept].T @ r[kept] / scatter[p] ** 2
+        normed.append(r[kept] / scatter[p])
+    prior, pull = usual_camera(at.cameras[0])
+    N[np.ix_(common, common)] += prior[np.ix_(OF_PRIOR, OF_PRIOR)]
+    g[common] += pull[OF_PRIOR]
+    N[sheet, sheet] += sd**-2.0
+    g[sheet] += (at.sheet.coordinates - certified) / sd**2
+    scale = np.diag(N) ** -0.5
+    C = np.linalg.inv(N * np.outer(scale, scale)) * np.outer(scale, scale)
+    step = -C @ g
+    # of the sheet's unknowns, what the pictures and not its certificate determined
+    told = float(np.sum(1 - np.diag(C)[sheet] / sd**2))
+    r = np.concatenate(normed)
+    degrees = max(len(r) - len(COMMON) - len(OWN) * len(views) - told, 1)
+    factor = float(np.sqrt(r @ r / degrees))
+    coordinates = at.sheet.coordinates + step[sheet]
+    variances = np.minimum(factor**2 * np.diag(C)[sheet], sd**2)
+    return Bundle(
+        tuple(_moved(camera, step, shared, p) for p, camera in enumerate(at.cameras)),
+        replace(
+            papers,
+            coordinates=coordinates,
+            sd=_told(board, coordinates - certified, variances, papers.sd, sd),
+        ),
+        np.maximum(factor * scatter, LEAST_SCATTER_PX),
+        factor**2 * C[shared:, shared:],
+    )
+
+
+def _told(
+    board: Chessboard, off: Floats, variances: Floats, certified: Floats, sd: Floats
+) -> Floats:
+    """Deviations (B,) of the sheet's coordinates: of each group those of its certificate, unless
+    the pictures tell that it is worse (Foerstner)."""
+    told = certified.copy()
+    for group in groups_of(board):
+        least, now = certified[group], float(sd[group][0])
+        determined = float(np.sum(1 - variances[group] / now**2))
+        square = float(off[group] @ off[group] + least[0] ** 2)
+        told[group] = np.maximum(least, np.sqrt(square / (determined + 1)))
+    return told
+
+
+def _own(shared: int, pose: int) -> slice:
+    """Where the unknowns of one pose stand, after those that all share."""
+    return slice(shared + len(OWN) * pose, shared + len(OWN) * (pose + 1))
+
+
+def _moved(camera: Camera, step: Floats, shared: int, pose: int) -> Camera:
+    own_step = np.zeros(COUNT)
+    own_step[COMMON] = step[: len(COMMON)]
+    own_step[OWN] = step[_own(shared, pose)]
+    return stepped(camera, own_step)
+
+
+def unplaced(camera: Camera) -> Camera:
+    """The camera with its own frame as sensor frame."""
+    return replace(camera, rotation=np.eye(3), translation_mm=np.zeros(3))

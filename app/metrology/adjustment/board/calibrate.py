@@ -1,0 +1,195 @@
+"""The calibration on a flat chessboard: all pictures, and contacts if any, in one adjustment.
+
+Without contacts the board's place in the arm's frame is found with everything else.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from app.metrology.adjustment.board.findings import ROBOT_ROW, BoardEvidence, board_findings
+from app.metrology.adjustment.board.initial_guess import SeenBoard
+from app.metrology.adjustment.board.laser_lines import line_scatter, scatter_told, with_line_scatter
+from app.metrology.adjustment.board.problem import BoardInputs, BoardStart, board_problem
+from app.metrology.adjustment.board.results import (
+    BoardContacts,
+    board_contacts,
+    board_pose_results,
+    board_worst,
+)
+from app.metrology.adjustment.board.surface import corners_at
+from app.metrology.adjustment.core.gauss_newton import Adjusted, adjust
+from app.metrology.adjustment.core.hand_eye import Mounting
+from app.metrology.adjustment.core.observations import refuse_nothing_seen
+from app.metrology.adjustment.core.uncertainty import Known, known, sensor_of
+from app.metrology.adjustment.outliers.contacts import without_stray_contacts
+from app.metrology.adjustment.outliers.poses import without_strays
+from app.metrology.adjustment.results.poses import PoseResult, left_out, line_left_out
+from app.metrology.adjustment.results.stripes import depth_range_mm, sorted_anew, stripe_rms_mm
+from app.metrology.arm.kinematics import Arm, RobotArm
+from app.metrology.calibration.findings import Finding, WorstPoint
+from app.metrology.chessboard.detect_board import detect_board, outshining
+from app.metrology.detection.image_quality import picture_findings
+from app.metrology.image import Image
+from app.metrology.sensor.camera import Camera, rays
+from app.metrology.sensor.laser_plane import LaserPlane, refuse_edge_on
+from app.metrology.stripe import extract_stripe
+from app.metrology.targets.chessboard import Chessboard
+from app.metrology.transforms import Floats, inverse
+
+Progress = Callable[[str, float], None]
+
+# How far whole lines lie off their plane is told anew until it is told the same within this.
+SCATTER_SETTLED, SCATTER_ROUNDS = 1.2, 5
+
+
+@dataclass(frozen=True)
+class BoardCalibration:
+    """A calibration and what it rests on.
+
+    The sensor frame is the board's frame as the first used pose saw it.
+    """
+
+    adjusted: Adjusted
+    camera: Camera
+    plane: LaserPlane
+    T_flange_sensor: Floats
+    T_arm_obj: Floats
+    corners_mm: Floats  # (N, 3) where they truly are, in the board's frame
+    poses: tuple[PoseResult, ...]
+    known: Known
+    contacts: BoardContacts | None
+    stripe_rms_um: float  # of the line's points to the laser plane
+    depth_range_mm: tuple[float, float]
+    findings: tuple[Finding, ...]
+    worst: tuple[WorstPoint, ...]
+
+
+def see_board(
+    number: int, board: Chessboard, ambient: Image, laser: Image | None, axis: str
+) -> SeenBoard:
+    """What the pictures of one pose show, by themselves.
+
+    Args:
+        ambient: (H, W) with room light; with both lights where ``laser`` is None.
+        axis: along which stripe points are counted, see ``extract_stripe``.
+
+    Raises:
+        Refusal: the board is not to be found.
+    """
+    stripe = extract_stripe(ambient if laser is None else laser, axis)
+    if laser is None:
+        stripe = outshining(ambient, stripe)
+    detection = detect_board(ambient, board, stripe if laser is None else None)
+    return SeenBoard(number, detection, stripe, tuple(picture_findings(ambient)))
+
+
+def calibrate_board(inputs: BoardInputs, progress: Progress | None = None) -> BoardCalibration:
+    """Camera, laser plane and probe matrix from all poses, and contacts where there are any.
+
+    Raises:
+        Refusal: whatever makes the calibration impossible, by its reason.
+    """
+    say = progress or (lambda _what, _share: None)
+    refuse_nothing_seen(inputs.seen, inputs.unseen, "board")
+    say("Finding a start", 0.0)
+    start = board_problem(inputs)
+    say("Adjusting all poses together", 0.3)
+    found, mounting = _adjusted(inputs, start)
+    say("Working out the uncertainty", 0.8)
+    result = _assembled(inputs, found, replace(start, mounting=mounting))
+    say("Done", 1.0)
+    return result
+
+
+def _adjusted(inputs: BoardInputs, start: BoardStart) -> tuple[Adjusted, Mounting]:
+    """Adjusted twice: poses and contacts that are astray, the lines' points and how much they
+    count, all weights and the lens terms that are significant are told by the first result, as
+    the start was too coarse."""
+    found = adjust(start.problem, start.state)
+    found, mounting = without_strays(found, start.mounting, inputs.board.size_mm)
+    found = without_stray_contacts(found)
+    again = sorted_anew(found)
+    if start.moved:
+        return adjust(again, found.state), mounting
+    # The start's lines can lie so far off that nothing is made of them at first.
+    for _ in range(SCATTER_ROUNDS):
+        before, now = line_scatter(found), scatter_told(found)
+        found = adjust(with_line_scatter(again, now), found.state)
+        if np.all(np.abs(np.log(now / before)) < np.log(SCATTER_SETTLED)):
+            break
+    return found, mounting
+
+
+def _assembled(inputs: BoardInputs, found: Adjusted, start: BoardStart) -> BoardCalibration:
+    state = found.state
+    stripes = np.concatenate([view.stripe_px() for view in found.problem.views])
+    refuse_edge_on(state.plane, rays(state.camera, stripes)[1])
+    T_cam_sensor = inverse(found.problem.motion.T_arm_flange[0] @ state.T_flange_cam)
+    T_cam_sensor = T_cam_sensor @ state.T_arm_obj
+    worth = _budget_of(inputs, known(found, T_cam_sensor))
+    camera, plane, T_flange_sensor = sensor_of(state, T_cam_sensor)
+    poses = _pose_results(inputs, found, start)
+    contacts = board_contacts(found)
+    evidence = BoardEvidence(
+        inputs.board,
+        inputs.seen,
+        found,
+        worth,
+        poses,
+        inputs.limits,
+        start.lines_out if start.moved else {},
+        start.apart,
+        contacts,
+    )
+    return BoardCalibration(
+        found,
+        camera,
+        plane,
+        T_flange_sensor,
+        state.T_arm_obj,
+        corners_at(inputs.board, state.coordinates),
+        poses,
+        worth,
+        contacts,
+        1e3 * stripe_rms_mm(found),
+        depth_range_mm(found),
+        board_findings(evidence),
+        board_worst(found, poses, contacts),
+    )
+
+
+def _budget_of(inputs: BoardInputs, worth: Known) -> Known:
+    """The budget without what there was not, and with a robot's own share by its name."""
+    robot = isinstance(inputs.arm, RobotArm)
+    touched = inputs.contact_readings is not None and len(inputs.contact_readings) > 0
+    rows = tuple(
+        replace(row, source=ROBOT_ROW) if robot and row.source == "arm encoders" else row
+        for row in worth.rows
+        if not (robot and row.source == "arm geometry")
+        and (touched or row.source != "contact points")
+    )
+    return replace(worth, rows=rows)
+
+
+def _pose_results(
+    inputs: BoardInputs, found: Adjusted, start: BoardStart
+) -> tuple[PoseResult, ...]:
+    """Of the poses used, of those that contradict, and of those that show no board."""
+    results = [PoseResult(one.number, False, str(one.refusal).rstrip(".")) for one in inputs.unseen]
+    numbers = [pose.number for pose in inputs.seen]
+    readings = "joint angles" if isinstance(inputs.arm, Arm) else "robot's pose"
+    results += left_out(numbers, start.mounting, readings)
+    for pose in board_pose_results(found, inputs.seen, inputs.board):
+        results.append(replace(pose, reason=_about_line(pose.number, start)))
+    return tuple(sorted(results, key=lambda pose: pose.number))
+
+
+def _about_line(number: int, start: BoardStart) -> str:
+    """What is wrong with the laser's line of a pose that was used, if anything."""
+    if number in start.lines_out:
+        return line_left_out(start.lines_out[number])
+    if number in start.apart:
+        return f"its laser line lies {start.apart[number]:.1f} mm off the plane of the others"
+    return ""

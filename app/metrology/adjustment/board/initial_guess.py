@@ -1,0 +1,173 @@
+"""A start for the chessboard's adjustment: the camera, how each picture numbers the corners,
+and whether the arm's motion agrees with the squares' size."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import cv2
+import numpy as np
+
+from app.errors import Refusal
+from app.metrology.adjustment.block.initial_guess import placed
+from app.metrology.adjustment.core.hand_eye import Mounting
+from app.metrology.chessboard.detect_board import BoardDetection
+from app.metrology.detection.image_quality import PictureFinding
+from app.metrology.sensor.camera import Camera
+from app.metrology.stripe import Stripe
+from app.metrology.targets.chessboard import Chessboard, corner_points
+from app.metrology.transforms import Floats, inverse, vector_from_rotation
+
+FEWEST_POSES = 3
+# Pictures of a flat board tell the focal length only where they are tilted so much.
+LEAST_TILT_DEG = 5.0
+# The arm's motion against the squares' size, refused: relative, and in standard deviations.
+SIZE_SHARE, SIZE_SIGMAS = 0.03, 5.0
+# Turning angles of the board and of the flange agree so well where a numbering is right.
+TURN_DEG = 3.0
+
+
+@dataclass(frozen=True)
+class SeenBoard:
+    """What the picture of one pose showed, by itself."""
+
+    number: int
+    detection: BoardDetection
+    stripe: Stripe
+    picture: tuple[PictureFinding, ...] = ()
+
+
+def board_camera(
+    seen: Sequence[SeenBoard], board: Chessboard, size_px: tuple[int, int]
+) -> tuple[Camera, Floats]:
+    """The camera (its own frame as sensor frame), and ``T_cam_obj`` (P, 4, 4).
+
+    Raises:
+        Refusal: too few pictures, or all from straight above.
+    """
+    if len(seen) < FEWEST_POSES:
+        raise Refusal(
+            "too-few-images",
+            f"{len(seen)} pictures show {board.name}",
+            f"a flat board tells the camera's focal length from {FEWEST_POSES} pictures on,"
+            " tilted against each other",
+            "take more pictures, 8 or more of them, tilted by 20° and more",
+        )
+    points = corner_points(board)
+    K, distortion = _calibrated(seen, points, size_px)
+    camera = Camera(K, np.eye(3), np.zeros(3), *size_px, distortion)
+    T = np.array(
+        [placed(camera, points[pose.detection.number], pose.detection.uv_px) for pose in seen]
+    )
+    normals = T[:, :3, 2]
+    apart = np.degrees(np.arccos(np.clip(np.abs(normals @ normals.T), 0, 1)))
+    if apart.max() < LEAST_TILT_DEG:
+        raise Refusal(
+            "boards-parallel",
+            f"the board is tilted by {apart.max():.1f}° at most between the {len(seen)} pictures",
+            "pictures of a flat board from one direction do not tell the focal length",
+            "take pictures tilted by 20° and more, to two sides",
+        )
+    return camera, T
+
+
+def _calibrated(
+    seen: Sequence[SeenBoard], points: Floats, size_px: tuple[int, int]
+) -> tuple[Floats, Floats]:
+    """Camera matrix (3, 3), and distortion (5,) of which k1 alone is told."""
+    flags = (
+        cv2.CALIB_FIX_K2
+        | cv2.CALIB_FIX_K3
+        | cv2.CALIB_ZERO_TANGENT_DIST
+        | cv2.CALIB_FIX_ASPECT_RATIO
+        | cv2.CALIB_USE_INTRINSIC_GUESS
+    )
+    middle = (np.array(size_px) - 1) / 2
+    guess = np.array([[size_px[0], 0, middle[0]], [0, size_px[0], middle[1]], [0, 0, 1.0]])
+    object_points = [points[pose.detection.number].astype(np.float32) for pose in seen]
+    pixels = [pose.detection.uv_px.astype(np.float32).reshape(-1, 1, 2) for pose in seen]
+    guess[:2, :2] = cv2.initCameraMatrix2D(object_points, pixels, size_px, 1.0)[:2, :2]
+    found = cv2.calibrateCamera(object_points, pixels, size_px, guess, np.zeros(5), flags=flags)
+    return np.asarray(found[1], np.float64), np.asarray(found[2], np.float64).ravel()[:5]
+
+
+def numbered(
+    seen: Sequence[SeenBoard], board: Chessboard, camera: Camera, T_arm_flange: Floats
+) -> tuple[SeenBoard, ...]:
+    """Each picture numbered like the first, where the colours alone leave a choice.
+
+    The board must turn before the camera by as much as the flange turns.
+
+    Raises:
+        Refusal: the arm's poses do not tell either.
+    """
+    if not any(pose.detection.other_numbers for pose in seen):
+        return tuple(seen)
+    points = corner_points(board)
+    chosen = [seen[0]]
+    first = placed(camera, points[seen[0].detection.number], seen[0].detection.uv_px)
+    for pose, T in zip(seen[1:], T_arm_flange[1:], strict=True):
+        wanted = _angle_deg(inverse(T_arm_flange[0]) @ T)
+        ways = (pose.detection.number, *pose.detection.other_numbers)
+        off = []
+        for number in ways:
+            here = placed(camera, points[number], pose.detection.uv_px)
+            off.append(abs(_angle_deg(first @ inverse(here)) - wanted))
+        order = np.argsort(off)
+        if off[order[0]] > TURN_DEG or off[order[1]] < 2 * TURN_DEG:
+            raise Refusal(
+                "board-ambiguous",
+                f"pose {pose.number}: {board.name} looks the same turned round",
+                "neither its colours nor the arm's poses tell which corner is the first",
+                "use a board with an even and an odd count of inner corners",
+            )
+        detection = replace(pose.detection, number=ways[order[0]])
+        chosen.append(replace(pose, detection=detection))
+    return tuple(chosen)
+
+
+def _angle_deg(T: Floats) -> float:
+    return float(np.degrees(np.linalg.norm(vector_from_rotation(T[:3, :3]))))
+
+
+def refuse_other_size(mounting: Mounting, board: Chessboard) -> None:
+    """Refuses squares that are clearly another size by the arm's motion.
+
+    With the turns known, shifts and the one scale of all distances follow linearly.
+
+    Raises:
+        Refusal: that, or poses that are not what they should be.
+    """
+    kept = np.flatnonzero(~mounting.contradicts)
+    # one wrong size makes all poses contradict one another: then all of them are asked
+    kept = kept if len(kept) >= FEWEST_POSES else np.arange(len(mounting.off_mm))
+    A, B = mounting.T_arm_flange[kept], mounting.T_cam_obj[kept]
+    turn = mounting.T_flange_cam[:3, :3]
+    rows = np.concatenate(
+        [
+            np.column_stack([a[:3, :3], -np.eye(3), a[:3, :3] @ turn @ b[:3, 3]])
+            for a, b in zip(A, B, strict=True)
+        ]
+    )
+    right = -A[:, :3, 3].ravel()
+    found = np.linalg.lstsq(rows, right, rcond=None)[0]
+    left = rows @ found - right
+    variance = float(left @ left) / max(len(right) - 7, 1)
+    sd = float(np.sqrt(variance * np.linalg.pinv(rows.T @ rows)[6, 6]))
+    scale = float(found[6])
+    if scale <= 0:
+        raise Refusal(
+            "poses-reversed",
+            f"by the arm's motion {board.name} moves the other way than in the pictures",
+            "no size of its squares makes them agree",
+            "check that the pictures are not mirrored, and that the poses are those of the flange"
+            " in the arm's frame, in mm, with qw last, and not their inverse",
+        )
+    if abs(scale - 1) > max(SIZE_SHARE, SIZE_SIGMAS * sd):
+        raise Refusal(
+            "square-size",
+            f"by the arm's motion the squares of {board.name} are"
+            f" {scale * board.square_mm:.2f} mm wide",
+            f"its certificate says {board.square_mm:g} mm",
+            "measure the squares, and correct the certificate; or check that every picture has its"
+            " own pose, in mm",
+        )

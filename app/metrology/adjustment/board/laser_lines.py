@@ -1,0 +1,317 @@
+"""The laser's lines of all pictures against one another: their plane, how far whole lines lie
+off it, and which contradict the others."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from app.errors import Refusal
+from app.metrology.adjustment.board.bundle import Bundle
+from app.metrology.adjustment.board.observations import BoardView, on_sheet
+from app.metrology.adjustment.board.surface import around_pattern
+from app.metrology.adjustment.core.gauss_newton import Adjusted
+from app.metrology.adjustment.core.observations import Problem
+from app.metrology.sensor.laser_plane import LaserPlane, tangents
+from app.metrology.transforms import Floats
+
+FEWEST_STRIPE_POINTS = 20
+# Lines contradict the others beyond this, beyond so many times the sheet's flatness, and
+# so many standard deviations of those that agree.
+OFF_MM, OFF_FLATNESSES, OFF_TIMES = 0.5, 3.0, 4.0
+AGREEING_ROUNDS = 8
+# Contradicting lines are left out where they are no larger a share than this, or where the
+# others agree so closely that chance puts none of them so far off more often than so.
+MISTAKES_SHARE, CHANCE = 0.2, 1e-3
+# By how much whole lines are off their plane (mm) and turned out of it (rad): what is usual, by
+# what factor either way one deviation of that, and the sizes thought of at all, as multiples.
+USUAL_SCATTER, USUAL_WITHIN = np.array([0.05, 1e-3]), 5.0
+SIZES = np.geomspace(0.1, 100.0, 121)
+THROUGH_ROUNDS = 15
+PLANE_DRAWS, DRAWN_POINTS = 400, 60
+AGREEING_TIMES = 4.0
+# Angle between the laser's plane and the board below which their line is not to be trusted.
+LEAST_LASER_ANGLE_DEG = 8.0
+# Lines spread over the plane by this share of their length at least.
+LEAST_SPREAD = 0.02
+
+
+@dataclass(frozen=True)
+class Lines:
+    """What the lines of P poses say of the laser's plane before the adjustment.
+
+    ``off_mm`` (P,) is how far each line lies off the plane of most (NaN where there is no
+    line). Of those further off than the others explain, ``left_out`` are few, or the others
+    agree closely (Student's test); ``apart`` are neither, or the last ones: nobody knows where
+    the laser is now, and all count. ``moved`` tells that they are too many to be mistakes, left
+    out or not. ``plane`` is that of all that count, in the camera's frame; ``scatter_mm`` and
+    ``scatter_rad`` are the standard deviations by which whole lines lie off it and are turned
+    out of it.
+    """
+
+    plane: LaserPlane
+    off_mm: Floats
+    left_out: tuple[int, ...]
+    apart: tuple[int, ...]
+    moved: bool
+    scatter_mm: float
+    scatter_rad: float
+
+
+def lines_of(views: Sequence[BoardView], found: Bundle, numbers: Sequence[int]) -> Lines:
+    """The lines where the pictures put the sheet.
+
+    Raises:
+        Refusal: fewer than two lines on the board, none that most agree on, all in one
+            place, or the laser's plane along the board.
+    """
+    in_cam = [_points(view, found, p) for p, view in enumerate(views)]
+    enough = [p for p, points in enumerate(in_cam) if len(points) >= FEWEST_STRIPE_POINTS]
+    if len(enough) < 2:
+        raise Refusal(
+            "stripe-not-found",
+            f"the laser's line lies on the board in {len(enough)} of {len(views)} pictures",
+            "one line alone does not fix the laser's plane",
+            "let the line cross the board in every picture",
+        )
+    plane = plane_of_most([in_cam[p] for p in enough])
+    _refuse_one_line([in_cam[p] for p in enough], plane)
+    _refuse_parallel([found.cameras[p].rotation[:, 2] for p in enough], plane)
+    off = _offsets(in_cam, enough, plane)
+    usual = float(np.median(np.abs(off[enough])))
+    if usual > max(OFF_MM, OFF_FLATNESSES * views[0].board.flatness_mm):
+        raise Refusal(
+            "lines-contradict",
+            f"the laser's lines of poses {', '.join(map(str, numbers))} lie {usual:.1f} mm off the"
+            " plane that suits them best",
+            "they do not lie in one plane",
+            "check that the laser was not moved against the camera, and that the line seen is"
+            " its own and not a reflection",
+        )
+    off, out, apart = _contradicting(in_cam, enough, plane, views[0].board.flatness_mm)
+    counting = [p for p in enough if p not in out]
+    moved = not _few([*out, *apart], enough)
+    plane, (scatter_mm, scatter_rad) = _through([in_cam[p] for p in counting], moved)
+    return Lines(plane, off, out, apart, moved, scatter_mm, scatter_rad)
+
+
+def _few(far: Sequence[int], seen: Sequence[int]) -> bool:
+    """Whether lines are so few of all that they are mistakes."""
+    return len(far) <= MISTAKES_SHARE * len(seen)
+
+
+def _offsets(in_cam: Sequence[Floats], poses: Sequence[int], plane: LaserPlane) -> Floats:
+    """(P,) median distance of each pose's points from a plane; NaN of other poses."""
+    off = np.full(len(in_cam), np.nan)
+    for p in poses:
+        off[p] = float(np.median(in_cam[p] @ plane.normal - plane.offset_mm))
+    return off
+
+
+def _contradicting(
+    in_cam: Sequence[Floats], seen: Sequence[int], plane: LaserPlane, flatness_mm: float
+) -> tuple[Floats, tuple[int, ...], tuple[int, ...]]:
+    """How far each line lies off the plane of those that agree (P,), and the lines that cannot
+    lie in it: few enough to leave out, or too many.
+
+    From the better half of the lines on, the plane is laid through those that agree with it.
+    How closely they do, their places and their turns tell together, in their usual proportion.
+    """
+    from scipy.special import stdtrit  # slow to load, and needed for boards alone
+
+    off = _offsets(in_cam, seen, plane)
+    agreeing = sorted(seen, key=lambda p: abs(float(off[p])))[: len(seen) // 2 + 1]
+    for _ in range(AGREEING_ROUNDS):
+        before = set(agreeing)
+        through = [in_cam[p] for p in agreeing]
+        plane = _of_least_squares(through)
+        off = _offsets(in_cam, seen, plane)
+        free = max(2 * len(agreeing) - 3, 1)
+        square = float(np.sum((_off_plane(through, plane)[0] / USUAL_SCATTER) ** 2))
+        usual = float(USUAL_SCATTER[0] * np.sqrt(square / free))
+        limit = max(OFF_MM, OFF_FLATNESSES * flatness_mm, OFF_TIMES * usual)
+        agreeing = [p for p in seen if abs(float(off[p])) <= limit]
+        if set(agreeing) == before:
+            break
+    far = tuple(p for p in seen if p not in agreeing)
+    if _few(far, seen):
+        return off, far, ()
+    expected = usual * _foreseen(through, [in_cam[p] for p in far], plane)
+    clear = np.abs(off[list(far)]) > stdtrit(free, 1 - CHANCE / 2) * expected
+    last = far == tuple(seen[-len(far) :])  # the laser may still be where these have it
+    left_out = 2 * len(far) < len(seen) and bool(clear.all()) and not last
+    return (off, far, ()) if left_out else (off, (), far)
+
+
+def _foreseen(agreeing: Sequence[Floats], others: Sequence[Floats], plane: LaserPlane) -> Floats:
+    """(K,) how well the place of each of the other lines is foreseen by a plane through those that
+    agree: its deviation as a multiple of theirs."""
+    by_plane = _off_plane(agreeing, plane)[1] * (USUAL_SCATTER[0] / USUAL_SCATTER)[:, None]
+    C = np.linalg.inv(np.einsum("lki,lkj->ij", by_plane, by_plane))
+    place = _off_plane(others, plane)[1][:, 0]
+    return np.asarray(np.sqrt(1 + np.einsum("li,ij,lj->l", place, C, place)))
+
+
+def _points(view: BoardView, found: Bundle, pose: int) -> Floats:
+    """(N, 3) where a view's line lies on the sheet, in the camera's frame."""
+    camera = found.cameras[pose]
+    points = on_sheet(view.board, camera, found.coordinates, view.stripe.uv_px)
+    points = points[around_pattern(view.board, points)]
+    return np.asarray(points @ camera.rotation.T + camera.translation_mm)
+
+
+def _through(per_pose: Sequence[Floats], moved: bool) -> tuple[LaserPlane, Floats]:
+    """The plane that suits all lines best, each with an offset and a turn of its own, and the
+    standard deviations of these (mm, rad), which the lines themselves tell.
+
+    A laser that ``moved`` turned as well, by so much that its lines' ends are off like their
+    middles: no direction is then trusted more than the places.
+    """
+    plane = _of_least_squares(per_pose)
+    scatter = USUAL_SCATTER
+    half_mm = float(np.median([_half_length(points) for points in per_pose]))
+    for _ in range(THROUGH_ROUNDS):
+        off, by_plane = _off_plane(per_pose, plane)  # (L, 2), (L, 2, 3)
+        weight = scatter**-2.0
+        C = np.linalg.inv(np.einsum("lki,k,lkj->ij", by_plane, weight, by_plane))
+        step = -C @ np.einsum("lki,k,lk->i", by_plane, weight, off)
+        left = off + by_plane @ step
+        fitted = np.einsum("lki,ij,lkj->k", by_plane, C, by_plane) * weight
+        scatter = _scatter(np.sum(left**2, axis=0), len(off) - fitted)
+        if moved:
+            scatter[1] = max(scatter[1], scatter[0] / half_mm)
+        plane = plane.stepped(step)
+    return plane, scatter
+
+
+def line_scatter(found: Adjusted) -> Floats:
+    """By how much (mm, rad) whole lines were taken to lie off their plane."""
+    view = next(view for view in found.problem.views if isinstance(view, BoardView))
+    return np.array([view.line_off_mm, view.line_off_rad])
+
+
+def with_line_scatter(problem: Problem, scatter: Floats) -> Problem:
+    """The problem with lines that lie off their plane by so much (mm, rad)."""
+    off_mm, off_rad = scatter.tolist()
+    views = [
+        replace(view, line_off_mm=off_mm, line_off_rad=off_rad)
+        for view in problem.views
+        if isinstance(view, BoardView)
+    ]
+    return replace(problem, views=tuple(views))
+
+
+def scatter_told(found: Adjusted) -> Floats:
+    """The same two deviations (mm, rad) after an adjustment, in which the lines also had a say
+    in how the sheet bends: what each line's offset and turn left over, against what of them
+    the adjustment did not determine (Foerstner)."""
+    square, free = np.zeros(2), np.zeros(2)
+    for scene, (_, rows), (_, judgement) in zip(
+        found.linear.scenes, found.linear.rows, found.judgements, strict=True
+    ):
+        if rows.shared is None:
+            continue
+        kept = judgement.kept
+        own = np.linalg.pinv(rows.shared[kept])  # each line's offset and turn, in deviations
+        J = own @ rows.jacobian[kept] @ scene.by_unknowns
+        square += (own @ rows.residuals[kept]) ** 2
+        free += np.maximum(1 - np.einsum("ku,uw,kw->k", J, found.covariance, J), 0.0)
+    return _scatter(square * line_scatter(found) ** 2, free)
+
+
+def _scatter(squares: Floats, free: Floats) -> Floats:
+    """The standard deviation (mm, rad) of values that sum up to ``squares`` (2,), of which so many
+    are ``free`` (2,).
+
+    A sensor at rest scatters far less than is usual, a laser that moves far more: before any
+    is seen, only the order of magnitude is known (a log-normal prior). Told is the expected
+    logarithm, so that one or two lines leave what is usual.
+    """
+    sizes = SIZES[:, None] * USUAL_SCATTER
+    by_usual = -((np.log(SIZES) / np.log(USUAL_WITHIN)) ** 2)[:, None] / 2
+    log = by_usual - free * np.log(sizes) - squares / (2 * sizes**2)
+    weight = np.exp(log - log.max(axis=0))
+    return np.asarray(np.exp(np.sum(weight * np.log(sizes), axis=0) / weight.sum(axis=0)))
+
+
+def _half_length(points_mm: Floats) -> float:
+    """Of a line (N, 3), from its middle to where its points weigh as much as all together."""
+    away = points_mm - points_mm.mean(axis=0)
+    return float(np.sqrt(np.mean(np.sum(away**2, axis=1))))
+
+
+def _off_plane(per_pose: Sequence[Floats], plane: LaserPlane) -> tuple[Floats, Floats]:
+    """How far (mm) each line's middle lies off a plane and by how much (rad) the line is turned
+    out of it (L, 2), and how these follow the plane's tilts and offset (L, 2, 3)."""
+    off, by_plane = [], []
+    for points in per_pose:
+        middle = points.mean(axis=0)
+        along = np.linalg.svd(points - middle, full_matrices=False)[2][0]
+        off.append([middle @ plane.normal - plane.offset_mm, along @ plane.normal])
+        across = tangents(plane.normal)
+        by_plane.append([[*(across @ middle), -1.0], [*(across @ along), 0.0]])
+    return np.array(off), np.array(by_plane)
+
+
+def _of_least_squares(per_pose: Sequence[Floats]) -> LaserPlane:
+    """Each picture counts alike."""
+    centre = np.mean([points.mean(axis=0) for points in per_pose], axis=0)
+    spread = np.sum([(p - centre).T @ (p - centre) / len(p) for p in per_pose], axis=0)
+    normal = np.asarray(np.linalg.eigh(spread)[1][:, 0], dtype=np.float64)
+    normal = normal * (np.sign(normal[2]) or 1.0)
+    return LaserPlane(normal, float(normal @ centre))
+
+
+def plane_of_most(per_pose: Sequence[Floats]) -> LaserPlane:
+    """The plane of least median distance, of many drawn from three points of two pictures; each
+    picture counts alike."""
+    rng = np.random.default_rng(0)
+    thinned = [points[:: max(1, len(points) // DRAWN_POINTS)] for points in per_pose]
+    every = np.concatenate(thinned)
+    best, least = LaserPlane(np.array([0.0, 0.0, 1.0]), 0.0), np.inf
+    for _ in range(PLANE_DRAWS):
+        one, other = rng.choice(len(thinned), 2, replace=False)
+        ends = rng.choice(len(thinned[one]), 2, replace=False)
+        a, b = thinned[one][ends]
+        c = thinned[other][rng.integers(len(thinned[other]))]
+        normal = np.cross(b - a, c - a)
+        length = float(np.linalg.norm(normal))
+        if length < 1e-6:
+            continue
+        normal = normal / length
+        score = float(np.median([np.median(np.abs((p - a) @ normal)) for p in thinned]))
+        if score < least:
+            best, least = LaserPlane(normal, float(normal @ a)), score
+    off = every @ best.normal - best.offset_mm
+    near = every[np.abs(off) <= max(AGREEING_TIMES * float(np.median(np.abs(off))), 1e-6)]
+    centre = near.mean(axis=0)
+    normal = np.linalg.svd(near - centre, full_matrices=False)[2][2]
+    normal = normal * np.sign(normal[2] or 1.0)
+    return LaserPlane(normal, float(normal @ centre))
+
+
+def _refuse_one_line(per_pose: Sequence[Floats], plane: LaserPlane) -> None:
+    every = np.concatenate(per_pose)
+    flat = every - every.mean(axis=0)
+    spread = np.linalg.svd(flat - np.outer(flat @ plane.normal, plane.normal), compute_uv=False)
+    if spread[1] < LEAST_SPREAD * spread[0]:
+        raise Refusal(
+            "stripe-one-line",
+            "the laser's line lies at one place of its plane in all pictures",
+            "one line alone does not fix the laser's plane",
+            "take pictures from different distances, or tilted to different sides",
+        )
+
+
+def _refuse_parallel(uprights: Sequence[Floats], plane: LaserPlane) -> None:
+    """``uprights`` are the board's normals (3,) in the camera's frame."""
+    cosines = np.abs(np.array(uprights) @ plane.normal)
+    angle = float(np.median(np.degrees(np.arccos(np.clip(cosines, 0, 1)))))
+    if angle < LEAST_LASER_ANGLE_DEG:
+        raise Refusal(
+            "laser-along-board",
+            f"the laser's plane stands {angle:.1f}° to the board (limit"
+            f" {LEAST_LASER_ANGLE_DEG:.0f}°)",
+            "a plane that is nearly the board's does not meet it in a sharp line",
+            "turn the sensor so that the laser falls onto the board from above",
+        )

@@ -1,0 +1,179 @@
+"""The chessboard as the adjustment sees it: its corners, and the laser's line on its sheet."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.adjustment.board.surface import (
+    around_pattern,
+    bend_of,
+    corners_at,
+    height_of,
+    surface,
+)
+from app.metrology.adjustment.core.robust_weights import Judgement, as_they_are, merged_points
+from app.metrology.calibration.observation_model import BLOCK, PLANE, Rows
+from app.metrology.chessboard.detect_board import BoardDetection
+from app.metrology.sensor.camera import Camera, rays
+from app.metrology.sensor.laser_plane import LaserPlane, tangents
+from app.metrology.sensor.projection import COUNT, project_with_jacobian
+from app.metrology.stripe import Stripe, empty_stripe
+from app.metrology.targets.chessboard import Chessboard, grid
+from app.metrology.transforms import Floats
+
+# Points of a line are used where they lie no further off it, across the laser's plane, than
+# this, and than so many times the usual.
+OFF_PLANE_MM, OFF_PLANE_TIMES = 0.3, 5.0
+# Rounds of walking along a ray to the bent sheet: each gains two digits.
+BENT_ROUNDS = 3
+
+
+@dataclass(frozen=True)
+class BoardView:
+    """The board in the picture of one pose; ``used`` (N,) marks the stripe's points in use.
+
+    ``scatter_px`` is by what corners scatter over all pictures: beside the noise of each,
+    blur and print differ from corner to corner. ``line_off_mm``
+    and ``line_off_rad`` are by how much the line lies off the laser's plane as a whole, and by
+    how much it is turned out of it: the sheet bends, and the laser may have moved, by more than
+    its points show.
+    """
+
+    board: Chessboard
+    detection: BoardDetection
+    stripe: Stripe
+    used: NDArray[np.bool_]
+    scatter_px: float = 0.0
+    line_off_mm: float = 0.0
+    line_off_rad: float = 0.0
+
+    def rows(self, camera: Camera, plane: LaserPlane, coordinates: Floats) -> tuple[Rows, Rows]:
+        return (
+            self.corner_rows(camera, coordinates),
+            self._stripe_rows(camera, plane, coordinates),
+        )
+
+    def sorted_anew(self, camera: Camera, plane: LaserPlane, coordinates: Floats) -> "BoardView":
+        points = on_sheet(self.board, camera, coordinates, self.stripe.uv_px)
+        near = around_pattern(self.board, points)
+        off = np.full(len(points), np.inf)
+        off[near] = points[near] @ plane.normal - plane.offset_mm
+        if near.any():
+            off -= float(np.median(off[near]))  # of the line as a whole, which may be off
+        usual = float(np.median(np.abs(off[near]))) if near.any() else 0.0
+        return replace(self, used=np.abs(off) < max(OFF_PLANE_MM, OFF_PLANE_TIMES * usual))
+
+    def merged(
+        self, rows: tuple[Rows, Rows], judged: tuple[Judgement, Judgement]
+    ) -> tuple["BoardView", tuple[Judgement, Judgement]]:
+        used = np.flatnonzero(self.used)
+        own = self.stripe.sigma_px[used]
+        few = merged_points(rows[1].places, own, rows[1].line, judged[1])
+        u, v = few.uv_px.T
+        intensity = self.stripe.intensity[used][few.first]
+        stripe = Stripe(u, v, intensity, few.sigma_px, self.stripe.axis)
+        view = replace(self, stripe=stripe, used=np.ones(len(u), dtype=np.bool_))
+        return view, (judged[0], as_they_are(len(u)))
+
+    def stripe_px(self) -> Floats:
+        return np.asarray(self.stripe.uv_px[self.used])
+
+    def without_line(self) -> "BoardView":
+        return replace(
+            self, stripe=empty_stripe(self.stripe.axis), used=np.zeros(0, dtype=np.bool_)
+        )
+
+    def _bends(self) -> slice:
+        own = bend_of(self.board)
+        return slice(BLOCK.start + own.start, BLOCK.start + own.stop)
+
+    def corner_rows(self, camera: Camera, coordinates: Floats) -> Rows:
+        """Observation equations of the corners: two a corner, along the axes of its covariance."""
+        board, seen = self.board, self.detection
+        count = len(grid(board))
+        at = corners_at(board, coordinates)[seen.number]
+        uv, by_camera, by_point = project_with_jacobian(camera, at)
+        J = np.zeros((len(at), 2, BLOCK.start + len(coordinates)))
+        J[:, :, :COUNT] = by_camera
+        bent = surface(board, coordinates, at[:, :2])
+        own = by_point[:, :, :2] + by_point[:, :, 2:] * bent.slope[:, None, :]  # by x and y
+        share = (grid(board) / (np.array(board.inner_corners) - 1))[seen.number]
+        J[:, :, BLOCK.start : BLOCK.start + 2] = own * share[:, None, :]
+        bends = self._bends()
+        J[:, :, bends] = by_point[:, :, 2:] * bent.by_bend[:, None, :]
+        prints = bends.stop + seen.number
+        every = np.arange(len(at))
+        J[every, :, prints] = own[:, :, 0]
+        J[every, :, prints + count] = own[:, :, 1]
+        J[every, :, prints + 2 * count] = by_point[:, :, 2]
+        variances, axes = np.linalg.eigh(seen.covariance_px2)
+        residuals = np.einsum("nik,ni->nk", axes, seen.uv_px - uv)
+        turned = np.einsum("nik,nip->nkp", axes, J)
+        return Rows(
+            residuals.ravel(),
+            np.sqrt(np.maximum(variances, self.scatter_px**2)).ravel(),
+            -turned.reshape(-1, J.shape[2]),
+            np.repeat(seen.uv_px, 2, axis=0),
+            np.zeros(2 * len(at), dtype=np.int64),
+        )
+
+    def _stripe_rows(self, camera: Camera, plane: LaserPlane, coordinates: Floats) -> Rows:
+        """Stripe points on the curve in which the laser's plane meets the sheet.
+
+        At each point the sheet is taken as its tangent plane, the curve as a straight line.
+        """
+        uv, sigma = self.stripe.uv_px[self.used], self.stripe.sigma_px[self.used]
+        on = on_sheet(self.board, camera, coordinates, uv)
+        bent = surface(self.board, coordinates, on[:, :2])
+        upright = np.column_stack([-bent.slope, np.ones(len(on))])
+        upright /= np.linalg.norm(upright, axis=1, keepdims=True)
+        n = plane.normal
+        tilt = upright @ n
+        sine2 = np.maximum(1 - tilt**2, 1e-12)[:, None]
+        across = (n - tilt[:, None] * upright) / sine2  # of the line, for the plane's offset
+        start = on + (plane.offset_mm - on @ n)[:, None] * across
+        lifted = (upright - tilt[:, None] * n) / sine2 * upright[:, 2:]  # for the sheet's height
+        seen, by_camera, by_point = project_with_jacobian(camera, start)
+        tangent = np.einsum("nij,nj->ni", by_point, np.cross(n, upright))
+        tangent /= np.linalg.norm(tangent, axis=1, keepdims=True)
+        normal = np.column_stack([-tangent[:, 1], tangent[:, 0]])
+        J = np.zeros((len(uv), BLOCK.start + len(coordinates)))
+        J[:, :COUNT] = np.einsum("ni,nip->np", normal, by_camera)
+        to_normal = np.einsum("ni,nip->np", normal, by_point)
+        by_offset = np.sum(to_normal * across, axis=1)
+        J[:, PLANE.start : PLANE.start + 2] = -(start @ tangents(n).T) * by_offset[:, None]
+        J[:, PLANE.start + 2] = by_offset
+        by_height = np.sum(to_normal * lifted, axis=1)
+        bends = self._bends()
+        J[:, bends] = by_height[:, None] * bent.by_bend
+        residuals = np.sum((uv - seen) * normal, axis=1)
+        return Rows(
+            residuals,
+            sigma * np.abs(normal @ self.stripe.across),
+            -J,
+            uv,
+            np.zeros(len(uv), dtype=np.int64),
+            shared=self._shared(on, by_offset),
+        )
+
+    def _shared(self, on_mm: Floats, px_per_mm: Floats) -> Floats | None:
+        """(N, 2) by how much points follow the line's own offset and turn, each one deviation."""
+        if not len(on_mm) or not self.line_off_mm:
+            return None
+        away = on_mm - on_mm.mean(axis=0)
+        along = away @ np.linalg.svd(away, full_matrices=False)[2][0]
+        ways = [np.full(len(on_mm), self.line_off_mm), along * self.line_off_rad]
+        return np.asarray(px_per_mm[:, None] * np.column_stack(ways))
+
+
+def on_sheet(board: Chessboard, camera: Camera, coordinates: Floats, uv_px: Floats) -> Floats:
+    """Where the rays of pixels (N, 2) meet the bent sheet: (N, 3) in the board's frame."""
+    origin, along = rays(camera, uv_px)
+    height = np.zeros(len(uv_px))
+    points = np.zeros((len(uv_px), 3))
+    for _ in range(BENT_ROUNDS):
+        points = origin + ((height - origin[2]) / along[:, 2])[:, None] * along
+        near = np.clip(points[:, :2], -board.size_mm, 2 * board.size_mm)
+        height = height_of(board, coordinates, near)
+    return np.asarray(points)

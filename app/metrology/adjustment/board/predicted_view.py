@@ -1,0 +1,69 @@
+"""What a picture of the chessboard would show from a place not yet taken, without its noise."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from app.metrology.adjustment.block.predicted_view import STRIPE_STEP_PX, Seeing, inside
+from app.metrology.adjustment.board.observations import BoardView
+from app.metrology.chessboard.detect_board import BoardDetection
+from app.metrology.sensor.camera import Camera, project
+from app.metrology.sensor.laser_plane import LaserPlane
+from app.metrology.stripe import Stripe
+from app.metrology.targets.chessboard import Chessboard, corner_points
+from app.metrology.targets.target import board_lines
+from app.metrology.transforms import Floats
+
+# The pattern's border stays so far within the picture: the search needs all corners.
+BORDER_PX = 4.0
+# The line is looked for at so many places along each side of the pattern.
+PLACES = 400
+
+
+def whole_in_view(camera: Camera, board: Chessboard) -> bool:
+    """Whether the whole pattern lies in the picture, seen from its printed side."""
+    uv = project(camera, board_lines(board).reshape(-1, 3))
+    in_front = float(camera.centre_mm[2]) > 0
+    return in_front and bool(inside(camera, uv, BORDER_PX).all())
+
+
+def expected_board_view(
+    camera: Camera, plane: LaserPlane, like: BoardView, seeing: Seeing
+) -> BoardView:
+    """Corners and the laser's line as a camera would measure them.
+
+    Args:
+        camera, plane: with the board's frame as sensor frame.
+        like: a picture taken, whose corners and line are no better or worse.
+    """
+    board = like.board
+    uv = project(camera, corner_points(board))
+    number = np.flatnonzero(inside(camera, uv, BORDER_PX))
+    covariance = np.tile(seeing.corner_px**2 * np.eye(2), (len(number), 1, 1))
+    line = _line(camera, plane, board, seeing)
+    sigma = np.full(len(line), seeing.stripe_px * seeing.share)
+    return replace(
+        like,
+        detection=BoardDetection(uv[number], covariance, number),
+        stripe=Stripe(line[:, 0], line[:, 1], np.full(len(line), 150.0), sigma, seeing.axis),
+        used=np.ones(len(line), dtype=np.bool_),
+    )
+
+
+def _line(camera: Camera, plane: LaserPlane, board: Chessboard, seeing: Seeing) -> Floats:
+    """(N, 2) pixels in which the laser's plane meets the pattern."""
+    n = plane.normal
+    side = int(np.argmax(np.abs(n[:2])))  # solved for the coordinate that the plane cuts steeply
+    low = -board.square_mm
+    high = board.square_mm * np.array(board.inner_corners, dtype=np.float64)
+    along = np.linspace(low, high[1 - side], PLACES)
+    across = (plane.offset_mm - n[1 - side] * along) / n[side]
+    on = (across > low) & (across < high[side])
+    points = np.zeros((int(on.sum()), 3))
+    points[:, 1 - side], points[:, side] = along[on], across[on]
+    if len(points) < 2:
+        return np.zeros((0, 2))
+    uv = project(camera, points)
+    step = float(np.linalg.norm(uv[-1] - uv[0])) / (len(uv) - 1)
+    uv = uv[:: max(1, round(STRIPE_STEP_PX * seeing.merged / max(step, 1e-6)))]
+    return np.asarray(uv[inside(camera, uv, BORDER_PX)])

@@ -1,0 +1,110 @@
+"""What became of each pose, contact and point in the adjustment on a chessboard."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.adjustment.board.initial_guess import SeenBoard
+from app.metrology.adjustment.board.surface import corners_at
+from app.metrology.adjustment.core.gauss_newton import Adjusted
+from app.metrology.adjustment.core.parameters import pose_scene
+from app.metrology.adjustment.results.poses import (
+    PoseResult,
+    off_um,
+    rms,
+    stripe_off,
+    worst_in_pictures,
+)
+from app.metrology.calibration.findings import WORST_OF_A_KIND, WorstPoint
+from app.metrology.sensor.camera import project
+from app.metrology.targets.chessboard import Chessboard, grid
+from app.metrology.transforms import Floats
+
+
+@dataclass(frozen=True)
+class BoardContacts:
+    """Of N contacts: how far each lies off the sheet, and which were left out."""
+
+    residuals_um: Floats
+    left_out: NDArray[np.bool_]
+
+    @property
+    def rms_um(self) -> float:
+        """Of those that count."""
+        return rms(self.residuals_um[~self.left_out])
+
+
+def board_pose_results(
+    found: Adjusted, seen: Sequence[SeenBoard], board: Chessboard
+) -> list[PoseResult]:
+    """Of the poses that were used."""
+    by_number = {pose.number: pose for pose in seen}
+    results = []
+    for p, number in enumerate(found.problem.numbers):
+        corners, stripe = found.linear.rows[p]
+        kept_corners, kept_stripe = (one.kept for one in found.judgements[p])
+        results.append(
+            PoseResult(
+                number,
+                True,
+                "",
+                rms(corners.residuals[kept_corners]) * np.sqrt(2),
+                int(kept_corners.sum()) // 2,
+                rms(stripe.residuals[kept_stripe]),
+                int(kept_stripe.sum()),
+                off_um(found, p),
+                _corners(found, p, by_number[number], board),
+                _measured(by_number[number], board),
+                stripe_off(stripe, kept_stripe),
+            )
+        )
+    return results
+
+
+def _corners(
+    found: Adjusted, pose: int, seen: SeenBoard, board: Chessboard
+) -> tuple[tuple[str, float, float], ...]:
+    """Measured less projected, by column and row on the board."""
+    scene = pose_scene(found.state, found.problem, found.layout, pose)
+    at = corners_at(board, found.state.coordinates)[seen.detection.number]
+    off = seen.detection.uv_px - project(scene.camera, at)
+    return _named(seen, board, off)
+
+
+def _measured(seen: SeenBoard, board: Chessboard) -> tuple[tuple[str, float, float], ...]:
+    return _named(seen, board, seen.detection.uv_px)
+
+
+def _named(
+    seen: SeenBoard, board: Chessboard, values: Floats
+) -> tuple[tuple[str, float, float], ...]:
+    places = grid(board)[seen.detection.number]
+    return tuple(
+        (f"corner {column},{row}", float(u), float(v))
+        for (column, row), (u, v) in zip(places.tolist(), values, strict=True)
+    )
+
+
+def board_contacts(found: Adjusted) -> BoardContacts | None:
+    """Of a session in which the board was touched."""
+    rows, touches = found.linear.contact_rows, found.problem.touches
+    if rows is None or touches is None:
+        return None
+    return BoardContacts(1e3 * rows.residuals_mm, ~touches.kept)
+
+
+def board_worst(
+    found: Adjusted, poses: Sequence[PoseResult], contacts: BoardContacts | None
+) -> tuple[WorstPoint, ...]:
+    """The few worst contacts, corners and points of the laser's line over all poses."""
+    worst: list[WorstPoint] = []
+    if contacts is not None:
+        off_um = np.abs(contacts.residuals_um)
+        worst += [
+            WorstPoint("contact", f"board {i + 1}", float(off_um[i]), "µm", contact=int(i))
+            for i in np.argsort(-off_um)[:WORST_OF_A_KIND]
+        ]
+    worst += worst_in_pictures(found, poses)
+    return tuple(worst)

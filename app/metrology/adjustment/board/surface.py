@@ -1,0 +1,156 @@
+"""The sheet that carries a chessboard: its corners' true places, and how it bends.
+
+Its coordinates are the pattern's width and height (mm), the strengths (mm) of a few
+smooth shapes in which sheets bend, what each corner is misprinted by (mm), and by how
+much each is lifted or dented by itself (mm): paper is not as smooth as the shapes.
+
+The bend is a smooth random surface, a Gaussian process that is as high as the board's
+flatness and alike over ``SMOOTH_SHARE`` of the pattern; its shapes are the principal ones
+(Karhunen-Loeve) of the sheet around the pattern, so that their strengths are independent.
+What a shape has of a plane over the pattern is taken off: that is the board's place.
+"""
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.adjustment.core.observations import Papers
+from app.metrology.targets.chessboard import Chessboard, corner_points, grid
+from app.metrology.transforms import Floats
+
+EXTENT = slice(0, 2)
+LEAST_MM = 1e-6
+# The sheet is described this far around the pattern, in squares. Bends are alike over this
+# share of the pattern's diagonal, and nodes stand closer by a factor.
+AROUND_SQUARES = 4.0
+SMOOTH_SHARE, NODES_PER_LENGTH = 0.5, 2.0
+# Shapes are kept until they make up this share of the variance.
+KEPT_SHARE = 0.995
+# Dents from corner to corner are as deep as this share of the smooth bend.
+DENTS_SHARE = 0.25
+
+
+@dataclass(frozen=True)
+class Shapes:
+    """K smooth shapes: ``exp(-d^2 / 2 l^2)`` about the nodes of a grid, X within Y, summed by
+    ``weights`` (M, K), less a plane (3, K) over 1, x and y."""
+
+    nodes_x_mm: Floats
+    nodes_y_mm: Floats
+    length_mm: float
+    weights: Floats
+    planes: Floats
+
+    def bells(self, xy_mm: Floats) -> tuple[Floats, Floats, Floats, Floats]:
+        """Factors of the bells along x (N, X) and y (N, Y), and their slopes."""
+        away_x = (xy_mm[:, :1] - self.nodes_x_mm) / self.length_mm
+        away_y = (xy_mm[:, 1:] - self.nodes_y_mm) / self.length_mm
+        along_x, along_y = np.exp(-0.5 * away_x**2), np.exp(-0.5 * away_y**2)
+        slope_x, slope_y = (
+            -bell * away / self.length_mm for bell, away in ((along_x, away_x), (along_y, away_y))
+        )
+        return along_x, along_y, slope_x, slope_y
+
+    def by_strength(self, xy_mm: Floats) -> Floats:
+        """Heights (N, K) of each shape at places (N, 2)."""
+        along_x, along_y, _, _ = self.bells(xy_mm)
+        bells = (along_y[:, :, None] * along_x[:, None, :]).reshape(len(xy_mm), len(self.weights))
+        flat = np.column_stack([np.ones(len(xy_mm)), xy_mm]) @ self.planes
+        return np.asarray(bells @ self.weights - flat)
+
+    def summed(self, strengths: Floats, xy_mm: Floats) -> tuple[Floats, Floats]:
+        """Height (N,) and slopes (N, 2) of all shapes together."""
+        along_x, along_y, slope_x, slope_y = self.bells(xy_mm)
+        at_nodes = (self.weights @ strengths).reshape(len(self.nodes_y_mm), -1)
+        plane = self.planes @ strengths
+        across = along_y @ at_nodes
+        height = np.sum(across * along_x, axis=1) - plane[0] - xy_mm @ plane[1:]
+        by_x = np.sum(across * slope_x, axis=1) - plane[1]
+        by_y = np.sum((slope_y @ at_nodes) * along_x, axis=1) - plane[2]
+        return height, np.column_stack([by_x, by_y])
+
+
+@dataclass(frozen=True)
+class Surface:
+    """The sheet at N places: heights (N,), slopes (N, 2) along x and y, and how the heights
+    follow the strengths of the shapes (N, K)."""
+
+    height_mm: Floats
+    slope: Floats
+    by_bend: Floats
+
+
+@lru_cache(maxsize=8)
+def shapes(board: Chessboard) -> Shapes:
+    """In what shapes the sheet of a board may bend, each of variance 1 at its strongest."""
+    length = SMOOTH_SHARE * board.size_mm
+    margin = AROUND_SQUARES * board.square_mm
+    span = board.extent_mm + 2 * margin
+    counts = np.ceil(span / length * NODES_PER_LENGTH).astype(np.int64) + 1
+    x, y = (np.linspace(-margin, -margin + s, n) for s, n in zip(span, counts, strict=True))
+    nodes = np.column_stack([axis.ravel() for axis in np.meshgrid(x, y)])
+    apart = np.sum((nodes[:, None] - nodes) ** 2, axis=2) / length**2
+    variances, principal = np.linalg.eigh(np.exp(-0.5 * apart))
+    variances, principal = variances[::-1], principal[:, ::-1]
+    count = int(np.searchsorted(np.cumsum(variances), KEPT_SHARE * variances.sum())) + 1
+    weights = np.asarray(principal[:, :count] / np.sqrt(variances[:count]), np.float64)
+    plain = Shapes(x, y, length, weights, np.zeros((3, count)))
+    corners = corner_points(board)[:, :2]
+    terms = np.column_stack([np.ones(len(corners)), corners])
+    planes = np.asarray(np.linalg.pinv(terms) @ plain.by_strength(corners), np.float64)
+    return Shapes(x, y, length, weights, planes)
+
+
+def bend_of(board: Chessboard) -> slice:
+    """Where the strengths of the shapes stand among the coordinates."""
+    return slice(EXTENT.stop, EXTENT.stop + shapes(board).weights.shape[1])
+
+
+def groups_of(board: Chessboard) -> tuple[slice, slice, slice]:
+    """Where the bend, the misprints and the dents stand: each group is of one deviation."""
+    count, bend = len(grid(board)), bend_of(board)
+    prints = slice(bend.stop, bend.stop + 2 * count)
+    return bend, prints, slice(prints.stop, prints.stop + count)
+
+
+def board_papers(board: Chessboard) -> Papers:
+    """The certificate: extents and corners to its standard uncertainty, flat to its flatness."""
+    count, bend = len(grid(board)), bend_of(board)
+    names = ("extent_x", "extent_y", *(f"bend:{k}" for k in range(bend.stop - bend.start)))
+    names += tuple(f"print_x:{k}" for k in range(count))
+    names += tuple(f"print_y:{k}" for k in range(count))
+    names += tuple(f"dent:{k}" for k in range(count))
+    values = np.zeros(len(names))
+    values[EXTENT] = board.extent_mm
+    sd = np.full(len(names), max(board.standard_uncertainty_mm, LEAST_MM))
+    sd[bend] = max(board.flatness_mm, LEAST_MM)
+    sd[-count:] = max(DENTS_SHARE * board.flatness_mm, LEAST_MM)
+    return Papers(names, values, sd)
+
+
+def surface(board: Chessboard, coordinates: Floats, xy_mm: Floats) -> Surface:
+    """The bent sheet at places (N, 2) of the board's frame."""
+    own = shapes(board)
+    height, slope = own.summed(coordinates[bend_of(board)], xy_mm)
+    return Surface(height, slope, own.by_strength(xy_mm))
+
+
+def height_of(board: Chessboard, coordinates: Floats, xy_mm: Floats) -> Floats:
+    """Heights (N,) of the bent sheet at places (N, 2) of the board's frame."""
+    return shapes(board).summed(coordinates[bend_of(board)], xy_mm)[0]
+
+
+def corners_at(board: Chessboard, coordinates: Floats) -> Floats:
+    """(N, 3) where every corner truly is, in the board's frame."""
+    share = grid(board) / (np.array(board.inner_corners) - 1)
+    print_x, print_y, dent = coordinates[bend_of(board).stop :].reshape(3, len(share))
+    xy = share * coordinates[EXTENT] + np.column_stack([print_x, print_y])
+    return np.column_stack([xy, height_of(board, coordinates, xy) + dent])
+
+
+def around_pattern(board: Chessboard, points_mm: Floats) -> NDArray[np.bool_]:
+    """Which points (N, 3) lie where the sheet is described."""
+    beyond = np.maximum(-points_mm[:, :2], points_mm[:, :2] - board.extent_mm)
+    return np.asarray((beyond < AROUND_SQUARES * board.square_mm).all(axis=1))

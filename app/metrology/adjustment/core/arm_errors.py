@@ -1,0 +1,86 @@
+"""How the flange truly stands, beside where the arm's model has it.
+
+Two things move it: errors of the links, the same in every pose (Eq. 3), and the noise
+of the encoders, drawn anew in each. A robot that reports its flange's pose has only the
+second, as an error of the pose itself.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.metrology.adjustment.core.se3 import carried
+from app.metrology.arm.kinematics import Arm, link_transforms
+from app.metrology.transforms import Floats
+
+# An error in turning, of a robot or of a link, times this length, is as large as one in place.
+LEVER_MM = 400.0
+# Encoders are never better than this, whatever their sheet says.
+LEAST_ENCODER_RAD = 1e-6
+# What a robot's controller is off by from pose to pose, where nothing tells, and at least.
+USUAL_ROBOT_MM, LEAST_ROBOT_MM = 0.1, 0.001
+
+
+@dataclass(frozen=True)
+class FlangeMotion:
+    """The flange in P readings of an arm, and how small errors move it.
+
+    ``by_links`` (P, 6, 6n) and ``by_noise`` (P, 6, n) are left twists of ``T_arm_flange``
+    (P, 4, 4) for one unit of each link's error, a twist (rad, mm) behind it, and for one
+    of each reading's own noise, whose standard deviations are ``noise_sd`` (n,) times a
+    factor: usually ``usual_factor``, never less than ``least_factor``.
+    """
+
+    T_arm_flange: Floats
+    by_links: Floats
+    by_noise: Floats
+    noise_sd: Floats
+    usual_factor: float = 1.0
+    least_factor: float = 1.0
+
+
+def arm_motion(arm: Arm, q_rad: Floats) -> FlangeMotion:
+    """The motion of a jointed arm at encoder angles (P, n)."""
+    q = np.asarray(q_rad, dtype=np.float64)
+    T, by_links, by_encoders = _by_errors(arm, q)
+    return FlangeMotion(
+        T,
+        by_links,
+        by_encoders,
+        np.maximum(arm.encoder_sd_rad, LEAST_ENCODER_RAD),
+    )
+
+
+def robot_motion(T_arm_flange: Floats) -> FlangeMotion:
+    """The motion of a robot that reports poses (P, 4, 4): each is off by itself.
+
+    Noise is counted in mm; turns are about the flange's origin, a lever's length apart.
+    """
+    own = np.diag(np.repeat([1 / LEVER_MM, 1.0], 3))
+    by_noise = np.array([carried(T) @ own for T in T_arm_flange]).reshape(-1, 6, 6)
+    unseen = np.zeros((len(T_arm_flange), 6, 0))
+    return FlangeMotion(T_arm_flange, unseen, by_noise, np.ones(6), USUAL_ROBOT_MM, LEAST_ROBOT_MM)
+
+
+def _by_errors(arm: Arm, q: Floats) -> tuple[Floats, Floats, Floats]:
+    """Flange poses (P, 4, 4), and left twists by 6n link errors and by n encoders."""
+    links = link_transforms(arm, q)
+    n, count = arm.joint_count, len(q)
+    by_links, by_encoders = np.zeros((count, 6, 6 * n)), np.zeros((count, 6, n))
+    T = np.broadcast_to(np.eye(4), (count, 4, 4))
+    for i, joint in enumerate(arm.joints):
+        axis = np.array([0.0, 0.0, joint.sign, 0.0, 0.0, 0.0])
+        for p in range(count):
+            by_encoders[p, :, i] = carried(T[p]) @ axis
+        T = T @ links[i]
+        for p in range(count):
+            by_links[p, :, 6 * i : 6 * i + 6] = carried(T[p])
+    return np.asarray(T), by_links, by_encoders
+
+
+def tip_shift(T_arm_flange: Floats, tip_mm: Floats) -> Floats:
+    """(3, 6): how the tip (3,) on the flange shifts, arm frame, with a left twist of the flange."""
+    at = T_arm_flange[:3, :3] @ tip_mm + T_arm_flange[:3, 3]
+    x, y, z = at
+    turn = np.array([[0.0, z, -y], [-z, 0.0, x], [y, -x, 0.0]])
+    return np.column_stack([turn, np.eye(3)])

@@ -1,0 +1,84 @@
+"""Where the flange stands by an arm's own word: joint angles, or poses from a robot.
+
+``readings`` are (N, n) encoder angles in rad of an ``Arm``, or (N, 4, 4) ``T_arm_flange``
+of a ``RobotArm``.
+"""
+
+import numpy as np
+
+from app.errors import Refusal
+from app.metrology.adjustment.core.arm_errors import (
+    FlangeMotion,
+    arm_motion,
+    robot_motion,
+    tip_shift,
+)
+from app.metrology.adjustment.core.observations import Touches
+from app.metrology.adjustment.core.robot_noise import RobotNoise, with_flange_noise
+from app.metrology.arm.kinematics import Arm, RobotArm, tip_covariances
+from app.metrology.transforms import Floats
+
+
+def motion_of(arm: Arm | RobotArm, readings: Floats) -> FlangeMotion:
+    """The flange's poses, and how small errors move it.
+
+    Raises:
+        Refusal: readings of another arm, or not numbers.
+    """
+    wanted = (arm.joint_count,) if isinstance(arm, Arm) else (4, 4)
+    if readings.shape[1:] != wanted:
+        raise Refusal(
+            "joint-count",
+            f"readings of shape {readings.shape[1:]} for the arm {arm.name}",
+            f"{wanted} is expected",
+            "check that the session was taken with this arm",
+        )
+    if not np.isfinite(readings).all():
+        raise Refusal("angles-not-finite", f"a reading of the arm {arm.name} is not a number")
+    return arm_motion(arm, readings) if isinstance(arm, Arm) else robot_motion(readings)
+
+
+def plane_touches(
+    arm: Arm | RobotArm,
+    feature: str,
+    readings: Floats,
+    coordinates: int,
+    noise: RobotNoise | None = None,
+) -> Touches:
+    """Contacts (N) on a plane z = 0 of the object, which has so many coordinates.
+
+    Args:
+        noise: of a robot, of its flange's turn and shift.
+
+    Raises:
+        Refusal: the arm has no tip.
+    """
+    if arm.tip is None:
+        raise Refusal(
+            "tip-missing",
+            f"{len(readings)} contacts, and the arm {arm.name} has no tip",
+            "contacts are of a tip's sphere",
+            "give the tip in arm.json, or leave out probing.csv",
+        )
+    moves = motion_of(arm, readings)
+    if noise is not None:
+        moves = with_flange_noise(moves, noise)
+    T, count = moves.T_arm_flange, len(readings)
+    shifts = np.array([tip_shift(one, arm.tip.centre_mm) for one in T]).reshape(count, 3, 6)
+    by_noise = shifts @ moves.by_noise * moves.noise_sd
+    noise_mm2 = (
+        tip_covariances(arm, readings)
+        if isinstance(arm, Arm)
+        else by_noise @ by_noise.transpose(0, 2, 1)
+    )
+    return Touches(
+        (feature,) * count,
+        np.tile([0.0, 0.0, 1.0], (count, 1)),
+        np.zeros((count, coordinates)),
+        arm.tip.radius_mm,
+        T[:, :3, :3] @ arm.tip.centre_mm + T[:, :3, 3],
+        T[:, :3, :3],
+        shifts @ moves.by_links,
+        noise_mm2,
+        np.ones(count, dtype=np.bool_),
+    )

@@ -1,0 +1,190 @@
+"""How the sensor sits on the flange, from poses alone: a start, and poses that contradict it."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.errors import Refusal
+from app.metrology.transforms import Floats, inverse, nearest_rotation, rigid, vector_from_rotation
+
+# Poses disagree with the others beyond this and this many times what is usual among them.
+CONTRADICTS_MM, CONTRADICTS_TIMES = 1.5, 6.0
+# Poses that scatter by this much have no place in common at all.
+HOPELESS_MM = 5.0
+# Turns between poses less than this tell nothing of where the sensor sits.
+LEAST_TURN_RAD = np.deg2rad(3.0)
+# Second direction of turning against the first, below which the turns are about one axis.
+LEAST_SECOND_AXIS = 0.05
+
+
+@dataclass(frozen=True)
+class Mounting:
+    """``T_flange_cam`` and ``T_arm_obj`` (4, 4), and how far each of P poses is from them.
+
+    ``off_mm`` (P,) is how far the object seen in that pose lies from its place;
+    ``contradicts`` (P,) marks poses that cannot belong with the others.
+    """
+
+    T_flange_cam: Floats
+    T_arm_obj: Floats
+    T_arm_flange: Floats  # (P, 4, 4), as it was given
+    T_cam_obj: Floats  # (P, 4, 4), as it was given
+    off_mm: Floats
+    contradicts: NDArray[np.bool_]
+
+
+def mounting_by_contacts(
+    T_arm_flange: Floats, T_cam_obj: Floats, T_arm_obj: Floats, reach_mm: float
+) -> Mounting:
+    """The mounting that most poses agree on, where contacts tell the object's place (Eq. 8).
+
+    Args:
+        T_arm_flange, T_cam_obj: (P, 4, 4).
+        T_arm_obj: (4, 4) from the contacts.
+        reach_mm: the object's size, which turns angles into lengths.
+    """
+    each = inverse(T_arm_flange) @ T_arm_obj @ inverse(T_cam_obj)
+    off = np.array([off_place_mm(T_arm_flange, T_cam_obj, X, T_arm_obj, reach_mm) for X in each])
+    best = each[int(np.argmin(np.median(off, axis=1)))]
+    off_mm = off_place_mm(T_arm_flange, T_cam_obj, best, T_arm_obj, reach_mm)
+    contradicts = contradicting(off_mm)
+    X = mean_of(each[~contradicts])
+    off_mm = off_place_mm(T_arm_flange, T_cam_obj, X, T_arm_obj, reach_mm)
+    return Mounting(X, T_arm_obj, T_arm_flange, T_cam_obj, off_mm, contradicts)
+
+
+def mounting_by_motion(T_arm_flange: Floats, T_cam_obj: Floats, reach_mm: float) -> Mounting:
+    """The mounting from how the object's picture moves with the flange (hand-eye, AX = ZB).
+
+    The rotations first, as the null vector of a linear system, then the shifts; drawn
+    from few poses many times where some might contradict the others.
+
+    Raises:
+        Refusal: fewer than three poses, or turns about one axis only.
+    """
+    count = len(T_arm_flange)
+    refuse_alike(T_arm_flange)
+    rng = np.random.default_rng(0)
+    draws = [np.arange(count)]
+    if count > 4:
+        draws += [rng.permutation(count)[:4] for _ in range(60)]
+    best: Mounting | None = None
+    for draw in draws:
+        X, Z = _hand_eye(T_arm_flange[draw], T_cam_obj[draw])
+        off_mm = off_place_mm(T_arm_flange, T_cam_obj, X, Z, reach_mm)
+        if best is None or np.median(off_mm) < np.median(best.off_mm):
+            best = Mounting(X, Z, T_arm_flange, T_cam_obj, off_mm, contradicting(off_mm))
+    assert best is not None
+    kept = ~best.contradicts
+    if kept.sum() >= 3:
+        X, Z = _hand_eye(T_arm_flange[kept], T_cam_obj[kept])
+        off_mm = off_place_mm(T_arm_flange, T_cam_obj, X, Z, reach_mm)
+        best = Mounting(X, Z, T_arm_flange, T_cam_obj, off_mm, contradicting(off_mm))
+    return best
+
+
+def refuse_alike(T_arm_flange: Floats) -> None:
+    """Refuses poses (P, 4, 4) that turn too little to tell where the sensor sits.
+
+    Raises:
+        Refusal: names the direction that cannot be told.
+    """
+    count = len(T_arm_flange)
+    if count < 3:
+        raise Refusal(
+            "too-few-poses",
+            f"{count} poses without contact points",
+            "how the sensor sits on the flange shows only when the flange turns: three poses"
+            " at least, turned about two different axes",
+            "take more pictures, each turned against the others, or touch the object",
+        )
+    turns = np.array(
+        [
+            vector_from_rotation(inverse(A)[:3, :3] @ B[:3, :3])
+            for i, A in enumerate(T_arm_flange)
+            for B in T_arm_flange[i + 1 :]
+        ]
+    )
+    _, size, axes = np.linalg.svd(turns, full_matrices=False)
+    largest = float(np.max(np.linalg.norm(turns, axis=1)))
+    if largest < LEAST_TURN_RAD:
+        raise Refusal(
+            "poses-alike",
+            f"the flange turned by {np.degrees(largest):.1f}° at most between the {count} poses",
+            "poses all alike do not tell where the sensor sits on the flange, in any direction",
+            "take pictures turned by 20° and more, about two different axes",
+        )
+    if size[1] < LEAST_SECOND_AXIS * size[0]:
+        x, y, z = axes[0]
+        raise Refusal(
+            "poses-about-one-axis",
+            f"all {count} poses turn the flange about one axis, ({x:+.2f} {y:+.2f} {z:+.2f}) in"
+            " its own frame",
+            "where the sensor sits along that axis cannot be told",
+            "add pictures turned about another axis",
+        )
+
+
+def refuse_contradictions(mounting: Mounting, numbers: Sequence[int], thing: str) -> None:
+    """Refuses where the poses that agree are not more than those that do not.
+
+    Args:
+        numbers: the poses' own.
+        thing: what the pictures show, in the operator's words.
+
+    Raises:
+        Refusal: says how far apart the poses put it.
+    """
+    out = mounting.contradicts
+    some = out.sum() * 2 < len(out) and np.median(mounting.off_mm) < HOPELESS_MM
+    if some or len(out) < 2:
+        return
+    raise Refusal(
+        "poses-contradict",
+        f"poses {', '.join(map(str, numbers))} put the {thing} up to"
+        f" {mounting.off_mm.max():.1f} mm apart",
+        "with half of them or more contradicting the others, none can be trusted",
+        f"check that the {thing} was not moved, and that every picture has the arm's readings"
+        " of its own pose",
+    )
+
+
+def mean_of(T: Floats) -> Floats:
+    """The mean (4, 4) of transforms (P, 4, 4) that are close to one another."""
+    return rigid(nearest_rotation(T[:, :3, :3].mean(axis=0)), T[:, :3, 3].mean(axis=0))
+
+
+def contradicting(off_mm: Floats) -> NDArray[np.bool_]:
+    """Which poses (P,) are further off than the scatter of the better half explains."""
+    usual = float(np.median(off_mm))
+    return np.asarray(off_mm > max(CONTRADICTS_MM, CONTRADICTS_TIMES * usual))
+
+
+def off_place_mm(
+    T_arm_flange: Floats, T_cam_obj: Floats, X: Floats, Z: Floats, reach_mm: float
+) -> Floats:
+    """(P,) mm between the object as seen in each pose and its place ``Z``."""
+    off = inverse(Z) @ T_arm_flange @ X @ T_cam_obj
+    turn = np.linalg.norm(vector_from_rotation(off[:, :3, :3]), axis=1)
+    return np.asarray(np.hypot(np.linalg.norm(off[:, :3, 3], axis=1), turn * reach_mm / 2))
+
+
+def _hand_eye(A: Floats, B: Floats) -> tuple[Floats, Floats]:
+    """``X``, ``Z`` (4, 4) with ``A X B = Z`` in the least-squares sense: the two rotations
+    at once as the smallest singular vector, then both shifts linearly."""
+    system = []
+    for one, other in zip(A, B, strict=True):
+        # vec(Ra X Rb) = (Rb' kron Ra) vec(X), columns stacked
+        system.append(np.hstack([np.kron(other[:3, :3].T, one[:3, :3]), -np.eye(9)]))
+    smallest = np.linalg.svd(np.concatenate(system))[2][-1]
+    X, Z = smallest[:9].reshape(3, 3, order="F"), smallest[9:].reshape(3, 3, order="F")
+    sign = np.sign(np.linalg.det(X)) or 1.0
+    RX, RZ = nearest_rotation(sign * X), nearest_rotation(sign * Z)
+    rows = np.concatenate([np.hstack([one[:3, :3], -np.eye(3)]) for one in A])
+    right = np.concatenate(
+        [-(one[:3, :3] @ RX @ other[:3, 3] + one[:3, 3]) for one, other in zip(A, B, strict=True)]
+    )
+    shifts = np.linalg.lstsq(rows, right, rcond=None)[0]
+    return rigid(RX, shifts[:3]), rigid(RZ, shifts[3:])

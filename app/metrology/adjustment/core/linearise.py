@@ -1,0 +1,181 @@
+"""Everything that is to agree, linearised at one state: normal matrices by what they come from."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.metrology.adjustment.core.observations import ContactRows, Problem, contact_rows
+from app.metrology.adjustment.core.parameters import (
+    CAMERA,
+    LENS,
+    PLACE,
+    Layout,
+    PoseScene,
+    State,
+    pose_scene,
+)
+from app.metrology.adjustment.core.robust_weights import Judgement, normal_equations
+from app.metrology.adjustment.core.variance_components import Scales
+from app.metrology.calibration.observation_model import BLOCK, Rows
+from app.metrology.sensor.camera import Camera
+from app.metrology.transforms import Floats
+
+# What any lens and sensor is like before it is measured; it counts only where the
+# pictures say nothing: pixels square to this share, axis this share of the width off.
+ASPECT_SD = 0.002
+AXIS_SD_WIDTHS = 0.25
+LENS_SD = np.array([0.5, 2.0, 0.01, 0.01])  # k1, k2, p1, p2
+
+SOURCES = ("edges", "stripe", "contacts", "encoders", "links", "certificate", "camera")
+
+# Of each pose: the object's shape, and the stripe.
+Judgements = tuple[tuple[Judgement, Judgement], ...]
+
+
+@dataclass(frozen=True)
+class Contacts:
+    """The contact rows that count, by all unknowns."""
+
+    residuals_mm: Floats  # (N,)
+    jacobian: Floats  # (N, U)
+    noise_mm2: Floats  # (N,) variance by the encoders
+
+    def variances(self, scales: Scales) -> Floats:
+        """(N,) mm^2"""
+        return np.asarray(scales.touch_mm**2 + scales.noise**2 * self.noise_mm2)
+
+
+@dataclass(frozen=True)
+class Linear:
+    """Rows of all kinds at one state."""
+
+    problem: Problem
+    at: Layout
+    state: State
+    scenes: tuple[PoseScene, ...]
+    rows: tuple[tuple[Rows, Rows], ...]  # shape and stripe of each pose
+    contact_rows: ContactRows | None
+    contacts: Contacts | None
+
+
+@dataclass(frozen=True)
+class Normal:
+    """``J' W J`` (U, U) by ``SOURCES`` and ``J' W r`` (U,); scales may still change."""
+
+    linear: Linear
+    pictures: dict[str, Floats]
+    gradient: Floats
+
+    def with_scales(self, scales: Scales) -> tuple[dict[str, Floats], Floats]:
+        """All parts, contacts and what is known beforehand weighed by the scales."""
+        linear, at = self.linear, self.linear.at
+        parts = {source: np.zeros((at.count, at.count)) for source in SOURCES} | self.pictures
+        g = self.gradient.copy()
+        if linear.contacts is not None:
+            _add_contacts(parts, g, linear.contacts, scales)
+        for source, where, sd, off in known_beforehand(linear, scales):
+            index = np.arange(at.count)[where]
+            part = parts[source].copy()
+            part[index, index] += sd**-2.0
+            parts[source] = part
+            g[index] += sd**-2.0 * off
+        return parts, g
+
+
+def linearise(problem: Problem, at: Layout, state: State) -> Linear:
+    """Residuals of everything at one state, and their derivatives."""
+    scenes = tuple(pose_scene(state, problem, at, p) for p in range(len(problem.views)))
+    rows = tuple(
+        view.rows(scene.camera, scene.plane, state.coordinates)
+        for view, scene in zip(problem.views, scenes, strict=True)
+    )
+    touches = problem.touches
+    if touches is None:
+        return Linear(problem, at, state, scenes, rows, None, None)
+    told = contact_rows(touches, state.T_arm_obj, state.coordinates, state.links)
+    J = np.zeros((len(touches), at.count))
+    J[:, PLACE] = told.by_place
+    J[:, at.links] = told.by_links
+    J[:, at.coordinates] = told.by_coordinates
+    kept = touches.kept
+    contacts = Contacts(told.residuals_mm[kept], J[kept], told.noise_mm2[kept])
+    return Linear(problem, at, state, scenes, rows, told, contacts)
+
+
+def normal(linear: Linear, judgements: Judgements) -> Normal:
+    """The pictures' part of the normal equations."""
+    count = linear.at.count
+    pictures = {source: np.zeros((count, count)) for source in ("edges", "stripe", "camera")}
+    g = np.zeros(count)
+    kinds = zip(linear.scenes, linear.rows, judgements, strict=True)
+    for pose, (scene, groups, by_kind) in enumerate(kinds):
+        for source, rows, judgement in zip(("edges", "stripe"), groups, by_kind, strict=True):
+            N, pull = normal_equations(rows, judgement)
+            _add_picture(pictures[source], g, N, pull, scene, linear.at, pose)
+    N, pull = usual_camera(linear.state.camera)
+    pictures["camera"][CAMERA, CAMERA] += N
+    g[CAMERA] += pull
+    return Normal(linear, pictures, g)
+
+
+def _add_picture(
+    part: Floats, g: Floats, N: Floats, pull: Floats, scene: PoseScene, at: Layout, pose: int
+) -> None:
+    """Adds to part (U, U) and g (U,) what one pose's equations of its own parameters say.
+
+    The object's coordinates are unknowns themselves, and of the noise it knows its own only.
+    """
+    own, coordinates = slice(0, BLOCK.start), slice(BLOCK.start, None)
+    shared, noise = slice(0, at.noise.start), at.noise_of(pose)
+    by = np.hstack([scene.by_unknowns[own, shared], scene.by_unknowns[own, noise]])
+    among, along = by.T @ N[own, own] @ by, by.T @ pull[own]
+    across = N[coordinates, own] @ by
+    part[at.coordinates, at.coordinates] += N[coordinates, coordinates]
+    g[at.coordinates] += pull[coordinates]
+    places = ((shared, shared), (noise, slice(at.noise.start, None)))
+    for to, of in places:
+        for other_to, other_of in places:
+            part[to, other_to] += among[of, other_of]
+        part[at.coordinates, to] += across[:, of]
+        part[to, at.coordinates] += across[:, of].T
+        g[to] += along[of]
+
+
+def _add_contacts(parts: dict[str, Floats], g: Floats, contacts: Contacts, scales: Scales) -> None:
+    """What contacts bring, split by whether touch or encoders make them uncertain."""
+    J, variance = contacts.jacobian, contacts.variances(scales)
+    touch = np.full(len(variance), scales.touch_mm**2)
+    for source, share in (("contacts", touch), ("encoders", variance - touch)):
+        parts[source] = parts[source] + (J * (share / variance**2)[:, None]).T @ J
+    g += J.T @ (contacts.residuals_mm / variance)
+
+
+def known_beforehand(linear: Linear, scales: Scales) -> list[tuple[str, slice, Floats, Floats]]:
+    """Source, unknowns, their standard deviations and how far they are off: the certificate,
+    the errors of the arm's links, the noise of its readings."""
+    problem, at, state = linear.problem, linear.at, linear.state
+    papers, count = problem.papers, len(problem.views)
+    noise_sd = np.tile(scales.noise * problem.motion.noise_sd, count)
+    return [
+        ("certificate", at.coordinates, papers.sd, state.coordinates - papers.coordinates),
+        ("links", at.links, scales.of_links(len(state.links) // 6), state.links),
+        ("encoders", at.noise, noise_sd, state.noise.ravel()),
+    ]
+
+
+def usual_camera(camera: Camera) -> tuple[Floats, Floats]:
+    """Square pixels, an axis near the middle, a mild lens: matrix (8, 8) and gradient (8,)."""
+    N, g = np.zeros((8, 8)), np.zeros(8)
+    K = camera.matrix
+    aspect = np.zeros(8)
+    aspect[0], aspect[1] = -K[1, 1] / K[0, 0] ** 2, 1 / K[0, 0]
+    N += np.outer(aspect, aspect) / ASPECT_SD**2
+    g += aspect * (K[1, 1] / K[0, 0] - 1) / ASPECT_SD**2
+    middle = (np.array([camera.width_px, camera.height_px]) - 1) / 2
+    axis_weight = (AXIS_SD_WIDTHS * camera.width_px) ** -2.0
+    N[[2, 3], [2, 3]] += axis_weight
+    g[2:4] += axis_weight * (K[:2, 2] - middle)
+    lens = np.arange(LENS.start, LENS.stop)
+    N[lens, lens] += LENS_SD**-2.0
+    g[lens] += camera.distortion[:4] * LENS_SD**-2.0
+    return N, g

@@ -1,0 +1,155 @@
+"""The unknowns of the adjustment, and how each pose's picture depends on them."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from app.metrology.adjustment.core.observations import Problem
+from app.metrology.adjustment.core.se3 import carried_back, motion
+from app.metrology.sensor.camera import Camera
+from app.metrology.sensor.laser_plane import LaserPlane, in_frame, tangents
+from app.metrology.sensor.projection import COUNT
+from app.metrology.transforms import Floats, inverse, nearest_rotation, skew
+
+INTRINSIC = ("fx", "fy", "u0", "v0", "k1", "k2", "p1", "p2")
+# Where the intrinsic parameters stand among ``projection.PARAMETERS``, and the pose's twist.
+_INTRINSIC_AT = np.array([0, 1, 2, 3, 10, 11, 12, 13])
+_POSE_AT = slice(4, 10)
+
+CAMERA = slice(0, 8)
+LENS = slice(4, 8)
+PLANE = slice(8, 11)
+MOUNT = slice(11, 17)
+PLACE = slice(17, 23)
+SENSOR = slice(0, 17)  # camera, plane and mounting: all that a reconstructed point hangs on
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Where each unknown stands: after the first 23 the object, the links, the noise."""
+
+    coordinates: slice
+    links: slice
+    noise: slice
+    noise_per_pose: int
+    count: int
+
+    def noise_of(self, pose: int) -> slice:
+        start = self.noise.start + pose * self.noise_per_pose
+        return slice(start, start + self.noise_per_pose)
+
+
+def layout_of(problem: Problem) -> Layout:
+    first = PLACE.stop
+    after_object = first + len(problem.papers.names)
+    after_links = after_object + problem.motion.by_links.shape[2]
+    per_pose = problem.motion.by_noise.shape[2]
+    end = after_links + per_pose * len(problem.views)
+    return Layout(
+        slice(first, after_object),
+        slice(after_object, after_links),
+        slice(after_links, end),
+        per_pose,
+        end,
+    )
+
+
+@dataclass(frozen=True)
+class State:
+    """Values of all unknowns.
+
+    ``camera`` has its own frame as sensor frame (no rotation, no translation), and
+    ``plane`` lies in it. ``links`` (6n,) and ``noise`` (P, n) are as in
+    ``FlangeMotion``.
+    """
+
+    camera: Camera
+    plane: LaserPlane
+    T_flange_cam: Floats
+    T_arm_obj: Floats
+    coordinates: Floats
+    links: Floats
+    noise: Floats
+
+    def moved(self, step: Floats, at: Layout) -> "State":
+        """After a step of all unknowns: the mounting moves by a right twist, in the camera's
+        frame; the object's place by a left one, in the arm's."""
+        return replace(
+            self.sensor_moved(step[SENSOR]),
+            T_arm_obj=_rigid(motion(step[PLACE]) @ self.T_arm_obj),
+            coordinates=self.coordinates + step[at.coordinates],
+            links=self.links + step[at.links],
+            noise=self.noise + step[at.noise].reshape(self.noise.shape),
+        )
+
+    def sensor_moved(self, step: Floats) -> "State":
+        """After a step (17,) of camera, plane and mounting alone."""
+        camera = self.camera
+        matrix, distortion = camera.matrix.copy(), camera.distortion.copy()
+        matrix[0, 0] += step[0]
+        matrix[1, 1] += step[1]
+        matrix[:2, 2] += step[2:4]
+        distortion[:4] += step[LENS]
+        return replace(
+            self,
+            camera=replace(camera, matrix=matrix, distortion=distortion),
+            plane=self.plane.stepped(step[PLANE]),
+            T_flange_cam=_rigid(self.T_flange_cam @ motion(step[MOUNT])),
+        )
+
+
+def _rigid(T: Floats) -> Floats:
+    T = T.copy()
+    T[:3, :3] = nearest_rotation(T[:3, :3])
+    return T
+
+
+@dataclass(frozen=True)
+class PoseScene:
+    """One pose as its picture sees it: camera and plane in the object's frame.
+
+    ``by_unknowns`` (17 + B, U) are the derivatives of the camera's parameters, the
+    plane's and the object's coordinates by all unknowns.
+    """
+
+    camera: Camera
+    plane: LaserPlane
+    by_unknowns: Floats
+
+
+def pose_scene(state: State, problem: Problem, at: Layout, pose: int) -> PoseScene:
+    """Camera and plane in the object's frame for one pose (Eq. 6-8), with derivatives."""
+    moves = problem.motion
+    off = moves.by_links[pose] @ state.links + moves.by_noise[pose] @ state.noise[pose]
+    T_arm_cam = motion(off) @ moves.T_arm_flange[pose] @ state.T_flange_cam
+    T_cam_obj = inverse(T_arm_cam) @ state.T_arm_obj
+    camera, plane = in_frame(state.camera, state.plane, inverse(T_cam_obj))
+
+    seen_from_cam = carried_back(T_arm_cam)
+    twist = np.zeros((6, at.count))  # of T_cam_obj, from the left
+    twist[:, MOUNT] = -np.eye(6)
+    twist[:, PLACE] = seen_from_cam
+    twist[:, at.links] = -seen_from_cam @ moves.by_links[pose]
+    twist[:, at.noise_of(pose)] = -seen_from_cam @ moves.by_noise[pose]
+
+    count = len(state.coordinates)
+    J = np.zeros((COUNT + 3 + count, at.count))
+    J[_INTRINSIC_AT, np.arange(8)] = 1.0
+    J[_POSE_AT] = twist
+    _plane_rows(J[COUNT : COUNT + 3], state.plane, plane, T_cam_obj, twist)
+    J[COUNT + 3 :, at.coordinates] = np.eye(count)
+    return PoseScene(camera, plane, J)
+
+
+def _plane_rows(
+    J: Floats, in_cam: LaserPlane, in_obj: LaserPlane, T_cam_obj: Floats, twist: Floats
+) -> None:
+    """Fills in how the plane in the object's frame follows that in the camera's and a twist."""
+    R, t = T_cam_obj[:3, :3], T_cam_obj[:3, 3]
+    n = in_cam.normal
+    across = tangents(in_obj.normal) @ R.T  # object's tangents, seen in the camera's frame
+    J[:2] = across @ skew(n) @ twist[:3]  # the normal turns against the object
+    J[:2, PLANE.start : PLANE.start + 2] += across @ tangents(n).T
+    J[2] = -(skew(t) @ n @ twist[:3] + n @ twist[3:])
+    J[2, PLANE.start : PLANE.start + 2] += -tangents(n) @ t
+    J[2, PLANE.start + 2] += 1.0

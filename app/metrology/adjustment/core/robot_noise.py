@@ -1,0 +1,201 @@
+"""By how much a robot's poses and the pictures disagree, and in what way.
+
+The robot is off by a turn and by a shift of its flange, drawn anew in each pose; and
+pictures and robot may disagree in how the object is tilted while they agree on its place:
+it rocks, or the pictures' errors look like a tilt. The three standard deviations are the
+most likely ones for the poses' residuals (restricted maximum likelihood), which tells how
+much each counts.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.adjustment.core.arm_errors import FlangeMotion
+from app.metrology.adjustment.core.se3 import about, carried, motion
+from app.metrology.transforms import Floats, apply, inverse, vector_from_rotation
+
+# What is usual where the poses tell little: turn (rad), shift (mm) and tilt (rad), known to
+# this factor (as the standard deviation of a logarithm).
+USUAL = np.array([0.2e-3, 0.08, 0.1e-3])
+USUAL_LOG_SD = 1.5
+LEAST = np.array([1e-6, 1e-3, 1e-6])
+ROUNDS = 3
+# The noise is told anew with everything else, as a factor on these deviations.
+USUAL_FACTOR, LEAST_FACTOR = 1.0, 0.3
+
+# A pose is astray where chance alone would put one so far off so rarely.
+ASTRAY_CHANCE = 1e-5
+FEWEST_OTHERS = 4
+
+ByNoise = list[tuple[Floats, Floats, Floats]]
+
+
+@dataclass(frozen=True)
+class RobotNoise:
+    """Standard deviations of one pose: the flange's turn (rad) about each axis and shift (mm)
+    along each, and the object's tilt (rad) about its own middle."""
+
+    turn_rad: float
+    shift_mm: float
+    tilt_rad: float
+
+
+@dataclass(frozen=True)
+class PosesSeen:
+    """P poses of a robot and what the pictures say of them.
+
+    ``T_arm_flange`` and ``T_cam_obj`` (P, 4, 4) are by the robot and by the pictures, and
+    ``covariance`` (6P, 6P) is of the pictures' left twists of ``T_cam_obj``. ``middle_mm``
+    (3,), in the object's frame, is about what it tilts.
+    """
+
+    T_arm_flange: Floats
+    T_cam_obj: Floats
+    covariance: Floats
+    middle_mm: Floats
+
+    def only(self, kept: NDArray[np.int64]) -> "PosesSeen":
+        own = (6 * kept[:, None] + np.arange(6)).ravel()
+        return replace(
+            self,
+            T_arm_flange=self.T_arm_flange[kept],
+            T_cam_obj=self.T_cam_obj[kept],
+            covariance=self.covariance[np.ix_(own, own)],
+        )
+
+
+@dataclass(frozen=True)
+class _Told:
+    """The noise (log of standard deviations), and where sensor and object then are."""
+
+    log_sd: Floats
+    X: Floats
+    Z: Floats
+
+
+def robot_noise(seen: PosesSeen, T_flange_cam: Floats, T_arm_obj: Floats) -> RobotNoise:
+    """The most likely noise of P poses, from a start (4, 4) of the sensor and the object."""
+    told = _told(seen, T_flange_cam, T_arm_obj)
+    return RobotNoise(*map(float, np.exp(told.log_sd)))
+
+
+def astray(seen: PosesSeen, T_flange_cam: Floats, T_arm_obj: Floats) -> int | None:
+    """The pose that is furthest off, where the noise of the others does not explain that.
+
+    It is judged by a fit without it (Fisher's test), which it cannot spoil.
+    """
+    from scipy.special import fdtri
+
+    count = len(seen.T_arm_flange)
+    if count <= FEWEST_OTHERS:
+        return None
+    told = _told(seen, T_flange_cam, T_arm_obj)
+    squares = [_square(seen, told, p, with_fit=False) for p in range(count)]
+    worst = int(np.argmax(squares))
+    others = np.delete(np.arange(count), worst)
+    told = _told(seen.only(others), T_flange_cam, T_arm_obj)
+    freedom = 6 * len(others) - 12
+    limit = 6 * float(fdtri(6, freedom, 1 - ASTRAY_CHANCE))
+    return worst if _square(seen, told, worst, with_fit=True) > limit else None
+
+
+def _told(seen: PosesSeen, X: Floats, Z: Floats) -> _Told:
+    from scipy.optimize import minimize  # slow to load, and needed for robots alone
+
+    noise = np.log(USUAL)
+    for _ in range(ROUNDS):
+        residuals, J, G = _linearised(seen, X, Z)
+        found = minimize(
+            _unlikely, noise, args=(residuals, J, G, seen.covariance), method="Nelder-Mead"
+        )
+        noise = np.maximum(found.x, np.log(LEAST))
+        W = np.linalg.inv(_covariance(noise, G, seen.covariance))
+        step = -np.asarray(np.linalg.solve(J.T @ W @ J, J.T @ W @ residuals), np.float64)
+        X, Z = np.asarray(X @ motion(step[:6])), np.asarray(motion(step[6:]) @ Z)
+    return _Told(noise, X, Z)
+
+
+def _square(seen: PosesSeen, told: _Told, pose: int, with_fit: bool) -> float:
+    """Squared deviation of one pose, of 6 degrees of freedom; ``with_fit`` counts how well the
+    others fix what it is compared with."""
+    residuals, J, G = _linearised(seen, told.X, told.Z)
+    V = _covariance(told.log_sd, G, seen.covariance)
+    own = slice(6 * pose, 6 * pose + 6)
+    variance = V[own, own]
+    if with_fit:
+        rest = np.delete(np.arange(len(residuals)), np.r_[own])
+        W = np.linalg.inv(V[np.ix_(rest, rest)])
+        variance = variance + J[own] @ np.linalg.inv(J[rest].T @ W @ J[rest]) @ J[own].T
+    return float(residuals[own] @ np.linalg.solve(variance, residuals[own]))
+
+
+def _linearised(seen: PosesSeen, X: Floats, Z: Floats) -> tuple[Floats, Floats, ByNoise]:
+    """Residuals (6P,), twists of the object in the camera's frame by which the pictures put it
+    elsewhere than the robot does; by ``X`` from the right and ``Z`` from the left (6P, 12); and
+    by turn (6, 3), shift (6, 3) and tilt (6, 2) of each pose."""
+    residuals, rows, by_noise = [], [], []
+    centre = apply(Z, seen.middle_mm[None])[0]
+    for one, pictured in zip(seen.T_arm_flange, seen.T_cam_obj, strict=True):
+        T_cam_arm = inverse(one @ X)
+        off = pictured @ inverse(T_cam_arm @ Z)
+        residuals.append(np.concatenate([vector_from_rotation(off[:3, :3]), off[:3, 3]]))
+        in_cam = carried(T_cam_arm)
+        rows.append(np.hstack([np.eye(6), -in_cam]))
+        of_flange = in_cam @ carried(one)
+        tilt = in_cam @ _tilts(Z, centre)
+        by_noise.append((of_flange[:, :3], of_flange[:, 3:], tilt))
+    return np.concatenate(residuals), np.concatenate(rows), by_noise
+
+
+def _tilts(T_arm_obj: Floats, centre_mm: Floats) -> Floats:
+    """(6, 2) twists in the arm's frame that tilt the object, about its own x and y."""
+    return np.asarray(about(centre_mm)[:, :3] @ T_arm_obj[:3, :2])
+
+
+def _covariance(log_sd: Floats, by_noise: ByNoise, covariance: Floats) -> Floats:
+    V = covariance.copy()
+    for p, each in enumerate(by_noise):
+        own = slice(6 * p, 6 * p + 6)
+        for variance, way in zip(np.exp(2 * log_sd), each, strict=True):
+            V[own, own] += variance * way @ way.T
+    return V
+
+
+def _unlikely(
+    log_sd: Floats, residuals: Floats, J: Floats, by_noise: ByNoise, covariance: Floats
+) -> float:
+    """Minus the logarithm of the restricted likelihood, and of what is usual."""
+    off = (log_sd - np.log(USUAL)) / USUAL_LOG_SD
+    V = _covariance(np.maximum(log_sd, np.log(LEAST)), by_noise, covariance)
+    W = np.linalg.inv(V)
+    JWJ = J.T @ W @ J
+    left = residuals - J @ np.linalg.solve(JWJ, J.T @ W @ residuals)
+    square = float(left @ W @ left)
+    size = float(np.linalg.slogdet(V)[1] + np.linalg.slogdet(JWJ)[1])
+    return 0.5 * (square + size + float(off @ off))
+
+
+def with_flange_noise(moves: FlangeMotion, noise: RobotNoise) -> FlangeMotion:
+    """The robot's motion with its flange's noise in these proportions."""
+    return replace(
+        moves,
+        by_noise=np.array([carried(T) for T in moves.T_arm_flange]).reshape(-1, 6, 6),
+        noise_sd=np.repeat([noise.turn_rad, noise.shift_mm], 3),
+        usual_factor=USUAL_FACTOR,
+        least_factor=LEAST_FACTOR,
+    )
+
+
+def with_noise(
+    moves: FlangeMotion, noise: RobotNoise, T_arm_obj: Floats, middle_mm: Floats
+) -> FlangeMotion:
+    """The same, and with the tilt of the object at ``T_arm_obj`` about its middle."""
+    own = with_flange_noise(moves, noise)
+    tilts = _tilts(T_arm_obj, apply(T_arm_obj, middle_mm[None])[0])
+    return replace(
+        own,
+        by_noise=np.array([np.hstack([one, tilts]) for one in own.by_noise]),
+        noise_sd=np.concatenate([own.noise_sd, np.full(2, noise.tilt_rad)]),
+    )

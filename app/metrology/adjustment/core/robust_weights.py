@@ -1,0 +1,125 @@
+"""How much each observation counts: outliers, scatter beyond what was said, shared errors."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.calibration.observation_model import Rows
+from app.metrology.sensor.residual_correlation import neighbours_alike, variances_of_lines
+from app.metrology.transforms import Floats
+
+OUTLIER_SIGMAS = 4.5
+FEWEST_TO_JUDGE = 12
+# Neighbours put into one point, unless they lie further apart than this.
+MERGED, APART_PX = 8, 12.0
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """Which rows (N,) of a kind agree, and the factors (N,) on their standard deviations."""
+
+    kept: NDArray[np.bool_]
+    inflation: Floats
+
+
+def judged(rows: Rows) -> Judgement:
+    """Rows against their own scatter; each line's deviations raised where it scatters more
+    than it says, and where neighbouring points are alike (speckle)."""
+    off = rows.residuals / rows.sigma
+    spread = max(float(np.median(np.abs(off))) / 0.6745, 1.0) if len(off) else 1.0
+    kept = np.abs(off) < OUTLIER_SIGMAS * spread
+    if rows.shared is not None:
+        return Judgement(kept, _beside_shared(rows, rows.shared, off, kept))
+    # what all points of a line share is an error of its own, no scatter
+    about_mean = rows.shared_px > 0.0
+    variances = variances_of_lines(off, rows.line, kept, rows.places, about_mean, FEWEST_TO_JUDGE)
+    return Judgement(kept, np.sqrt(variances))
+
+
+def _beside_shared(rows: Rows, shared: Floats, off: Floats, kept: NDArray[np.bool_]) -> Floats:
+    """Inflation (N,) of rows whose lines' points follow errors that they have in common."""
+    inflation = np.ones(len(off))
+    for number in np.unique(rows.line):
+        own = (rows.line == number) & kept
+        if own.sum() < FEWEST_TO_JUDGE:
+            continue
+        ways = shared[own] / rows.sigma[own][:, None]
+        scatter = off[own] - ways @ (np.linalg.pinv(ways) @ off[own])
+        variance = max(float(np.mean(scatter**2)), 1.0)
+        variance *= neighbours_alike(rows.places[own], off[own])
+        inflation[rows.line == number] = np.sqrt(variance)
+    return inflation
+
+
+@dataclass(frozen=True)
+class Merged:
+    """Neighbouring points put into few: pixels (M, 2), deviations (M,), and how many each.
+
+    ``first`` (M,) is where each group begins among the points, ``kept`` in front.
+    """
+
+    uv_px: Floats
+    sigma_px: Floats
+    first: NDArray[np.int64]
+
+
+def merged_points(
+    uv_px: Floats, sigma_px: Floats, line: NDArray[np.int64], judgement: Judgement
+) -> Merged:
+    """Points (N, 2) that count, up to ``MERGED`` neighbours of one line put into one.
+
+    A line's image bends by far less than a point's deviation over so few points, so
+    that their weighted mean tells as much as they do.
+    """
+    kept = np.flatnonzero(judgement.kept)
+    uv, own = uv_px[kept], line[kept]
+    weight = (sigma_px * judgement.inflation)[kept] ** -2.0
+    new_line = np.diff(own, prepend=own[:1] - 1) != 0
+    apart = np.linalg.norm(np.diff(uv, axis=0, prepend=uv[:1]), axis=1) > APART_PX
+    run = np.cumsum(new_line | apart)
+    begins = np.flatnonzero(np.diff(run, prepend=0))
+    within = np.arange(len(uv)) - begins[run - 1] if len(uv) else np.zeros(0, np.int64)
+    first = np.flatnonzero(within % MERGED == 0)
+    if not len(first):
+        return Merged(np.zeros((0, 2)), np.zeros(0), kept)
+    total = np.add.reduceat(weight, first)
+    mean = np.add.reduceat(uv * weight[:, None], first, axis=0) / total[:, None]
+    return Merged(mean, total**-0.5, kept[first])
+
+
+def as_they_are(count: int) -> Judgement:
+    """Of points that were judged and weighed before."""
+    return Judgement(np.ones(count, np.bool_), np.ones(count))
+
+
+def normal_equations(rows: Rows, judgement: Judgement) -> tuple[Floats, Floats]:
+    """``J' W J`` (K, K) and ``J' W r`` (K,) of rows whose lines have an error in common.
+
+    Each line's covariance is that of its points plus ``shared_px`` squared for every
+    pair of them, or plus that of its ``shared`` errors; its inverse takes a row for each
+    of these from the sum (Sherman-Morrison, Woodbury).
+    """
+    kept = judgement.kept
+    J, r = rows.jacobian[kept], rows.residuals[kept]
+    weight = (rows.sigma * judgement.inflation)[kept] ** -2.0
+    WJ = J * weight[:, None]
+    N, g = WJ.T @ J, WJ.T @ r
+    if rows.shared is not None:
+        line, ways = rows.line[kept], rows.shared[kept]
+        for number in np.unique(line):
+            own = line == number
+            WU = weight[own, None] * ways[own]
+            inner = np.linalg.inv(np.eye(ways.shape[1]) + WU.T @ ways[own])
+            along = WU.T @ J[own]
+            N, g = N - along.T @ inner @ along, g - along.T @ inner @ (WU.T @ r[own])
+        return N, g
+    if rows.shared_px == 0.0 or not len(r):
+        return N, g
+    line = rows.line[kept]
+    starts = np.flatnonzero(np.diff(line, prepend=line[0] - 1))
+    sums = np.add.reduceat(WJ, starts, axis=0)
+    pulls = np.add.reduceat(weight * r, starts)
+    total = np.add.reduceat(weight, starts)
+    share = 1 / (rows.shared_px**-2.0 + total)
+    return N - (sums * share[:, None]).T @ sums, g - sums.T @ (share * pulls)

@@ -1,0 +1,247 @@
+"""How well points and planes are known after an adjustment, and what that is owed to.
+
+Small errors of the unknowns are carried to points of the laser plane, in the flange
+frame (Eq. 9); everything is a standard uncertainty, k = 1.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.adjustment.core.gauss_newton import Adjusted, embedded
+from app.metrology.adjustment.core.parameters import INTRINSIC, LENS, MOUNT, PLANE, SENSOR, State
+from app.metrology.adjustment.core.se3 import about, carried
+from app.metrology.calibration.uncertainty_budget import PROBE_NAMES, BudgetRow
+from app.metrology.sensor.camera import Camera
+from app.metrology.sensor.laser_plane import LaserPlane, in_frame, tangents
+from app.metrology.sensor.projection import PARAMETERS
+from app.metrology.sensor.triangulation import sensor_points
+from app.metrology.transforms import Floats, apply, inverse, skew
+
+# What each part of the normal matrix is called in a budget.
+BUDGET = (
+    ("contact points", ("contacts",)),
+    ("arm encoders", ("encoders",)),
+    ("arm geometry", ("links",)),
+    ("object certificate", ("certificate",)),
+    ("edges and corners", ("edges", "camera")),
+    ("stripe", ("stripe",)),
+)
+NAMES = (*PARAMETERS, "plane_a", "plane_b", "plane_offset", *PROBE_NAMES)
+GRID = (13, 9)  # points of the volume across and along the picture
+MAP = (33, 25)
+
+
+@dataclass(frozen=True)
+class Volume:
+    """Pixels (G, 2) of the measuring volume, and their points (G, 3) in the flange frame."""
+
+    uv_px: Floats
+    points_flange_mm: Floats
+
+
+@dataclass(frozen=True)
+class UncertaintyMap:
+    """Standard uncertainty ``u_um`` (M,) of the points of pixels ``uv_px`` (M, 2), k = 1.
+
+    ``points_mm`` (M, 3) are in the sensor frame; ``calibrated`` (M,) marks those within
+    the depths that the stripe covered, the others are extrapolated.
+    """
+
+    uv_px: Floats
+    points_mm: Floats
+    u_um: Floats
+    calibrated: NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class PlaneUncertainty:
+    """Of a plane that faces the sensor in the middle of its volume, swept straight across.
+
+    ``angle_arcsec`` about the direction of the sweep, ``offset_um`` in the middle.
+    """
+
+    angle_arcsec: float
+    offset_um: float
+
+
+@dataclass(frozen=True)
+class Known:
+    """What an adjustment is worth.
+
+    ``covariance`` (23, 23) belongs to ``NAMES``: camera and laser plane in the sensor
+    frame, and a left twist (rad, mm) of ``T_flange_sensor`` about ``pivot_mm`` (3,) in
+    the flange frame. The camera's pose in the sensor frame is a choice, without error.
+    """
+
+    rows: tuple[BudgetRow, ...]
+    total_um: float
+    volume: Volume
+    volume_um: Floats  # (G,)
+    map: UncertaintyMap
+    plane: PlaneUncertainty
+    covariance: Floats
+    pivot_mm: Floats
+
+
+def known(found: Adjusted, T_cam_sensor: Floats) -> Known:
+    """Budget, map and covariance of an adjustment.
+
+    Args:
+        T_cam_sensor: (4, 4) where the sensor frame was chosen to be.
+    """
+    volume = measuring_volume(found)
+    J = by_sensor(found.state, volume.uv_px)
+    squares = {source: _squares(J, C[SENSOR, SENSOR]) for source, C in sources(found).items()}
+    total = np.sum(list(squares.values()), axis=0)
+    rows = tuple(
+        BudgetRow(source, 1e3 * float(np.sqrt(np.mean(square))))
+        for source, square in squares.items()
+    )
+    pivot = volume.points_flange_mm.mean(axis=0)
+    return Known(
+        rows,
+        1e3 * float(np.sqrt(np.mean(total))),
+        volume,
+        1e3 * np.sqrt(total),
+        uncertainty_map(found, T_cam_sensor),
+        plane_uncertainty(found, volume),
+        _by_names(found, T_cam_sensor, pivot),
+        pivot,
+    )
+
+
+def measuring_volume(found: Adjusted) -> Volume:
+    """The part of the laser plane that the stripes of all poses covered, as a grid."""
+    seen = np.concatenate([view.stripe_px() for view in found.problem.views])
+    low, high = seen.min(axis=0), seen.max(axis=0)
+    u, v = (np.linspace(a, b, n) for a, b, n in zip(low, high, GRID, strict=True))
+    uv = np.column_stack([axis.ravel() for axis in np.meshgrid(u, v)])
+    points = apply(found.state.T_flange_cam, _points(found.state, uv))
+    there = np.isfinite(points).all(axis=1)
+    return Volume(uv[there], points[there])
+
+
+def sources(found: Adjusted) -> dict[str, Floats]:
+    """The covariance (U, U) split by what caused it.
+
+    Each kind of observation causes ``C N C`` of it, N its part of the normal matrix;
+    distortion is what not knowing the lens adds, and the arm's geometry counts with what is
+    not known of the size of its errors.
+    """
+    N = np.sum(list(found.parts.values()), axis=0)
+    known_lens = found.free.copy()
+    known_lens[LENS] = False
+    C = embedded(N, known_lens)
+    split = {
+        source: C @ np.sum([found.parts[name] for name in names], axis=0) @ C
+        for source, names in BUDGET
+    }
+    split["distortion"] = found.covariance - C
+    split["arm geometry"] = split["arm geometry"] + found.by_link_sizes
+    return split
+
+
+def by_sensor(state: State, uv_px: Floats) -> Floats:
+    """(G, 3, 17): how points in the flange frame follow camera, plane and mounting."""
+    in_cam = _points(state, uv_px)
+    R = state.T_flange_cam[:3, :3]
+    J = np.zeros((len(uv_px), 3, SENSOR.stop))
+    for k in range(MOUNT.start):
+        h = 1e-3 if k < 4 else 1e-6
+        step = np.zeros(SENSOR.stop)
+        step[k] = h
+        ahead, behind = (_points(state.sensor_moved(way * step), uv_px) for way in (1, -1))
+        J[:, :, k] = (ahead - behind) / (2 * h) @ R.T
+    for g, point in enumerate(in_cam):
+        J[g, :, MOUNT] = R @ np.hstack([-skew(point), np.eye(3)])
+    return J
+
+
+def uncertainty_map(found: Adjusted, T_cam_sensor: Floats) -> UncertaintyMap:
+    """All over the picture, wherever its rays meet the laser plane at a usable depth."""
+    state, camera = found.state, found.state.camera
+    u = np.linspace(0, camera.width_px - 1, MAP[0])
+    v = np.linspace(0, camera.height_px - 1, MAP[1])
+    uv = np.column_stack([axis.ravel() for axis in np.meshgrid(u, v)])
+    in_cam = _points(state, uv)
+    stripe = np.concatenate([view.stripe_px() for view in found.problem.views])
+    depth = _points(state, stripe)[:, 2]
+    near, far = float(depth.min()), float(depth.max())
+    margin = far - near
+    usable = np.isfinite(in_cam).all(axis=1)
+    usable &= (in_cam[:, 2] > near - margin) & (in_cam[:, 2] < far + margin)
+    uv, in_cam = uv[usable], in_cam[usable]
+    J = by_sensor(state, uv)
+    u_um = 1e3 * np.sqrt(_squares(J, found.uncertainty[SENSOR, SENSOR]))
+    calibrated = (in_cam[:, 2] >= near) & (in_cam[:, 2] <= far)
+    return UncertaintyMap(uv, apply(inverse(T_cam_sensor), in_cam), u_um, calibrated)
+
+
+def plane_uncertainty(found: Adjusted, volume: Volume) -> PlaneUncertainty:
+    """Angle and offset of a plane across the sensor's view, from one straight sweep."""
+    across = plane_of(found.state, volume)
+    J = np.einsum("i,gik->gk", across.normal, by_sensor(found.state, volume.uv_px))
+    line = across.line @ J  # (2, 17)
+    C = line @ found.uncertainty[SENSOR, SENSOR] @ line.T
+    return PlaneUncertainty(
+        float(np.degrees(np.sqrt(C[1, 1])) * 3600), float(1e3 * np.sqrt(C[0, 0]))
+    )
+
+
+@dataclass(frozen=True)
+class AcrossView:
+    """A plane in the middle of a volume: its normal (3,), flange frame, and how heights of
+    the volume's points (G,) over it make its offset (mm) and slope (rad): ``line`` (2, G)."""
+
+    normal: Floats
+    line: Floats
+
+
+def plane_of(state: State, volume: Volume) -> AcrossView:
+    """The plane that faces the sensor: along the stripe, in the middle of the depths."""
+    points = volume.points_flange_mm
+    middle = points.mean(axis=0)
+    along = np.linalg.svd(points - middle)[2][0]  # the volume is wider than deep
+    R = state.T_flange_cam[:3, :3]
+    normal = R @ np.cross(state.plane.normal, R.T @ along)
+    height = (points - middle) @ normal
+    level = np.abs(height) < 0.25 * np.ptp(height) + 1e-6
+    x = ((points - middle) @ along)[level]
+    line = np.zeros((2, len(points)))
+    line[:, level] = np.linalg.pinv(np.column_stack([np.ones(len(x)), x]))
+    return AcrossView(normal, line)
+
+
+def sensor_of(state: State, T_cam_sensor: Floats) -> tuple[Camera, LaserPlane, Floats]:
+    """Camera, laser plane and ``T_flange_sensor`` with the sensor frame where it was chosen."""
+    camera, plane = in_frame(state.camera, state.plane, inverse(T_cam_sensor))
+    return camera, plane, state.T_flange_cam @ T_cam_sensor
+
+
+def _points(state: State, uv_px: Floats) -> Floats:
+    return sensor_points(state.camera, state.plane, uv_px)
+
+
+def _squares(J: Floats, covariance: Floats) -> Floats:
+    """Squared length (G,) of the points' errors, mm^2."""
+    return np.asarray(np.maximum(np.einsum("gik,kl,gil->g", J, covariance, J), 0.0))
+
+
+def _by_names(found: Adjusted, T_cam_sensor: Floats, pivot_mm: Floats) -> Floats:
+    """The covariance (23, 23) of ``NAMES``."""
+    state = found.state
+    R, t = T_cam_sensor[:3, :3], T_cam_sensor[:3, 3]
+    M = np.zeros((len(NAMES), SENSOR.stop))
+    for own, name in enumerate(INTRINSIC):
+        M[NAMES.index(name), own] = 1.0
+    n = state.plane.normal
+    in_sensor = tangents(R.T @ n) @ R.T
+    at = NAMES.index("plane_a")
+    M[at : at + 2, PLANE.start : PLANE.start + 2] = in_sensor @ tangents(n).T
+    M[at + 2, PLANE.start : PLANE.start + 2] = -tangents(n) @ t
+    M[at + 2, PLANE.start + 2] = 1.0
+    probe = np.linalg.inv(about(pivot_mm)) @ carried(state.T_flange_cam)
+    M[at + 3 :, MOUNT] = probe
+    return np.asarray(M @ found.uncertainty[SENSOR, SENSOR] @ M.T)

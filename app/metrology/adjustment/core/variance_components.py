@@ -1,0 +1,119 @@
+"""Standard deviations that the data themselves tell: variance components.
+
+A sum of squares is compared with the number of values that the data, and not the
+scale itself, determined (Foerstner's estimate, iterated).
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.metrology.adjustment.core.arm_errors import LEVER_MM
+from app.metrology.transforms import Floats
+
+# What is usual where nothing tells; counted like one observation, so that it settles. Links
+# as those of an arm whose tip is off by some 20 µm rms: a link's turn moves the next about as
+# far as its shift does.
+USUAL_LINKS_MM, USUAL_TOUCH_MM = 0.003, 0.003
+USUAL_LINKS_RAD = USUAL_LINKS_MM / LEVER_MM
+USUAL_COUNT = 1.0
+# What is usual of links counts a little more, and that turns and shifts go together more
+# still: their likelihood alone can run away along the one or the other.
+USUAL_LINKS_COUNT, TOGETHER_COUNT = 2.0, 3.0
+SETTLED = 0.01
+MOST_ROUNDS = 15
+
+
+@dataclass(frozen=True)
+class Scales:
+    """What scatters how much.
+
+    ``links_rad``, ``links_mm``: the turn and the shift of one link's error; ``noise``:
+    factor on the noise of each reading; ``touch_mm``: one touch, beside that noise.
+    """
+
+    links_rad: float
+    links_mm: float
+    noise: float
+    touch_mm: float
+
+    def of_links(self, count: int) -> Floats:
+        """(6 count,) of the errors of so many links."""
+        return np.tile(np.repeat([self.links_rad, self.links_mm], 3), count)
+
+
+def usual_scales(noise_factor: float) -> Scales:
+    return Scales(USUAL_LINKS_RAD, USUAL_LINKS_MM, noise_factor, USUAL_TOUCH_MM)
+
+
+def told_by(values: Floats, variances: Floats, scale: float, usual: float) -> float:
+    """The scale of values (N,) that are known to ``variances`` (N,) with ``scale`` assumed."""
+    if not len(values):
+        return scale
+    determined = max(float(len(values) - np.sum(variances) / scale**2), 0.0)
+    squares = float(values @ values) + USUAL_COUNT * usual**2
+    return float(np.sqrt(squares / (determined + USUAL_COUNT)))
+
+
+def links_told(links: Floats, variances: Floats, scales: Scales) -> tuple[float, float]:
+    """The scales of turns (rad) and of shifts (mm), from all links' errors (6n,).
+
+    An arm that is poor in the one is taken to be poor in the other where that is not told:
+    what is usual for each follows from both, the two being in their usual proportion.
+    """
+    usual = np.array([USUAL_LINKS_RAD, USUAL_LINKS_MM])
+    now = np.array([scales.links_rad, scales.links_mm])
+    squares = (links**2).reshape(-1, 2, 3).sum(axis=(0, 2))
+    unknown = variances.reshape(-1, 2, 3).sum(axis=(0, 2))
+    determined = np.maximum(len(links) / 2 - unknown / now**2, 0.0)
+    count = USUAL_LINKS_COUNT
+    common = (np.sum(squares / usual**2) + count) / (np.sum(determined) + count)
+    told = (squares + TOGETHER_COUNT * common * usual**2) / (determined + TOGETHER_COUNT)
+    rad, mm = np.sqrt(told)
+    return float(rad), float(mm)
+
+
+def size_prior(scales: Scales) -> float:
+    """Logarithm of the density of the links' sizes (of their logarithms) before anything is
+    told, but for a constant; the counts are as in ``links_told``."""
+    turns = np.log(scales.links_rad / USUAL_LINKS_RAD)
+    shifts = np.log(scales.links_mm / USUAL_LINKS_MM)
+    common = (turns + shifts) / 2
+    usual = -USUAL_LINKS_COUNT * (common + np.exp(-2 * common) / 2)
+    return float(usual - TOGETHER_COUNT * np.log(np.cosh(turns - shifts)))
+
+
+def touch_told(
+    residuals_mm: Floats, noise_mm2: Floats, fitted_mm2: Floats, scales: Scales
+) -> float:
+    """Of one touch, from contact residuals (N,) after the fit.
+
+    Each counts for what of it the encoders' variance ``noise_mm2`` (N,) does not
+    explain; ``fitted_mm2`` (N,) is the variance of the fit itself at the contacts.
+    """
+    variance = scales.touch_mm**2 + noise_mm2
+    weight = scales.touch_mm**2 / variance
+    squares = float(np.sum((weight * residuals_mm) ** 2)) + USUAL_COUNT * USUAL_TOUCH_MM**2
+    determined = float(np.sum(weight * np.maximum(1 - fitted_mm2 / variance, 0.0)))
+    return float(np.sqrt(squares / (determined + USUAL_COUNT)))
+
+
+def settled(scales: Scales, told: Callable[[Scales], Scales]) -> Scales:
+    """Where ``told`` changes the scales no more, or nearly so."""
+    for _ in range(MOST_ROUNDS):
+        before, scales = scales, told(scales)
+        if difference(before, scales) < SETTLED:
+            break
+    return scales
+
+
+def difference(a: Scales, b: Scales) -> float:
+    """Largest relative change of any scale."""
+    pairs = (
+        (a.links_rad, b.links_rad),
+        (a.links_mm, b.links_mm),
+        (a.noise, b.noise),
+        (a.touch_mm, b.touch_mm),
+    )
+    return max(abs(float(np.log(x / y))) for x, y in pairs)

@@ -1,0 +1,1 @@
+"""Observations that contradict the others, and hypotheses of systematic faults."""

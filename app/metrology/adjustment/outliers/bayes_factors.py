@@ -1,0 +1,192 @@
+"""How likely one fault in all contacts or papers is (a wrong tip, a block that was moved or is
+another size), against none.
+
+A fault makes the arm look worse than it is: its links' errors and the noise of its readings
+take it up, and it hides in them. So the fault's size is one more unknown, the sizes of links'
+errors and noise are looked at anew with it and without it, and what is compared is how well
+the one and the other explain all that was measured (Bayes factor; Kass and Raftery 1995).
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.adjustment.core.gauss_newton import Adjusted
+from app.metrology.adjustment.core.linearise import known_beforehand, normal
+from app.metrology.adjustment.core.link_error_prior import likely_links
+from app.metrology.adjustment.core.variance_components import USUAL_COUNT, Scales, size_prior
+from app.metrology.transforms import Floats
+
+# Sizes of the links' errors, as factors of those told; turns and shifts go together within so
+# much (logarithms).
+FACTORS = np.exp(np.linspace(-6.0, 1.5, 13))
+TOGETHER = 1.3
+# Noise is looked at between what is usual and what was told, in steps of this factor at most.
+NOISE_STEP, MOST_NOISES = 1.5, 6
+
+
+@dataclass(frozen=True)
+class Suspect:
+    """A fault that changes the contacts' residuals (N, of those that count) by ``by`` (N, K), and
+    how far the object's coordinates (B,) are off their papers by ``by_papers`` (B, K), for each
+    unit of its K sizes. Before anything is told these scatter by one of ``sds`` (K,), each as
+    likely."""
+
+    by: Floats
+    by_papers: Floats
+    sds: tuple[Floats, ...]
+
+
+@dataclass(frozen=True)
+class Told:
+    """Sizes (K,) of a fault, their covariance (K, K), and twice the logarithm of how much
+    likelier it is than none."""
+
+    sizes: Floats
+    covariance: Floats
+    evidence: float
+
+
+@dataclass(frozen=True)
+class _Reduced:
+    """What is told of links and all suspects' sizes (L + K), the other unknowns following them,
+    at one noise: matrix, gradient, and the logarithm of all that does not change with them."""
+
+    S: Floats
+    pull: Floats
+    log: float
+
+
+@dataclass(frozen=True)
+class _Likely:
+    """Sizes (K,) of a fault with one noise and one size of the links' errors, their covariance
+    (K, K), and the logarithm of how likely that is."""
+
+    log: float
+    sizes: Floats
+    covariance: Floats
+
+
+def evidence_of(found: Adjusted, suspects: Sequence[Suspect]) -> list[Told]:
+    """Of each suspect by itself, all else taken as linear at the minimum."""
+    scales, start = found.scales, found.state.links
+    by = np.hstack([one.by for one in suspects])
+    by_papers = np.hstack([one.by_papers for one in suspects])
+    ends = len(start) + np.cumsum([one.by.shape[1] for one in suspects])
+    own = [np.arange(end - one.by.shape[1], end) for one, end in zip(suspects, ends, strict=True)]
+    none: list[_Likely] = []
+    each: list[list[_Likely]] = [[] for _ in suspects]
+    for noise in _noises(found):
+        reduced = _reduced(found, by, by_papers, replace(scales, noise=noise))
+        for size in _sizes(scales):
+            prior, sd = size_prior(size), size.of_links(len(start) // 6)
+            none.append(_likely(reduced, start, sd, prior, np.arange(0), np.zeros(0)))
+            for told, suspect, columns in zip(each, suspects, own, strict=True):
+                told += [
+                    _likely(reduced, start, sd, prior - np.log(len(suspect.sds)), columns, sds)
+                    for sds in suspect.sds
+                ]
+    return [_averaged(told, none) for told in each]
+
+
+def _likely(
+    reduced: _Reduced,
+    start: Floats,
+    sd: Floats,
+    prior: float,
+    columns: NDArray[np.intp],
+    sds: Floats,
+) -> _Likely:
+    """With a fault's ``columns`` of all that is unknown beside the links, and their sds."""
+    links = len(start)
+    which = np.concatenate([np.arange(links), columns])
+    log, step, covariance = likely_links(
+        reduced.S[np.ix_(which, which)],
+        reduced.pull[which],
+        np.concatenate([start, np.zeros(len(columns))]),
+        np.concatenate([sd, sds]),
+    )
+    return _Likely(reduced.log + prior + log, step[links:], covariance[links:, links:])
+
+
+def _averaged(told: Sequence[_Likely], none: Sequence[_Likely]) -> Told:
+    logs = np.array([one.log for one in told])
+    weight = np.exp(logs - logs.max())
+    weight /= weight.sum()
+    sizes = np.array([one.sizes for one in told])
+    mean = weight @ sizes
+    covariance = np.einsum("s,sij->ij", weight, np.array([one.covariance for one in told]))
+    covariance += np.einsum("s,si,sj->ij", weight, sizes - mean, sizes - mean)
+    without = np.logaddexp.reduce([one.log for one in none])
+    return Told(mean, covariance, 2 * float(np.logaddexp.reduce(logs) - without))
+
+
+def _reduced(found: Adjusted, by: Floats, by_papers: Floats, scales: Scales) -> _Reduced:
+    equations = normal(found.linear, found.judgements)
+    at, start = equations.linear.at, equations.linear.state.links
+    parts, g = equations.with_scales(scales)
+    N = np.sum([part for source, part in parts.items() if source != "links"], axis=0)
+    links = np.arange(at.count)[at.links]
+    others = np.setdiff1d(np.flatnonzero(found.free), links)
+    across, among, pull, log = _of_suspects(found, by, by_papers, scales)
+    # what the data pull the links with, without what holds these back
+    pull = np.concatenate([g[links] - start / scales.of_links(len(start) // 6) ** 2, pull])
+    scale = 1 / np.sqrt(np.diag(N)[others])
+    A = N[np.ix_(others, others)] * np.outer(scale, scale)
+    B = np.hstack([N[np.ix_(others, links)], across[others]]) * scale[:, None]
+    solved = np.linalg.solve(A, np.column_stack([B, g[others] * scale]))
+    S = np.block([[N[np.ix_(links, links)], across[links]], [across[links].T, among]])
+    log += 0.5 * float((g[others] * scale) @ solved[:, -1]) + float(np.sum(np.log(scale)))
+    log -= 0.5 * float(np.linalg.slogdet(A)[1])
+    return _Reduced(S - B.T @ solved[:, :-1], pull - B.T @ solved[:, -1], log)
+
+
+def _of_suspects(
+    found: Adjusted, by: Floats, by_papers: Floats, scales: Scales
+) -> tuple[Floats, Floats, Floats, float]:
+    """The suspects' part of the normal equations (U, K), (K, K) and of the gradient (K,); and how
+    likely contacts and noise are as they are, without them."""
+    papers, at = found.problem.papers, found.layout
+    weighed = by_papers / papers.sd[:, None] ** 2
+    across = np.zeros((at.count, by.shape[1]))
+    across[at.coordinates] = weighed
+    among = by_papers.T @ weighed
+    pull = weighed.T @ (found.state.coordinates - papers.coordinates)
+    log = _noise_log(found, scales)
+    contacts = found.linear.contacts
+    if contacts is not None:
+        variance, off = contacts.variances(scales), contacts.residuals_mm
+        weighed = by / variance[:, None]
+        across += contacts.jacobian.T @ weighed
+        among += by.T @ weighed
+        pull += weighed.T @ off
+        log -= 0.5 * float(np.sum(np.log(variance) + off**2 / variance))
+    return across, among, pull, log
+
+
+def _noise_log(found: Adjusted, scales: Scales) -> float:
+    """How likely the readings' noise is at one size of it, with that size itself."""
+    ((_, _, sd, off),) = (
+        known for known in known_beforehand(found.linear, scales) if known[0] == "encoders"
+    )
+    usual = found.problem.motion.usual_factor / scales.noise
+    prior = USUAL_COUNT * (np.log(usual) - usual**2 / 2)
+    return float(prior - np.sum(np.log(sd)) - 0.5 * np.sum((off / sd) ** 2))
+
+
+def _noises(found: Adjusted) -> Floats:
+    told, usual = found.scales.noise, found.problem.motion.usual_factor
+    least = max(min(usual, told), found.problem.motion.least_factor)
+    steps = int(np.ceil(np.log(max(told / least, 1.0)) / np.log(NOISE_STEP)))
+    return np.geomspace(least, max(told, least), min(steps, MOST_NOISES) + 1)[::-1]
+
+
+def _sizes(scales: Scales) -> list[Scales]:
+    return [
+        replace(scales, links_rad=scales.links_rad * turn, links_mm=scales.links_mm * shift)
+        for turn in FACTORS
+        for shift in FACTORS
+        if abs(np.log(turn / shift)) < TOGETHER
+    ]

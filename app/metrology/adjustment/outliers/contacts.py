@@ -1,0 +1,49 @@
+"""Contacts that lie off the face that all the others and the pictures agree on."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from app.metrology.adjustment.core.gauss_newton import Adjusted, adjust
+from app.metrology.adjustment.core.variance_components import USUAL_TOUCH_MM
+
+# Fewer contacts than these tell no stray among them.
+FEWEST_CONTACTS = 5
+SIGMAS = 4.0
+MEDIAN_TO_SD = 1.4826
+# Of a contact, the share that the others must tell for it to be judged.
+LEAST_TOLD = 0.05
+
+
+def without_stray_contacts(found: Adjusted) -> Adjusted:
+    """Adjusted without the contacts that disagree with the others, worst first; the touches say
+    which were kept. Fewer than half are set aside."""
+    touches = found.problem.touches
+    if touches is None:
+        return found
+    while 2 * (int((~touches.kept).sum()) + 1) < len(touches):
+        stray = stray_contact(found)
+        if stray is None:
+            break
+        touches = replace(touches, kept=touches.kept & (np.arange(len(touches)) != stray))
+        found = adjust(replace(found.problem, touches=touches), found.state)
+    return found
+
+
+def stray_contact(found: Adjusted) -> int | None:
+    """The row of the contact that is furthest off by what the others scatter (their median, which
+    a few strays do not move), and beyond what a usual touch and the noise of the readings
+    explain; None where none is."""
+    contacts, touches = found.linear.contacts, found.problem.touches
+    if contacts is None or touches is None or len(contacts.residuals_mm) < FEWEST_CONTACTS:
+        return None
+    J, variance = contacts.jacobian, contacts.variances(found.scales)
+    spare = np.maximum(1 - np.einsum("nu,uv,nv->n", J, found.covariance, J) / variance, LEAST_TOLD)
+    off_mm = np.abs(contacts.residuals_mm) / np.sqrt(spare)
+    usual_mm = np.sqrt(contacts.variances(replace(found.scales, touch_mm=USUAL_TOUCH_MM)))
+    scatter_mm = max(MEDIAN_TO_SD * float(np.median(off_mm)), 1e-9)
+    # few contacts tell their scatter poorly
+    limit = SIGMAS * (1 + 4.0 / len(off_mm))
+    off = np.minimum(off_mm / (limit * scatter_mm), off_mm / (SIGMAS * usual_mm))
+    worst = int(np.argmax(off))
+    return int(np.flatnonzero(touches.kept)[worst]) if off[worst] > 1 else None

@@ -1,0 +1,1 @@
+"""Which pose and which contact points would reduce the uncertainty most."""

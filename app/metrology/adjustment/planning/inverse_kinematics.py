@@ -1,0 +1,35 @@
+"""Joint angles that bring the flange to a pose: whether the arm can take a pose at all."""
+
+import numpy as np
+
+from app.metrology.arm.kinematics import Arm, flange_pose, geometric_jacobian
+from app.metrology.transforms import Floats, vector_from_rotation
+
+# One radian of orientation weighs as much as this length.
+LEVER_MM = 200.0
+REACHED_MM = 0.05
+MOST_STEPS = 60
+DAMPING = 1e-3
+LARGEST_STEP_RAD = 0.2
+
+
+def joints_for(arm: Arm, T_arm_flange: Floats, q_rad: Floats) -> Floats | None:
+    """Encoder angles (n,) near ``q_rad`` that bring the flange to a pose; None if out of reach.
+
+    Damped least squares from the angles given, held within the joints' limits.
+    """
+    low, high = np.array([joint.limits_rad for joint in arm.joints]).T
+    q = np.clip(np.asarray(q_rad, dtype=np.float64), low, high)
+    weigh = np.repeat([1.0, LEVER_MM], 3)
+    for _ in range(MOST_STEPS):
+        T = flange_pose(arm, q)
+        turn = vector_from_rotation(T_arm_flange[:3, :3] @ T[:3, :3].T)
+        off = weigh * np.concatenate([T_arm_flange[:3, 3] - T[:3, 3], turn])
+        if float(np.linalg.norm(off)) < REACHED_MM:
+            return q
+        J = weigh[:, None] * geometric_jacobian(arm, q, np.zeros(3))
+        damped = J.T @ J + DAMPING * float(np.trace(J.T @ J)) / len(q) * np.eye(len(q))
+        step = np.linalg.solve(damped, J.T @ off)
+        step *= min(1.0, LARGEST_STEP_RAD / max(float(np.abs(step).max()), 1e-12))
+        q = np.clip(q + step, low, high)
+    return None

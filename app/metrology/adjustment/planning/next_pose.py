@@ -1,0 +1,229 @@
+"""Which pose to take next: the one after which a scanned point would be known best.
+
+Every candidate's picture is foretold (``expected``), and its part added to the normal
+matrix of the adjustment so far: the uncertainty that it would leave needs no picture.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from app.metrology.adjustment.block.predicted_view import Seeing, expected_view, in_view
+from app.metrology.adjustment.board.observations import BoardView
+from app.metrology.adjustment.board.predicted_view import expected_board_view, whole_in_view
+from app.metrology.adjustment.core.arm_errors import FlangeMotion, arm_motion
+from app.metrology.adjustment.core.gauss_newton import Adjusted, embedded
+from app.metrology.adjustment.core.parameters import SENSOR, pose_scene
+from app.metrology.adjustment.core.robust_weights import Judgement, normal_equations
+from app.metrology.adjustment.core.uncertainty import by_sensor, measuring_volume
+from app.metrology.adjustment.planning.inverse_kinematics import joints_for
+from app.metrology.arm.kinematics import Arm
+from app.metrology.calibration.observation_model import Rows
+from app.metrology.sensor.camera import Camera
+from app.metrology.sensor.laser_plane import LaserPlane, in_frame
+from app.metrology.targets.crenellated_block import Crenellated
+from app.metrology.targets.target import CalibrationObject, Line, middle_of, outline
+from app.metrology.transforms import (
+    Floats,
+    inverse,
+    rigid,
+    rotation_from_vector,
+    vector_from_rotation,
+)
+
+# Tilts, turns about the view and heights that an operator holds with ease.
+TILTS_DEG = (-20.0, 0.0, 20.0)
+TURNS_DEG = (-30.0, 0.0, 30.0)
+HEIGHTS_MM = (-8.0, 0.0, 8.0)
+# Share of a block in the picture, and points of the stripe on each level, at least.
+FRAMED, STRIPE_POINTS = 0.85, 40
+# Points put into one where a picture is foretold.
+MERGED = 4
+# Changes smaller than these are not worth a word.
+WORD_DEG, WORD_MM = 4.0, 3.0
+
+
+RowsOf = Callable[[Camera, LaserPlane, Floats], tuple[Rows, Rows]]
+
+
+@dataclass(frozen=True)
+class Hold:
+    """Where the sensor is held against another hold, as an operator would say it.
+
+    ``tilt_right_deg``: the camera swings to the right about the object; ``tilt_back_deg``:
+    to its back; ``turn_deg``: counter-clockwise as seen from above; ``higher_mm``: further
+    from the object.
+    """
+
+    tilt_right_deg: float
+    tilt_back_deg: float
+    turn_deg: float
+    higher_mm: float
+
+    @property
+    def largest_deg(self) -> float:
+        """The largest of the three turns."""
+        return max(abs(self.tilt_right_deg), abs(self.tilt_back_deg), abs(self.turn_deg))
+
+    @property
+    def words(self) -> str:
+        """``tilt left 20°, 8 mm higher``; ``hold as it is`` where nothing changes."""
+        said = []
+        for value, least, positive, negative, unit in (
+            (self.tilt_right_deg, WORD_DEG, "tilt right", "tilt left", "°"),
+            (self.tilt_back_deg, WORD_DEG, "tilt to the back", "tilt to the front", "°"),
+            (self.turn_deg, WORD_DEG, "turn anticlockwise", "turn clockwise", "°"),
+        ):
+            if abs(value) >= least:
+                said.append(f"{positive if value > 0 else negative} {abs(value):.0f}{unit}")
+        if abs(self.higher_mm) >= WORD_MM:
+            said.append(
+                f"{abs(self.higher_mm):.0f} mm {'higher' if self.higher_mm > 0 else 'lower'}"
+            )
+        return ", ".join(said) or "hold as it is"
+
+
+@dataclass(frozen=True)
+class PoseAdvice:
+    """A pose worth taking: where, what it would bring, and how the object would look."""
+
+    T_obj_cam: Floats  # (4, 4)
+    q_rad: Floats  # (n,) joint angles that reach it
+    total_um: float  # of a point, k = 1, after this pose
+    outline_px: tuple[Line, ...]
+    """The object's edges as the picture would show them, end to end."""
+
+
+def next_poses(
+    found: Adjusted,
+    arm: Arm,
+    item: CalibrationObject,
+    q_rad: Floats,
+    seeing: Seeing | None = None,
+) -> list[PoseAdvice]:
+    """Poses that the arm can take, the most helpful first.
+
+    Args:
+        found: the adjustment of the P poses so far.
+        q_rad: (P, n) their encoder angles.
+    """
+    seeing = seeing or Seeing(merged=MERGED)
+    reference = pose_scene(found.state, found.problem, found.layout, 0)
+    T_cam_obj = rigid(reference.camera.rotation, reference.camera.translation_mm)
+    volume = by_sensor(found.state, measuring_volume(found).uv_px)
+    by_sizes = found.by_link_sizes[SENSOR, SENSOR]
+    advice = []
+    for T_obj_cam in _candidates(inverse(T_cam_obj), item):
+        q = _joints(found, arm, T_obj_cam, q_rad)
+        rows_of = _foretold(found, item, T_obj_cam, seeing)
+        if q is None or rows_of is None:
+            continue
+        # one pose more tells little of how large the links' errors are
+        covariance = _after(found, arm_motion(arm, q[None]), rows_of) + by_sizes
+        total = float(np.sqrt(np.mean(np.einsum("gik,kl,gil->g", volume, covariance, volume))))
+        camera, _ = seen_at(found, T_obj_cam)
+        advice.append(PoseAdvice(T_obj_cam, q, 1e3 * total, outline(camera, item)))
+    return sorted(advice, key=lambda one: one.total_um)
+
+
+def _foretold(
+    found: Adjusted, item: CalibrationObject, T_obj_cam: Floats, seeing: Seeing
+) -> RowsOf | None:
+    """How the picture from a hold would be measured; None where it would be of no use."""
+    camera, plane = seen_at(found, T_obj_cam)
+    if isinstance(item, Crenellated):
+        if in_view(camera, item) < FRAMED:
+            return None
+        block = expected_view(camera, plane, item, seeing)
+        on_each = (int(np.sum(block.level == name)) for name in ("crest", "floor"))
+        return block.rows if min(on_each) * seeing.merged >= STRIPE_POINTS else None
+    like = found.problem.views[0]
+    assert isinstance(like, BoardView)
+    if not whole_in_view(camera, item):
+        return None
+    board = expected_board_view(camera, plane, like, seeing)
+    return board.rows if len(board.stripe.u) * seeing.merged >= STRIPE_POINTS else None
+
+
+def held(T_obj_cam: Floats, T_obj_cam_before: Floats, item: CalibrationObject) -> Hold:
+    """One hold (4, 4) of the camera over the object, against another."""
+    turned = vector_from_rotation(T_obj_cam[:3, :3] @ T_obj_cam_before[:3, :3].T)
+    x, y, z = np.degrees(_sides(item, T_obj_cam_before).T @ turned)
+    middle = middle_of(item)
+    apart = [float(np.linalg.norm(T[:3, 3] - middle)) for T in (T_obj_cam, T_obj_cam_before)]
+    # a turn about +y swings what is above to the right, about -x to the back
+    return Hold(float(y), float(-x), float(z), apart[0] - apart[1])
+
+
+def _sides(item: CalibrationObject, T_obj_cam: Floats) -> Floats:
+    """(3, 3): what is right, back and up for the operator, as columns in the object's frame.
+
+    A block has a front; a board lies in any way, and what is right in the picture is right.
+    """
+    if isinstance(item, Crenellated):
+        return np.eye(3)
+    right = np.array([*T_obj_cam[:2, 0], 0.0])
+    right /= np.linalg.norm(right)
+    return np.column_stack([right, [-right[1], right[0], 0.0], [0.0, 0.0, 1.0]])
+
+
+def seen_at(found: Adjusted, T_obj_cam: Floats) -> tuple[Camera, LaserPlane]:
+    """Camera and plane in the object's frame for the camera held at a place."""
+    return in_frame(found.state.camera, found.state.plane, T_obj_cam)
+
+
+def _candidates(T_obj_cam: Floats, item: CalibrationObject) -> Sequence[Floats]:
+    """Holds swung about the object's middle from a first one."""
+    middle, sides = middle_of(item), _sides(item, T_obj_cam)
+    away = T_obj_cam[:3, 3] - middle
+    away /= np.linalg.norm(away)
+    holds = []
+    for right in TILTS_DEG:
+        for back in TILTS_DEG:
+            for turn in TURNS_DEG:
+                swing = rotation_from_vector(sides @ np.radians([-back, right, turn]))
+                about_middle = rigid(swing, middle - swing @ middle)
+                for higher in HEIGHTS_MM if turn == 0.0 else (0.0,):
+                    lift = rigid(np.eye(3), higher * away)
+                    holds.append(about_middle @ lift @ T_obj_cam)
+    return holds
+
+
+def _joints(found: Adjusted, arm: Arm, T_obj_cam: Floats, q_rad: Floats) -> Floats | None:
+    """Joint angles for a hold, starting from the pose whose flange is nearest."""
+    T_arm_flange = found.state.T_arm_obj @ T_obj_cam @ inverse(found.state.T_flange_cam)
+    near = np.linalg.norm(found.problem.motion.T_arm_flange[:, :3, 3] - T_arm_flange[:3, 3], axis=1)
+    return joints_for(arm, T_arm_flange, q_rad[int(np.argmin(near))])
+
+
+def _after(found: Adjusted, moves: FlangeMotion, rows_of: RowsOf) -> Floats:
+    """Covariance (17, 17) of the sensor's unknowns with one more pose."""
+    problem, state, at = found.problem, found.state, found.layout
+    motion = problem.motion
+    more = replace(
+        problem,
+        numbers=(*problem.numbers, -1),
+        views=(*problem.views, problem.views[0]),
+        motion=replace(
+            motion,
+            T_arm_flange=np.concatenate([motion.T_arm_flange, moves.T_arm_flange]),
+            by_links=np.concatenate([motion.by_links, moves.by_links]),
+            by_noise=np.concatenate([motion.by_noise, moves.by_noise]),
+        ),
+    )
+    own = at.noise_per_pose
+    wider = replace(at, noise=slice(at.noise.start, at.count + own), count=at.count + own)
+    new = len(problem.views)
+    moved = replace(state, noise=np.vstack([state.noise, np.zeros(own)]))
+    scene = pose_scene(moved, more, wider, new)
+    N = np.zeros((wider.count, wider.count))
+    N[: at.count, : at.count] = np.sum(list(found.parts.values()), axis=0)
+    index = np.arange(wider.count)[wider.noise_of(new)]
+    N[index, index] += (found.scales.noise * motion.noise_sd) ** -2.0
+    for rows in rows_of(scene.camera, scene.plane, state.coordinates):
+        everything = Judgement(np.ones(len(rows.sigma), np.bool_), np.ones(len(rows.sigma)))
+        local, _ = normal_equations(rows, everything)
+        N += scene.by_unknowns.T @ local @ scene.by_unknowns
+    free = np.concatenate([found.free, np.ones(own, np.bool_)])
+    return embedded(N, free)[SENSOR, SENSOR]

@@ -1,0 +1,129 @@
+"""How many more touches, and on which face, bring the object's place to what is wanted."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.metrology.probing.alignment import Alignment
+from app.metrology.targets.crenellated_block import FACES, Crenellated, probing_face
+from app.metrology.transforms import Floats
+
+MOST_MORE = 30
+# Touches keep so far from the edges of their face.
+MARGIN_MM = 2.0
+
+
+@dataclass(frozen=True)
+class TouchAdvice:
+    """``more`` touches by face bring the object's place from ``now_um`` to ``then_um``, k = 1.
+
+    The face that helps most comes first. ``reaches`` tells whether that is within the
+    target; ``more`` is empty where the target is met already.
+    """
+
+    more: tuple[tuple[str, int], ...]
+    now_um: float
+    then_um: float
+    reaches: bool
+
+    @property
+    def words(self) -> str:
+        """``6 more on the left face, 2 on the crest``; empty where nothing is needed."""
+        said = [f"{count} on the {face} face" for face, count in self.more]
+        return ", ".join([said[0].replace(" on", " more on", 1), *said[1:]]) if said else ""
+
+
+def place_um(alignment: Alignment, features: Sequence[str], block: Crenellated) -> float:
+    """Standard uncertainty of a point of the block in the arm, rms over its corners, k = 1."""
+    return _worth(_information(alignment, features, block), block)
+
+
+def next_touches(
+    alignment: Alignment, features: Sequence[str], block: Crenellated, target_um: float
+) -> TouchAdvice:
+    """How many more touches on which faces reach a target, each where it helps most.
+
+    Touches are added one at a time, spread over their faces, until the target is met
+    or more would be asked than anyone takes.
+    """
+    information = _information(alignment, features, block)
+    now = then = _worth(information, block)
+    rows = {face: _face_rows(face, block) / alignment.sigma_mm for face in FACES}
+    more = dict.fromkeys(FACES, 0)
+    while then > target_um and sum(more.values()) < MOST_MORE:
+        tried = {}
+        for face in FACES:
+            row = rows[face][more[face] % len(rows[face])]
+            tried[face] = information + np.outer(row, row)
+        worth = {face: _worth(one, block) for face, one in tried.items()}
+        best = min(FACES, key=lambda face: worth[face])
+        information, then = tried[best], worth[best]
+        more[best] += 1
+    named = sorted(((face, n) for face, n in more.items() if n), key=lambda one: -one[1])
+    return TouchAdvice(tuple(named), now, then, then <= target_um)
+
+
+def _face_rows(face: str, block: Crenellated) -> Floats:
+    normal, _ = probing_face(block, face)
+    places = spread_over(face, block)
+    return _rows(places, np.broadcast_to(normal, places.shape))
+
+
+def spread_over(face: str, block: Crenellated) -> Floats:
+    """Places (8, 3) to touch a face, far apart first, object frame."""
+    x = (block.edges_x_mm[0] + MARGIN_MM, block.edges_x_mm[-1] - MARGIN_MM)
+    y = (block.front_y_mm + MARGIN_MM, block.back_y_mm - MARGIN_MM)
+    z = (block.base_z_mm + MARGIN_MM, block.floor_z_mm - MARGIN_MM)
+    share = np.array([[0, 0], [1, 1], [1, 0], [0, 1], [0.5, 0], [0.5, 1], [0, 0.5], [1, 0.5]])
+    first, second = {
+        "crest": (x, y),
+        "floor": (x, y),
+        "front": (x, z),
+        "back": (x, z),
+        "left": (y, z),
+        "right": (y, z),
+    }[face]
+    a = first[0] + share[:, 0] * (first[1] - first[0])
+    b = second[0] + share[:, 1] * (second[1] - second[0])
+    level = np.full(len(share), _level_mm(face, block))
+    if face in ("crest", "floor"):
+        return np.column_stack([a, b, level])
+    return np.column_stack([a, level, b] if face in ("front", "back") else [level, a, b])
+
+
+def _level_mm(face: str, block: Crenellated) -> float:
+    """Where a face lies on the axis across it."""
+    normal, offset_mm = probing_face(block, face)
+    return float(offset_mm * normal.sum())
+
+
+def _rows(points_mm: Floats, normals: Floats) -> Floats:
+    """(N, 6): how a contact's distance follows a twist of the object, object frame."""
+    return np.column_stack([np.cross(points_mm, normals), normals])
+
+
+def _information(alignment: Alignment, features: Sequence[str], block: Crenellated) -> Floats:
+    """(6, 6) of the contacts that were kept, by a twist of the object in its own frame."""
+    kept = np.flatnonzero(~alignment.outliers)
+    normals = np.array([probing_face(block, features[int(i)])[0] for i in kept])
+    rows = _rows(alignment.points_obj_mm[kept], normals) / alignment.sigma_mm
+    return np.asarray(rows.T @ rows)
+
+
+def _worth(information: Floats, block: Crenellated) -> float:
+    """What it makes of a point, in micrometres: rms over the block's corners."""
+    covariance = np.linalg.inv(information)
+    corners = np.array(
+        [
+            [x, y, z]
+            for x in (block.edges_x_mm[0], block.edges_x_mm[-1])
+            for y in (block.front_y_mm, block.back_y_mm)
+            for z in (block.floor_z_mm, block.crest_z_mm)
+        ]
+    )
+    squares = []
+    for x, y, z in corners:
+        J = np.hstack([np.array([[0, z, -y], [-z, 0, x], [y, -x, 0]]), np.eye(3)])
+        squares.append(float(np.trace(J @ covariance @ J.T)))
+    return float(1e3 * np.sqrt(np.mean(squares)))

@@ -1,0 +1,196 @@
+"""What became of each pose in the adjustment: how well it fits, or why it was left out."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.adjustment.core.gauss_newton import Adjusted
+from app.metrology.adjustment.core.hand_eye import Mounting
+from app.metrology.adjustment.core.observations import SeenPose
+from app.metrology.adjustment.core.parameters import pose_scene
+from app.metrology.calibration.findings import WORST_OF_A_KIND, WorstPoint
+from app.metrology.calibration.observation_model import Rows, with_coordinates
+from app.metrology.probing.alignment import Alignment
+from app.metrology.sensor.camera import project
+from app.metrology.targets.crenellated_block import Crenellated, corners
+from app.metrology.transforms import Floats, inverse
+
+# A pose that contradicts the others fits another's readings if it then lies so near: this
+# many times what is usual among all poses, and this.
+FITS_TIMES, FITS_MM = 5.0, 1.0
+SHOWN_STRIPE_POINTS = 60
+NO_LINE = "its picture shows no laser line on the object"
+"""Of a pose that was used, but for its laser line."""
+
+
+@dataclass(frozen=True)
+class PoseResult:
+    """One pose: residuals where it was used, ``reason`` where it, or its laser line, was left out.
+
+    ``off_um`` is how far the arm's noise had to move the object for this pose to agree;
+    ``corners_px`` are measured minus projected, by name, and ``corners_at_px`` where each was
+    measured; ``stripe_off_px`` are points of the stripe (u, v), evenly taken, and how far each
+    lies off the adjusted line.
+    """
+
+    number: int
+    used: bool
+    reason: str = ""
+    edges_rms_px: float = 0.0
+    edge_points: int = 0
+    stripe_rms_px: float = 0.0
+    stripe_points: int = 0
+    off_um: float = 0.0
+    corners_px: tuple[tuple[str, float, float], ...] = ()
+    corners_at_px: tuple[tuple[str, float, float], ...] = ()
+    stripe_off_px: tuple[tuple[float, float, float], ...] = ()
+
+
+def pose_results(found: Adjusted, seen: Sequence[SeenPose], block: Crenellated) -> list[PoseResult]:
+    """Of the poses that were used."""
+    by_number = {pose.number: pose for pose in seen}
+    block = with_coordinates(block, found.state.coordinates)
+    results = []
+    for p, number in enumerate(found.problem.numbers):
+        shape, stripe = found.linear.rows[p]
+        kept_shape, kept_stripe = (one.kept for one in found.judgements[p])
+        results.append(
+            PoseResult(
+                number,
+                True,
+                "",
+                rms(shape.residuals[kept_shape]),
+                int(kept_shape.sum()),
+                rms(stripe.residuals[kept_stripe]),
+                int(kept_stripe.sum()),
+                off_um(found, p),
+                _corners(found, p, by_number[number], block),
+                tuple((c.name, c.u, c.v) for c in by_number[number].detection.corners),
+                stripe_off(stripe, kept_stripe),
+            )
+        )
+    return results
+
+
+def stripe_off(rows: Rows, kept: NDArray[np.bool_]) -> tuple[tuple[float, float, float], ...]:
+    """Some of a stripe's points that counted, from one end to the other, and their residuals."""
+    own = np.flatnonzero(kept)
+    own = own[:: max(1, -(-len(own) // SHOWN_STRIPE_POINTS))]
+    return tuple(
+        (round(float(u), 2), round(float(v), 2), round(float(off), 4))
+        for (u, v), off in zip(rows.places[own], rows.residuals[own], strict=True)
+    )
+
+
+def left_out(
+    numbers: Sequence[int], mounting: Mounting, readings: str = "joint angles"
+) -> list[PoseResult]:
+    """Of the poses that contradict the others, each with the pose whose readings would fit it."""
+    T_arm_flange = mounting.T_arm_flange
+    usual_mm = float(np.median(mounting.off_mm))
+    results = []
+    for p in map(int, np.flatnonzero(mounting.contradicts)):
+        off = _length(mounting.off_mm[p])
+        reason = f"it puts the object {off} from where the others put it"
+        # the flange at which this pose's picture would agree with the others
+        wanted = T_arm_flange[p] @ _correction(mounting, p)
+        apart = np.linalg.norm(T_arm_flange[:, :3, 3] - wanted[:3, 3], axis=1)
+        other = int(np.argmin(apart))
+        if apart[other] < min(FITS_TIMES * usual_mm + FITS_MM, apart[p] / 2):
+            reason += f"; it fits the {readings} of pose {numbers[other]}"
+        results.append(PoseResult(numbers[p], False, reason))
+    return results
+
+
+def line_left_out(off_mm: float) -> str:
+    """Of a pose that was used, but for its laser line."""
+    off = _length(off_mm)
+    return f"its laser line was left out, {off} off the plane of the others"
+
+
+def _length(mm: float) -> str:
+    return f"{mm:.1f} mm" if mm >= 1 else f"{1e3 * mm:.0f} µm"
+
+
+def worst_of_all(
+    found: Adjusted,
+    alignment: Alignment,
+    features: Sequence[str],
+    poses: Sequence[PoseResult],
+) -> tuple[WorstPoint, ...]:
+    """The few worst contacts, corners and stripe points over all poses."""
+    contacts = 1e3 * np.abs(alignment.residuals_mm)
+    worst = [
+        WorstPoint("contact", f"{features[i]} {i + 1}", float(contacts[i]), "µm", contact=int(i))
+        for i in np.argsort(-contacts)[:WORST_OF_A_KIND]
+    ]
+    worst += worst_in_pictures(found, poses)
+    return tuple(worst)
+
+
+def worst_in_pictures(found: Adjusted, poses: Sequence[PoseResult]) -> list[WorstPoint]:
+    """The few worst corners and stripe points over all poses."""
+    at_corners = [
+        (float(np.hypot(u, v)), pose.number, name)
+        for pose in poses
+        for name, u, v in pose.corners_px
+    ]
+    worst = [
+        WorstPoint("corner", f"pose {number} {name}", off, "px", pose=number)
+        for off, number, name in sorted(at_corners, reverse=True)[:WORST_OF_A_KIND]
+    ]
+    on_stripe = []
+    for number, (_, rows), (_, judgement) in zip(
+        found.problem.numbers, found.linear.rows, found.judgements, strict=True
+    ):
+        off_px = np.abs(rows.residuals) * judgement.kept
+        on_stripe += [
+            (float(off_px[i]), number, float(rows.places[i, 0]), float(rows.places[i, 1]))
+            for i in np.argsort(-off_px)[:WORST_OF_A_KIND]
+        ]
+    worst += [
+        WorstPoint("stripe", f"pose {number} ({u:.0f}, {v:.0f})", off, "px", None, number, (u, v))
+        for off, number, u, v in sorted(on_stripe, reverse=True)[:WORST_OF_A_KIND]
+    ]
+    return worst
+
+
+def rms(values: Floats) -> float:
+    """Of (N,) values; 0 where there are none."""
+    return float(np.sqrt(np.mean(values**2))) if len(values) else 0.0
+
+
+def off_um(found: Adjusted, pose: int) -> float:
+    """How far the noise of a pose's readings moves the object."""
+    moves, state = found.problem.motion, found.state
+    twist = moves.by_noise[pose] @ state.noise[pose]
+    at = state.T_arm_obj[:3, 3]
+    return float(1e3 * np.linalg.norm(np.cross(twist[:3], at) + twist[3:]))
+
+
+def _corners(
+    found: Adjusted, pose: int, seen: SeenPose, block: Crenellated
+) -> tuple[tuple[str, float, float], ...]:
+    measured = seen.detection.corners
+    if not measured:
+        return ()
+    at = corners(block)
+    scene = pose_scene(found.state, found.problem, found.layout, pose)
+    uv = project(scene.camera, np.array([at[corner.name] for corner in measured]))
+    return tuple(
+        (corner.name, float(corner.u - u), float(corner.v - v))
+        for corner, (u, v) in zip(measured, uv, strict=True)
+    )
+
+
+def _correction(mounting: Mounting, pose: int) -> Floats:
+    """(4, 4) by which the flange, in its own frame, would have to move for a pose to agree."""
+    X, T_cam_obj, T_arm_flange = (
+        mounting.T_flange_cam,
+        mounting.T_cam_obj[pose],
+        mounting.T_arm_flange[pose],
+    )
+    wanted = mounting.T_arm_obj @ inverse(X @ T_cam_obj)
+    return np.asarray(inverse(T_arm_flange) @ wanted)

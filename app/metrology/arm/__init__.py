@@ -1,0 +1,1 @@
+"""The arm: kinematics, its readings, and the identification of its geometry."""

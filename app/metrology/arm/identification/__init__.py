@@ -1,0 +1,6 @@
+"""Identification of the arm's geometry from seats, spheres and ball bars.
+
+Entry point: ``identify``. ``input_checks`` refuses what cannot be used, ``parameter_selection``
+chooses what can be estimated, ``robust_solve`` solves, ``cross_validation`` and
+``volumetric_error`` say how good the result is. ``articulation`` is the daily check.
+"""

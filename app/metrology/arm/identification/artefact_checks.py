@@ -1,0 +1,185 @@
+"""Whether spheres, bars and the tip have the sizes that are given for them."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from app.errors import Refusal
+from app.metrology.arm.identification.observations import Observations, Place, Stacked
+from app.metrology.arm.identification.parameter_selection import LENGTH_MM, candidates
+from app.metrology.arm.identification.parameters import tip_jacobian
+from app.metrology.arm.identification.robust_solve import Fit, solve
+from app.metrology.arm.identification.volumetric_error import size_uncertainty_mm
+from app.metrology.arm.kinematics import Arm
+from app.metrology.transforms import Floats
+
+LEAST_TO_SIZE, SPHERE_STEPS, STRAY = 8, 20, 5.0
+"""Points that tell a sphere's size by themselves; those further off than so many sd stray."""
+FREE_MM = 1e3
+"""Uncertainty of a bar's length that says nothing of it."""
+CONTRADICTION = 2.0
+UNLIKELY = 5e-4
+"""Share of its length by which an arm hardly sees a bar wrong."""
+EXCESS_SIGMAS, EXCESS_MM, WRONG_TIP_MM = 5.0, 0.005, 0.025
+
+
+def check_spheres(data: Stacked, fit: Fit) -> list[str]:
+    """Warns of a sphere that is seen in another size than the others; refuses one far off.
+
+    Each by its own points and the arm fitted, whatever the fit left out.
+    """
+    found = _own_excesses(data, fit)
+    if len(found) < 2:
+        return []
+    excess, sd = np.array([own[1:] for own in found]).T
+    weights = 1 / sd**2
+    rest = weights.sum() - weights
+    off = excess - (np.sum(weights * excess) - weights * excess) / rest
+    off_sd = np.sqrt(sd**2 + 1 / rest)
+    # among several the one whose difference is plainest; of two none can be told
+    worst = int(np.argmax(np.abs(off) / off_sd))
+    if abs(off[worst]) <= max(EXCESS_SIGMAS * off_sd[worst], EXCESS_MM):
+        return []
+    others = "the other one" if len(found) == 2 else "the others"
+    told = (
+        f"{found[worst][0].label} is seen {2e3 * abs(off[worst]):.0f} µm "
+        f"(± {2e3 * off_sd[worst]:.0f}) "
+        f"{'larger' if off[worst] > 0 else 'smaller'} than {others}, against the "
+        "diameters given"
+    )
+    if abs(off[worst]) > WRONG_TIP_MM:
+        raise Refusal(
+            "sphere-diameter",
+            told,
+            "one diameter is not this sphere's, or the sphere was not clean",
+            "Check diameter_mm of the spheres; take this sphere again or delete its rows",
+        )
+    return [f"{told}: check its diameter"]
+
+
+def _own_excesses(data: Stacked, fit: Fit) -> list[tuple[Place, float, float]]:
+    """Of each sphere with points enough: its radius' excess and standard deviation, mm."""
+    tips = tip_jacobian(fit.at.arm, data.q_rad)[0]
+    found: list[tuple[Place, float, float]] = []
+    for number, place in enumerate(data.places):
+        if place.diameter_mm is None or place.rows.stop - place.rows.start < LEAST_TO_SIZE:
+            continue
+        expected = place.diameter_mm / 2 + fit.at.arm.tip.radius_mm
+        own = _sphere(tips[place.rows], fit.at.centres_mm[number], expected)
+        if own is not None:
+            found.append((place, own[0] - expected, own[1]))
+    return found
+
+
+def _sphere(points: Floats, centre: Floats, radius_mm: float) -> tuple[float, float] | None:
+    """Radius and its standard deviation of the points (m, 3), without those that stray."""
+    at = np.append(centre, radius_mm)
+    kept = np.ones(len(points), bool)
+    sd, J = 0.0, np.ones((len(points), 4))
+    for _ in range(SPHERE_STEPS):
+        away = points - at[:3]
+        far = np.linalg.norm(away, axis=1)
+        off = far - at[3]
+        J = np.column_stack([away / far[:, None], np.ones(len(points))])
+        at = at + np.linalg.lstsq(J[kept], off[kept], rcond=None)[0]
+        left = np.abs(off - np.median(off))
+        sd = max(1.4826 * float(np.median(left)), 1e-6)
+        kept = left < STRAY * sd
+        if kept.sum() < LEAST_TO_SIZE:
+            return None
+    spare = int(kept.sum()) - 4
+    off = np.linalg.norm(points - at[:3], axis=1) - at[3]
+    sd = float(np.sqrt(np.sum(off[kept] ** 2) / spare))
+    shape = np.linalg.pinv(J[kept].T @ J[kept])
+    return float(at[3]), max(sd, 1e-6) * float(np.sqrt(shape[3, 3]))
+
+
+def check_bars(arm: Arm, observations: Observations, fit: Fit) -> list[str]:
+    """Warns of bars that the given arm sees otherwise; refuses lengths that contradict the rest.
+
+    The rest is a fit in which every bar's length is free.
+    """
+    if not observations.bars:
+        return []
+    free = replace(
+        observations,
+        bars=tuple(replace(bar, standard_uncertainty_mm=FREE_MM) for bar in observations.bars),
+    )
+    try:
+        loose = solve(arm, free.stacked, candidates(arm, with_lengths=False))
+    except Refusal:  # too little is left without the lengths to contradict them
+        return []
+    lengths = {bar.name: bar.length_mm for bar in observations.bars}
+    seen = dict(zip(free.stacked.bar_names, loose.at.bar_errors_mm.tolist(), strict=True))
+    worst = max(seen, key=lambda name: abs(seen[name]) / lengths[name])
+    told = (
+        f"the arm sees bar {worst} as {lengths[worst] + seen[worst]:.3f} mm, "
+        f"{lengths[worst]:.3f} mm are given"
+    )
+    if fit.scatter_mm > CONTRADICTION * max(loose.scatter_mm, 2e-3):
+        raise Refusal(
+            "bar-length",
+            told,
+            f"with the bars' lengths the points scatter by {fit.scatter_mm * 1e3:.0f} µm, without "
+            f"them by {loose.scatter_mm * 1e3:.0f} µm",
+            f"Check length_mm of bar {worst}, and its ends",
+        )
+    if abs(seen[worst]) > UNLIKELY * lengths[worst]:
+        if _spheres_side_with(loose, fit):
+            raise Refusal(
+                "bar-length",
+                told,
+                "the spheres are of the size given for them by the arm's papers, and not by "
+                f"this bar's length, which makes them {2e3 * abs(fit.at.radius_excess_mm):.0f} µm "
+                f"{'larger' if fit.at.radius_excess_mm > 0 else 'smaller'}",
+                f"Check length_mm of bar {worst}, and its ends",
+            )
+        return [f"{told}: check its length, unless the arm's papers are as far off"]
+    return []
+
+
+def _spheres_side_with(loose: Fit, fit: Fit) -> bool:
+    """Whether spheres fit their diameters as long as no bar's length tells the arm's size."""
+    excess, sd = fit.at.radius_excess_mm, float(np.sqrt(fit.others_covariance[0, 0]))
+    plain = abs(excess) > max(EXCESS_SIGMAS * sd, EXCESS_MM)
+    return plain and abs(loose.at.radius_excess_mm) < 0.5 * abs(excess)
+
+
+def check_tip_diameter(arm: Arm, data: Stacked, fit: Fit) -> None:
+    """Refuses a tip or spheres of evidently another diameter than stated.
+
+    An arm made larger by a wrong bar sees them larger, too.
+    """
+    if not data.on_sphere.any():
+        return
+    excess, sd = fit.at.radius_excess_mm, float(np.sqrt(fit.others_covariance[0, 0]))
+    if abs(excess) > max(EXCESS_SIGMAS * sd, WRONG_TIP_MM):
+        diameter = arm.tip.diameter_mm
+        raise Refusal(
+            "tip-diameter",
+            f"the spheres are seen {2e3 * excess:+.0f} µm (± {2e3 * sd:.0f}) against their "
+            f"diameters with the tip's {diameter:g} mm",
+            f"the tip rather has {diameter + 2 * excess:.3f} mm, or the spheres' diameters are "
+            "not theirs" + (", or a bar's length is wrong" if data.bars else ""),
+            "Correct the tip's diameter in arm.json, or what the tables give",
+        )
+
+
+def size_warnings(arm: Arm, observations: Observations, fit: Fit) -> list[str]:
+    """What of the sizes is not known, or looks a little wrong."""
+    found: list[str] = []
+    if not observations.bars:
+        size_um = 1e3 * size_uncertainty_mm(arm)
+        found.append(
+            "no ball bar was measured: the arm's size is that of its papers; a longest link wrong "
+            f"by {LENGTH_MM:g} mm adds {size_um:.0f} µm over the reach"
+        )
+    if observations.spheres:
+        excess, sd = fit.at.radius_excess_mm, float(np.sqrt(fit.others_covariance[0, 0]))
+        if abs(excess) > max(EXCESS_SIGMAS * sd, EXCESS_MM):
+            found.append(
+                f"the spheres are seen {2e3 * abs(excess):.0f} µm "
+                f"{'larger' if excess > 0 else 'smaller'} than stated: "
+                f"the tip's diameter may be {arm.tip.diameter_mm + 2 * excess:.4f} mm"
+            )
+    return found

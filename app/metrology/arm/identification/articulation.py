@@ -1,0 +1,110 @@
+"""The daily check: the tip held in a seat while the arm swings (single-point articulation).
+
+(max - min)/2 and 2 sigma of the tip's coordinates per axis, as in B89.4.22.
+"""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from app.errors import Refusal
+from app.metrology.arm.identification.input_checks import NO_SEAT_MM, check_swing
+from app.metrology.arm.identification.parameters import encoder_covariances, tip_jacobian
+from app.metrology.arm.kinematics import Arm, tip_centres
+from app.metrology.transforms import Floats
+
+LEAST_POINTS = 10
+
+Verdict = Literal["pass", "fail", "none"]
+
+
+@dataclass(frozen=True)
+class ArticulationLimits:
+    """The largest values that the operator accepts, each axis; None where not limited."""
+
+    half_range_um: float | None = None
+    two_sigma_um: float | None = None
+
+
+@dataclass(frozen=True)
+class Articulation:
+    """What one seat shows."""
+
+    points: int
+    centre_mm: Floats
+    """(3,) mean of the tip's centres, arm frame."""
+    half_range_um: Floats
+    """(3,) (max - min)/2 along x, y, z of the arm frame."""
+    two_sigma_um: Floats
+    """(3,) twice the standard deviation along x, y, z."""
+    encoders_two_sigma_um: Floats
+    """(3,) what the encoders' noise alone would give."""
+    swing_rad: Floats
+    """(n,) how far each joint turned."""
+    verdict: Verdict
+
+
+def check_articulation(
+    arm: Arm, q_rad: Floats, limits: ArticulationLimits | None = None, label: str = "the seat"
+) -> Articulation:
+    """The check of one seat.
+
+    Args:
+        q_rad: (m, n) encoder angles with the tip in the seat, the arm swung about it.
+
+    Raises:
+        Refusal: too few points, an arm that hardly moved, or a tip that was in no seat.
+    """
+    q = np.asarray(q_rad, dtype=np.float64)
+    if len(q) < LEAST_POINTS:
+        raise Refusal(
+            "too-few-points",
+            f"{label} has {len(q)} points",
+            f"at least {LEAST_POINTS} are needed",
+            "Take more while the arm swings",
+        )
+    check_swing(label, arm, q)
+    half_range, two_sigma = spread_um(tip_centres(arm, q))
+    if half_range.max() > 1e3 * NO_SEAT_MM:
+        raise Refusal(
+            "not-seated",
+            f"{label}: by arm.json the tip goes {half_range.max() / 500:.0f} mm to and fro",
+            "no seated tip does: points of another place are among them, or the file is another "
+            "arm's",
+            "Give each seat a name of its own; check arm.json",
+        )
+    _, J = tip_jacobian(arm, q)
+    encoders = np.sqrt(np.mean(np.diagonal(encoder_covariances(arm, J), axis1=1, axis2=2), axis=0))
+    return Articulation(
+        points=len(q),
+        centre_mm=tip_centres(arm, q).mean(axis=0),
+        half_range_um=half_range,
+        two_sigma_um=two_sigma,
+        encoders_two_sigma_um=2e3 * encoders,
+        swing_rad=np.ptp(q, axis=0),
+        verdict=verdict_of(half_range, two_sigma, limits or ArticulationLimits()),
+    )
+
+
+def spread_um(tips_mm: Floats) -> tuple[Floats, Floats]:
+    """(max - min)/2 and 2 sigma (3,) of tips (m, 3), in µm; sigma with m - 1."""
+    half_range = np.ptp(tips_mm, axis=0) / 2 * 1e3
+    if len(tips_mm) < 2:
+        return half_range, np.zeros(3)
+    return half_range, 2e3 * np.std(tips_mm, axis=0, ddof=1)
+
+
+def verdict_of(half_range: Floats, two_sigma: Floats, limits: ArticulationLimits) -> Verdict:
+    """Whether every axis keeps the limits that are set."""
+    found = [
+        bool(np.all(values <= limit))
+        for values, limit in (
+            (half_range, limits.half_range_um),
+            (two_sigma, limits.two_sigma_um),
+        )
+        if limit is not None
+    ]
+    if not found:
+        return "none"
+    return "pass" if all(found) else "fail"

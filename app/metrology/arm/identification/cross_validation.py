@@ -1,0 +1,182 @@
+"""Is the identified arm better where it was not fitted: points held out, before and after."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.arm.identification.least_squares import (
+    Unknowns,
+    look,
+    mahalanobis,
+    residuals,
+    settle_centres,
+    start,
+)
+from app.metrology.arm.identification.observations import Bar, Observations, Seat, Sphere, Stacked
+from app.metrology.arm.identification.parameter_selection import candidates
+from app.metrology.arm.identification.robust_solve import solve
+from app.metrology.arm.kinematics import Arm
+from app.metrology.transforms import Floats
+
+FOLDS = 5
+
+
+@dataclass(frozen=True)
+class Deviations:
+    """How far touched places disagree with an arm; None where nothing was touched so."""
+
+    seats_um: float | None
+    """Rms distance of the tips from their seat's centre, ends of bars among them."""
+    spheres_um: float | None
+    """Rms distance of the tips from their sphere."""
+    lengths_um: float | None
+    """Rms error of the bars' lengths."""
+    normalised: float
+    """Rms of all against their standard deviations: 1 where the noise explains everything."""
+
+
+@dataclass(frozen=True)
+class Validation:
+    """Deviations on places that the fit did not see."""
+
+    before: Deviations
+    after: Deviations
+    places: int
+    """Seats, spheres and bar positions that were held out, in turn or as a set of their own."""
+    separate: bool
+    """True where the places are of a separate set, False where each fold was held out in turn."""
+
+    @property
+    def ratio(self) -> float:
+        """By how much the deviations, in standard deviations, fell."""
+        return self.before.normalised / max(self.after.normalised, 1e-12)
+
+
+@dataclass(frozen=True)
+class _Offs:
+    """Squares of deviations, to be pooled over folds."""
+
+    seats: Floats
+    spheres: Floats
+    lengths: Floats
+    normalised: Floats
+
+
+def cross_validated(arm: Arm, observations: Observations, scatter_mm: float) -> Validation:
+    """Every k-th place held out in turn, the whole fit repeated on the rest.
+
+    Raises:
+        Refusal: a fold's rest is too little to identify the arm by.
+    """
+    count = observations.groups_count
+    folds = min(FOLDS, count)
+    before: list[_Offs] = []
+    after: list[_Offs] = []
+    for fold in range(folds):
+        out = [i for i in range(count) if i % folds == fold]
+        rest = observations.part([i for i in range(count) if i % folds != fold])
+        fit = solve(arm, rest.stacked, candidates(arm, bool(rest.bars)))
+        held_out = observations.part(out).stacked
+        before.append(_offs(arm, 0.0, held_out, scatter_mm))
+        after.append(_offs(fit.at.arm, fit.at.radius_excess_mm, held_out, scatter_mm))
+    return Validation(_pooled(before), _pooled(after), count, False)
+
+
+def compared(
+    before: Arm, after: Arm, radius_excess_mm: float, check: Observations, scatter_mm: float
+) -> Validation:
+    """Both arms on a separate set of places."""
+    data = check.stacked
+    return Validation(
+        _pooled([_offs(before, 0.0, data, scatter_mm)]),
+        _pooled([_offs(after, radius_excess_mm, data, scatter_mm)]),
+        check.groups_count,
+        True,
+    )
+
+
+def without_points(observations: Observations, kept: NDArray[np.bool_]) -> Observations:
+    """The observations with only the points of a mask (N,) over ``stacked``."""
+    at = 0
+
+    def own(q_rad: Floats) -> Floats:
+        nonlocal at
+        at += len(q_rad)
+        return np.asarray(q_rad[kept[at - len(q_rad) : at]])
+
+    seats = tuple(Seat(seat.name, own(seat.q_rad)) for seat in observations.seats)
+    spheres = tuple(
+        Sphere(sphere.name, sphere.diameter_mm, own(sphere.q_rad))
+        for sphere in observations.spheres
+    )
+    bars = tuple(
+        Bar(
+            bar.name,
+            bar.position,
+            bar.length_mm,
+            bar.standard_uncertainty_mm,
+            bar.ends,
+            (own(bar.q_rad[0]), own(bar.q_rad[1])),
+        )
+        for bar in observations.bars
+    )
+    return Observations(seats, spheres, bars)
+
+
+def placed(arm: Arm, data: Stacked, radius_excess_mm: float, scatter_mm: float) -> Unknowns:
+    """Where an arm sees the places, by their own points alone."""
+    at = start(arm, data)
+    at = Unknowns(arm, at.centres_mm, radius_excess_mm, at.bar_errors_mm)
+    return settle_centres(data, at, np.ones(len(data.q_rad)), scatter_mm)
+
+
+def _offs(arm: Arm, radius_excess_mm: float, data: Stacked, scatter_mm: float) -> _Offs:
+    at = placed(arm, data, radius_excess_mm, scatter_mm)
+    sight = look(data, at)
+    counts = np.bincount(data.place_of)[data.place_of]
+    # a place's own centre takes up three of its coordinates
+    spare = np.where(data.on_sphere, 1 - 3.0 / counts, 1 - 1.0 / counts)
+    told = spare > 1e-9
+    found = residuals(data, at, scatter_mm)
+    squares = found.distances_mm**2
+    normalised = mahalanobis(data, at, sight, scatter_mm) ** 2
+    normalised /= np.where(data.on_sphere, 1.0, 3.0)
+    sds = _length_sds(data, sight.covariances, scatter_mm)
+    scale = np.where(told, 1 / np.where(told, spare, 1.0), 0.0)
+    return _Offs(
+        (squares * scale)[told & ~data.on_sphere],
+        (squares * scale)[told & data.on_sphere],
+        found.bars_mm**2,
+        np.concatenate([(normalised * scale)[told], (found.bars_mm / sds) ** 2]),
+    )
+
+
+def _length_sds(data: Stacked, covariances: Floats, scatter_mm: float) -> Floats:
+    """(G,) standard deviation of each bar position's measured length."""
+    by_point = np.trace(covariances, axis1=1, axis2=2) / 3 + scatter_mm**2
+    sds: list[float] = []
+    for group in data.groups:
+        if group.bar is None:
+            continue
+        variance = data.bars[group.bar].standard_uncertainty_mm ** 2
+        for number in group.places:
+            own = by_point[data.places[number].rows]
+            variance += float(np.mean(own)) / len(own)
+        sds.append(float(np.sqrt(variance)))
+    return np.array(sds)
+
+
+def _pooled(parts: Sequence[_Offs]) -> Deviations:
+    def rms_um(name: str) -> float | None:
+        squares = np.concatenate([getattr(part, name) for part in parts])
+        return 1e3 * float(np.sqrt(np.mean(squares))) if len(squares) else None
+
+    normalised = np.concatenate([part.normalised for part in parts])
+    return Deviations(
+        rms_um("seats"),
+        rms_um("spheres"),
+        rms_um("lengths"),
+        float(np.sqrt(np.mean(normalised))) if len(normalised) else 0.0,
+    )

@@ -1,0 +1,267 @@
+"""Identifies an arm: its geometry fitted to touched places, checked where it was not fitted."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.errors import Refusal
+from app.metrology.arm.identification.artefact_checks import (
+    check_bars,
+    check_spheres,
+    check_tip_diameter,
+)
+from app.metrology.arm.identification.cross_validation import (
+    Validation,
+    compared,
+    cross_validated,
+    placed,
+    without_points,
+)
+from app.metrology.arm.identification.input_checks import (
+    check_arm_fits,
+    check_enough,
+    check_places_stood_still,
+    check_scatter,
+    check_unseen,
+    warnings_of,
+)
+from app.metrology.arm.identification.least_squares import residuals
+from app.metrology.arm.identification.observations import Observations, Stacked
+from app.metrology.arm.identification.parameter_selection import REASONS, Reason, candidates
+from app.metrology.arm.identification.parameters import parameter_names, parameter_values
+from app.metrology.arm.identification.robust_solve import Fit, solve
+from app.metrology.arm.identification.volumetric_error import (
+    volumetric_difference_mm,
+    volumetric_uncertainty_mm,
+)
+from app.metrology.arm.kinematics import Arm
+from app.metrology.transforms import Floats
+
+CORRELATED = 0.95
+"""Parameters correlated beyond this are named."""
+BETTER = 1.05
+"""Held-out deviations must fall at least by this factor."""
+
+STILL_OFF = 1.4
+"""Held-out deviations, in standard deviations, beyond which more places would help."""
+
+Tell = Callable[[float, str], None]
+
+
+@dataclass(frozen=True)
+class Moved:
+    """A parameter that the points told: mm or rad by its name, standard uncertainty k = 1."""
+
+    name: str
+    before: float
+    after: float
+    standard_uncertainty: float
+
+
+@dataclass(frozen=True)
+class Held:
+    """A parameter that kept its value, and why."""
+
+    name: str
+    reason: Reason
+
+    @property
+    def why(self) -> str:
+        return REASONS[self.reason]
+
+
+@dataclass(frozen=True)
+class Outlier:
+    """A point that was left out: the ``number``-th taken at a place, from 1."""
+
+    place: str
+    number: int
+    distance_mm: float
+
+
+@dataclass(frozen=True)
+class PlaceFit:
+    """How well one place's points agree, rms in mm, by the arm as it was and as identified."""
+
+    place: str
+    points: int
+    before_mm: float
+    after_mm: float
+
+
+@dataclass(frozen=True)
+class Identification:
+    """The arm as identified, and what it rests on."""
+
+    arm: Arm
+    moved: tuple[Moved, ...]
+    held: tuple[Held, ...]
+    covariance: Floats
+    """(p, p) of ``moved``, mm and rad, k = 1."""
+    correlated: tuple[tuple[str, str, float], ...]
+    """Pairs of ``moved`` beyond ±0.95, the strongest first."""
+    scatter_mm: float
+    """Per coordinate, of the points beyond what the encoders' noise explains."""
+    radius_excess_mm: float
+    """By how much the spheres are seen larger than their radius and the tip's say."""
+    radius_excess_sd_mm: float | None
+    """None without spheres."""
+    outliers: tuple[Outlier, ...]
+    places: tuple[PlaceFit, ...]
+    validation: Validation
+    volume_before_mm: float
+    """Rms difference of the tip over the arm's reach between the arm given and identified."""
+    volume_after_mm: float
+    """Rms standard uncertainty of the tip over the reach that the parameters moved leave.
+
+    Apart from the arm's size, where no ball bar told it.
+    """
+    warnings: tuple[str, ...]
+
+    @property
+    def size_known(self) -> bool:
+        """Whether a calibrated length told the arm's size."""
+        return all(held.reason != "scale" for held in self.held)
+
+
+def identify(
+    arm: Arm,
+    observations: Observations,
+    check: Observations | None = None,
+    tell: Tell = lambda share, text: None,
+) -> Identification:
+    """Fits D-H parameters, error terms between parallel axes, and the tip (Eq. 2-3).
+
+    Args:
+        arm: as its papers have it; the start of the fit.
+        check: places that the fit must not see and that show whether it helps; where
+            not given, every k-th place is held out in turn.
+        tell: told the share done and what is being done.
+
+    Raises:
+        Refusal: too few points; an arm that hardly moved; a place that moved; a tip's
+            diameter that the spheres contradict; no improvement on what was held out.
+    """
+    check_enough(arm, observations)
+    check_arm_fits(arm, observations)
+    if check is not None:
+        check_unseen(observations, check)
+    data = observations.stacked
+    tell(0.1, "Fitting the arm")
+    fit = solve(arm, data, candidates(arm, bool(observations.bars)))
+    spheres_told = check_spheres(data, fit)
+    check_places_stood_still(data, fit)
+    bars = check_bars(arm, observations, fit)
+    check_scatter(fit)
+    check_tip_diameter(arm, data, fit)
+    tell(0.4, "Checking on places held out")
+    good = without_points(observations, fit.kept)
+    if check is None:
+        validation = cross_validated(arm, good, fit.scatter_mm)
+    else:
+        validation = compared(arm, fit.at.arm, fit.at.radius_excess_mm, check, fit.scatter_mm)
+    if validation.ratio < BETTER:
+        raise _no_better(validation)
+    tell(0.9, "")
+    spheres = bool(observations.spheres)
+    return Identification(
+        arm=fit.at.arm,
+        moved=_moved(arm, fit),
+        held=_held(arm, fit),
+        covariance=fit.covariance,
+        correlated=_correlated(arm, fit),
+        scatter_mm=fit.scatter_mm,
+        radius_excess_mm=fit.at.radius_excess_mm if spheres else 0.0,
+        radius_excess_sd_mm=float(np.sqrt(fit.others_covariance[0, 0])) if spheres else None,
+        outliers=_outliers(data, fit),
+        places=_places(arm, good.stacked, fit),
+        validation=validation,
+        volume_before_mm=volumetric_difference_mm(arm, fit.at.arm),
+        volume_after_mm=volumetric_uncertainty_mm(fit.at.arm, fit.moved, fit.covariance),
+        warnings=(
+            *bars,
+            *spheres_told,
+            *warnings_of(arm, observations, fit),
+            *_still_off(validation),
+        ),
+    )
+
+
+def _no_better(validation: Validation) -> Refusal:
+    before, after = validation.before.normalised, validation.after.normalised
+    if before < 1.3:
+        return Refusal(
+            "identification-no-better",
+            f"on places held out the arm's errors go from {before:.2f} to {after:.2f} "
+            "of their noise",
+            "the arm's parameters already explain the points as well as they are measured",
+            "Keep the arm.json in use",
+        )
+    return Refusal(
+        "identification-no-better",
+        f"on places held out the arm's errors go from {before:.1f} to {after:.1f} of their noise",
+        "the fit follows these points and not the arm",
+        "Take more places, all over the reach, with the arm swung from side to side in each",
+    )
+
+
+def _still_off(validation: Validation) -> tuple[str, ...]:
+    left = validation.after.normalised
+    if left < STILL_OFF:
+        return ()
+    text = f"places held out still deviate {left:.1f} times as far as their noise explains"
+    return (f"{text}: take more places, more evenly over the reach",)
+
+
+def _moved(arm: Arm, fit: Fit) -> tuple[Moved, ...]:
+    names, before, after = parameter_names(arm), parameter_values(arm), parameter_values(fit.at.arm)
+    sds = np.sqrt(np.diag(fit.covariance))
+    return tuple(
+        Moved(names[i], float(before[i]), float(after[i]), float(sd))
+        for i, sd in zip(fit.moved, sds, strict=True)
+    )
+
+
+def _held(arm: Arm, fit: Fit) -> tuple[Held, ...]:
+    names = parameter_names(arm)
+    return tuple(Held(names[i], fit.held[i]) for i in sorted(fit.held))
+
+
+def _correlated(arm: Arm, fit: Fit) -> tuple[tuple[str, str, float], ...]:
+    names = parameter_names(arm)
+    sds = np.sqrt(np.diag(fit.covariance))
+    rho = fit.covariance / np.outer(sds, sds)
+    first, second = np.nonzero(np.triu(np.abs(rho) > CORRELATED, 1))
+    pairs = zip(first.tolist(), second.tolist(), strict=True)
+    found = [(names[fit.moved[i]], names[fit.moved[j]], float(rho[i, j])) for i, j in pairs]
+    return tuple(sorted(found, key=lambda pair: -abs(pair[2])))
+
+
+def _outliers(data: Stacked, fit: Fit) -> tuple[Outlier, ...]:
+    off = residuals(data, fit.at, fit.scatter_mm).distances_mm
+    found: list[Outlier] = []
+    for i in np.flatnonzero(~fit.kept):
+        place = data.places[data.place_of[i]]
+        found.append(Outlier(place.label, int(i) - place.rows.start + 1, float(off[i])))
+    return tuple(found)
+
+
+def _places(arm: Arm, data: Stacked, fit: Fit) -> tuple[PlaceFit, ...]:
+    """``data`` without the outliers; each place by its own points alone."""
+    excess, scatter = fit.at.radius_excess_mm, fit.scatter_mm
+    before = residuals(data, placed(arm, data, 0.0, scatter), scatter).distances_mm
+    after = residuals(data, placed(fit.at.arm, data, excess, scatter), scatter).distances_mm
+
+    def rms(offs: Floats) -> float:
+        return float(np.sqrt(np.mean(offs**2)))
+
+    return tuple(
+        PlaceFit(
+            place.label,
+            place.rows.stop - place.rows.start,
+            rms(before[place.rows]),
+            rms(after[place.rows]),
+        )
+        for place in data.places
+    )

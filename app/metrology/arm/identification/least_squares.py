@@ -1,0 +1,305 @@
+"""The weighted least squares of an arm's parameters, the touched places' centres beside them.
+
+Every place's centre is unknown and touches only its own points: it is eliminated
+place by place (QR), and what remains is a small system for the arm's parameters.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import solve_triangular
+
+from app.errors import Refusal
+from app.metrology.arm.identification.observations import Group, Stacked
+from app.metrology.arm.identification.parameters import (
+    encoder_covariances,
+    parameter_values,
+    tip_jacobian,
+    with_parameters,
+)
+from app.metrology.arm.kinematics import Arm
+from app.metrology.fitting.plane_sphere import fit_sphere
+from app.metrology.transforms import Floats
+
+Indices = NDArray[np.intp]
+
+CONSTRAINT_MM = 1e-4
+"""A bar's two ends lie at its true length to this; its length's uncertainty is a parameter."""
+LEAST_SCATTER_MM = 5e-4
+RADIUS_PRIOR_MM = 10.0
+"""Known of the tip's radius beforehand: nothing to speak of, but the solution stays finite."""
+
+
+@dataclass(frozen=True)
+class Unknowns:
+    """Everything that the adjustment solves for."""
+
+    arm: Arm
+    centres_mm: Floats
+    """(P, 3) of each place, arm frame."""
+    radius_excess_mm: float
+    """By how much the spheres are seen larger than their radius and the tip's say."""
+    bar_errors_mm: Floats
+    """(B,) of each artefact: true less calibrated length."""
+
+
+@dataclass(frozen=True)
+class Residuals:
+    """How far the points are off, at some unknowns."""
+
+    vectors_mm: Floats
+    """(N, 3) tip less centre; on spheres along the direction outward only."""
+    whitened: Floats
+    """(N,) the same against its own standard deviation (Mahalanobis distance)."""
+    bars_mm: Floats
+    """(G,) distance of the ends less the true length, of each bar's position."""
+
+    @property
+    def distances_mm(self) -> Floats:
+        """(N,)"""
+        return np.asarray(np.linalg.norm(self.vectors_mm, axis=1))
+
+
+@dataclass(frozen=True)
+class Reduced:
+    """The system for the parameters alone: ``rows @ change = right``, in standard deviations.
+
+    The first ``others`` columns belong to the spheres' radius excess and the bars'
+    errors, the rest to the arm's parameters in the order asked for.
+    """
+
+    rows: Floats
+    right: Floats
+    others: int
+    back: tuple[Floats, ...]
+    """Of each group: the upper triangle that gives its centres back."""
+
+
+def start(arm: Arm, data: Stacked) -> Unknowns:
+    """The arm as it is, each place's centre where most of its points have it."""
+    tips, _ = tip_jacobian(arm, data.q_rad)
+    centres = np.empty((len(data.places), 3))
+    for i, place in enumerate(data.places):
+        points = tips[place.rows]
+        if place.diameter_mm is None:
+            centres[i] = np.median(points, axis=0)
+            continue
+        try:
+            centres[i] = fit_sphere(points).centre_mm
+        except Refusal as refusal:
+            what = f"{place.label}: {refusal.what}"
+            raise Refusal(refusal.code, what, refusal.why, "Touch more of the sphere") from refusal
+    return Unknowns(arm, centres, 0.0, np.zeros(len(data.bar_names)))
+
+
+@dataclass(frozen=True)
+class Sight:
+    """Where an arm has the tip at every point."""
+
+    tips_mm: Floats  # (N, 3)
+    J: Floats  # (N, 3, 10 n + 3) by every parameter of the arm
+    covariances: Floats  # (N, 3, 3) by the encoders' noise
+
+
+def look(data: Stacked, at: Unknowns) -> Sight:
+    """The tips of all points, as the unknowns' arm has them."""
+    tips, J = tip_jacobian(at.arm, data.q_rad)
+    return Sight(tips, J, encoder_covariances(at.arm, J))
+
+
+def mahalanobis(data: Stacked, at: Unknowns, sight: Sight, scatter_mm: float) -> Floats:
+    """(N,) distance of each point from its place against its standard deviation."""
+    return _norms(_linearised(data, at, sight, scatter_mm).right)
+
+
+@dataclass(frozen=True)
+class _Linear:
+    """Whitened rows of every point: seats take three, spheres the first of three."""
+
+    vectors_mm: Floats
+    right: Floats  # (N, 3)
+    by_tip: Floats  # (N, 3, 3): whitened derivative by the tip's place
+
+
+def residuals(data: Stacked, at: Unknowns, scatter_mm: float) -> Residuals:
+    """Where every point lies against its place; ``scatter_mm`` is added to the encoders' noise."""
+    linear = _linearised(data, at, look(data, at), scatter_mm)
+    bars = np.array(
+        [_bar_distance(at, group) - _true_length(data, at, group) for group in _bars_of(data)]
+    )
+    return Residuals(linear.vectors_mm, np.linalg.norm(linear.right, axis=1), bars)
+
+
+def reduced(
+    data: Stacked, at: Unknowns, columns: Indices, weights: Floats, scatter_mm: float
+) -> Reduced:
+    """The linear system at some unknowns with all centres eliminated.
+
+    Args:
+        columns: which parameters move.
+        weights: (N,) of each point, 0 to leave it out.
+    """
+    sight = look(data, at)
+    linear = _linearised(data, at, sight, scatter_mm)
+    root = np.sqrt(weights)
+    others = (1 if data.on_sphere.any() else 0) + len(data.bar_names)
+    width = others + len(columns)
+    body = np.zeros((len(data.q_rad), 3, width + 1))
+    if data.on_sphere.any():
+        # on spheres only the first row counts, along the direction outward
+        body[data.on_sphere, 0, 0] = -_norms(linear.by_tip[data.on_sphere, 0])
+    body[:, :, others:width] = linear.by_tip @ sight.J[:, :, columns]
+    body[:, :, width] = -linear.right
+    body *= root[:, None, None]
+    by_centre = -linear.by_tip * root[:, None, None]
+    left: list[Floats] = []
+    back: list[Floats] = []
+    for group in data.groups:
+        triangle = _triangle(_group_rows(data, at, group, by_centre, body))
+        unknown = 3 * len(group.places)
+        back.append(triangle[:unknown])
+        left.append(triangle[unknown:, unknown:])
+    left.append(_known_beforehand(data, at, width))
+    rows = _triangle(np.concatenate(left))
+    return Reduced(rows[:, :width], rows[:, width], others, tuple(back))
+
+
+def step(data: Stacked, at: Unknowns, columns: Indices, system: Reduced) -> tuple[Unknowns, float]:
+    """The unknowns after one Gauss-Newton step, and its largest move in standard deviations."""
+    norms = np.maximum(np.linalg.norm(system.rows, axis=0), 1e-300)
+    change, *_ = np.linalg.lstsq(system.rows / norms, system.right, rcond=1e-13)
+    size = float(np.max(np.abs(change), initial=0.0))
+    return moved(data, at, columns, change / norms, system), size
+
+
+def moved(
+    data: Stacked, at: Unknowns, columns: Indices, change: Floats, system: Reduced
+) -> Unknowns:
+    """The unknowns after a change of parameters, each centre following."""
+    centres = at.centres_mm.copy()
+    for group, triangle in zip(data.groups, system.back, strict=True):
+        unknown = 3 * len(group.places)
+        right = triangle[:, -1] - triangle[:, unknown:-1] @ change
+        diagonal = np.abs(np.diag(triangle[:, :unknown]))
+        if len(triangle) < unknown or diagonal.min() <= 1e-9 * max(diagonal.max(), 1e-300):
+            shift, *_ = np.linalg.lstsq(triangle[:, :unknown], right, rcond=1e-9)
+        else:
+            shift = solve_triangular(triangle[:, :unknown], right)
+        centres[list(group.places)] += shift.reshape(-1, 3)
+    values = parameter_values(at.arm)
+    values[columns] += change[system.others :]
+    spheres = 1 if data.on_sphere.any() else 0
+    return Unknowns(
+        with_parameters(at.arm, values),
+        centres,
+        at.radius_excess_mm + (float(change[0]) if spheres else 0.0),
+        at.bar_errors_mm + change[spheres : system.others],
+    )
+
+
+def settle_centres(data: Stacked, at: Unknowns, weights: Floats, scatter_mm: float) -> Unknowns:
+    """The best centres with arm, radius and bars' lengths held: the places as this arm sees them.
+
+    The ends of a bar are then free of each other.
+    """
+    free = replace(
+        data, groups=tuple(Group((i,)) for i in range(len(data.places))), bars=(), bar_names=()
+    )
+    bar_errors, at = at.bar_errors_mm, replace(at, bar_errors_mm=np.zeros(0))
+    none = np.zeros(0, dtype=np.intp)
+    for _ in range(20):
+        system = reduced(free, at, none, weights, scatter_mm)
+        held = np.zeros(system.others)
+        after = moved(free, at, none, held, system)
+        far = float(np.max(np.abs(after.centres_mm - at.centres_mm)))
+        at = after
+        if far < 1e-7:
+            break
+    return replace(at, bar_errors_mm=bar_errors)
+
+
+def _linearised(data: Stacked, at: Unknowns, sight: Sight, scatter_mm: float) -> _Linear:
+    covariances = sight.covariances + scatter_mm**2 * np.eye(3)
+    off = sight.tips_mm - at.centres_mm[data.place_of]
+    whiten = np.linalg.inv(np.linalg.cholesky(covariances))
+    vectors = off.copy()
+    on = data.on_sphere
+    if on.any():
+        distances = np.maximum(_norms(off[on]), 1e-9)
+        outward = off[on] / distances[:, None]
+        sds = np.sqrt(np.einsum("ni,nij,nj->n", outward, covariances[on], outward))
+        reach = data.sphere_radii_mm[on] + at.arm.tip.radius_mm + at.radius_excess_mm
+        gap = distances - reach
+        vectors[on] = gap[:, None] * outward
+        whiten[on] = 0.0
+        whiten[on, 0] = outward / sds[:, None]
+    right = np.einsum("nij,nj->ni", whiten, vectors)
+    return _Linear(vectors, right, whiten)
+
+
+def _triangle(rows: Floats) -> Floats:
+    """The upper triangle of the rows' QR factors: the same least squares, no more rows."""
+    return np.asarray(np.linalg.qr(rows, mode="r"))
+
+
+def _group_rows(
+    data: Stacked, at: Unknowns, group: Group, by_centre: Floats, body: Floats
+) -> Floats:
+    """Rows of one group: its centres' columns, then the parameters', then the right side."""
+    unknown, width = 3 * len(group.places), body.shape[2]
+    blocks: list[Floats] = []
+    for k, number in enumerate(group.places):
+        rows = data.places[number].rows
+        block = np.zeros((3 * (rows.stop - rows.start), unknown + width))
+        block[:, 3 * k : 3 * k + 3] = by_centre[rows].reshape(-1, 3)
+        block[:, unknown:] = body[rows].reshape(-1, width)
+        blocks.append(block)
+    if group.bar is not None:
+        a, b = (at.centres_mm[number] for number in group.places)
+        along = (b - a) / max(float(np.linalg.norm(b - a)), 1e-9)
+        row = np.zeros((1, unknown + width))
+        row[0, :3], row[0, 3:6] = -along, along
+        row[0, unknown + _bar_column(data, group)] = -1.0
+        row[0, -1] = _true_length(data, at, group) - _bar_distance(at, group)
+        blocks.append(row / CONSTRAINT_MM)
+    return np.concatenate(blocks)
+
+
+def _known_beforehand(data: Stacked, at: Unknowns, width: int) -> Floats:
+    """Rows for what is known of the bars' lengths and, loosely, of the tip's radius."""
+    spheres = 1 if data.on_sphere.any() else 0
+    rows = np.zeros((spheres + len(data.bar_names), width + 1))
+    if spheres:
+        rows[0, 0], rows[0, -1] = 1.0, -at.radius_excess_mm
+        rows[0] /= RADIUS_PRIOR_MM
+    for k, name in enumerate(data.bar_names):
+        sd = next(bar.standard_uncertainty_mm for bar in data.bars if bar.name == name)
+        rows[spheres + k, spheres + k], rows[spheres + k, -1] = 1.0, -at.bar_errors_mm[k]
+        rows[spheres + k] /= max(sd, CONSTRAINT_MM)
+    return rows
+
+
+def _bars_of(data: Stacked) -> list[Group]:
+    return [group for group in data.groups if group.bar is not None]
+
+
+def _bar_column(data: Stacked, group: Group) -> int:
+    assert group.bar is not None
+    spheres = 1 if data.on_sphere.any() else 0
+    return spheres + data.bar_names.index(data.bars[group.bar].name)
+
+
+def _true_length(data: Stacked, at: Unknowns, group: Group) -> float:
+    assert group.bar is not None
+    bar = data.bars[group.bar]
+    return bar.length_mm + float(at.bar_errors_mm[data.bar_names.index(bar.name)])
+
+
+def _bar_distance(at: Unknowns, group: Group) -> float:
+    a, b = (at.centres_mm[number] for number in group.places)
+    return float(np.linalg.norm(b - a))
+
+
+def _norms(vectors: Floats) -> Floats:
+    return np.asarray(np.linalg.norm(vectors, axis=1))

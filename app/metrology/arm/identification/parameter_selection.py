@@ -1,0 +1,159 @@
+"""Which of the arm's parameters the observations can tell, and which are held, and why."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.arm.identification.parameters import (
+    ALPHA,
+    ERROR_RY,
+    TERMS,
+    THETA,
+    A,
+    D,
+    parameter_index,
+    parameter_values,
+    tip_index,
+)
+from app.metrology.arm.kinematics import Arm
+from app.metrology.transforms import Floats
+
+Reason = Literal["base frame", "flange frame", "error term", "redundant", "scale", "unobserved"]
+
+REASONS: dict[Reason, str] = {
+    "base frame": "moving it only moves the whole arm in space",
+    "flange frame": "the tip's coordinates are moved instead",
+    "error term": "the Denavit-Hartenberg parameters do the same",
+    "redundant": "the parameters moved do the same together",
+    "scale": "without a ball bar the arm's size is not observable",
+    "unobserved": "these points do not tell it better than the workshop made it",
+}
+
+# The workshop makes an arm about this well: a parameter moves only if the points tell it better.
+LENGTH_MM, ANGLE_RAD = 0.1, 2e-4
+TIP_MM = 1.0
+"""Of the tip, which is exchanged and need not be known."""
+PARALLEL = 0.1
+"""Axes with a smaller sine between them are parallel: E's ry tells their angle (Hayati), not d."""
+INDEPENDENT = 0.02
+"""Share of a parameter's effect that others leave over; with less it is called redundant."""
+
+
+@dataclass(frozen=True)
+class Candidates:
+    """Parameters that could move, those to be kept first, and those that never do."""
+
+    order: NDArray[np.intp]
+    held: dict[int, Reason]
+
+
+def candidates(arm: Arm, with_lengths: bool) -> Candidates:
+    """The parameters that may move, by the arm's layout.
+
+    The base frame is that of joint 1 and the flange frame follows the last joint, so
+    their own terms are held, and of the last link only the tip moves. D-H parameters
+    are complete where neighbouring axes are not parallel; where they are, the angle
+    about y between them (an error term, Eq. 3) stands in for d. Without a calibrated
+    length the longest link holds the scale.
+    """
+    last = arm.joint_count - 1
+    links = range(last)
+    order = [tip_index(arm) + k for k in range(3)]
+    order += [parameter_index(i, THETA) for i in links if i > 0]
+    order += [parameter_index(i, ALPHA) for i in links]
+    order += [
+        parameter_index(i, ERROR_RY)
+        for i in links
+        if abs(np.sin(arm.joints[i].alpha_rad)) < PARALLEL
+    ]
+    order += [parameter_index(i, A) for i in links]
+    order += [parameter_index(i, D) for i in links if i > 0]
+    held: dict[int, Reason] = {
+        parameter_index(i, term): "error term" for i in range(last) for term in range(4, TERMS)
+    }
+    held |= {parameter_index(last, term): "flange frame" for term in range(TERMS)}
+    held |= {parameter_index(0, D): "base frame", parameter_index(0, THETA): "base frame"}
+    if not with_lengths:
+        lengths = [parameter_index(i, term) for i in links for term in (A, D)]
+        lengths = [index for index in lengths if index in order]
+        longest = max(lengths, key=lambda index: abs(float(parameter_values(arm)[index])))
+        order.remove(longest)
+        held[longest] = "scale"
+    for index in order:
+        held.pop(index, None)
+    return Candidates(np.array(order, dtype=np.intp), held)
+
+
+def limits(arm: Arm, indices: NDArray[np.intp]) -> Floats:
+    """(p,) standard uncertainty (mm or rad) beyond which a parameter is not worth moving."""
+    term = indices % TERMS
+    angles = np.isin(term, (ALPHA, THETA, ERROR_RY))
+    found = np.where(angles, ANGLE_RAD, LENGTH_MM)
+    return np.asarray(np.where(indices >= tip_index(arm), TIP_MM, found))
+
+
+def select(
+    rows: Floats, others: int, order: NDArray[np.intp], worth: Floats
+) -> tuple[NDArray[np.intp], dict[int, Reason]]:
+    """The parameters to move, of those in ``order``, and the reasons to hold the rest.
+
+    A parameter joins if what its effect leaves over beside those before it tells it
+    better than ``worth`` (a rank decision with the noise as the yardstick). Then, of
+    those that joined, the worst known leaves until all are known better than that.
+
+    Args:
+        rows: (r, others + p) the reduced system, in standard deviations.
+        others: columns of unknowns that always move.
+        order: (p,) parameters of the remaining columns.
+        worth: (p,) see ``limits``.
+    """
+    scale = np.concatenate([np.ones(others), worth])
+    columns = rows * scale
+    basis: list[Floats] = []
+    for k in range(others):
+        left = _beside(columns[:, k], basis)
+        if (norm := float(np.linalg.norm(left))) > 0:
+            basis.append(left / norm)
+    moved: list[int] = []
+    held: dict[int, Reason] = {}
+    for k in range(len(order)):
+        column = columns[:, others + k]
+        left = _beside(column, basis)
+        norm, whole = float(np.linalg.norm(left)), float(np.linalg.norm(column))
+        if norm > 1.0:
+            basis.append(left / norm)
+            moved.append(k)
+        else:
+            redundant = norm < INDEPENDENT * whole
+            held[int(order[k])] = "redundant" if redundant else "unobserved"
+    while moved:
+        columns_kept = [*range(others), *(others + k for k in moved)]
+        sds = np.sqrt(np.diag(_covariance(columns[:, columns_kept]))[others:])
+        worst = int(np.argmax(sds))
+        if sds[worst] <= 1.0:
+            break
+        held[int(order[moved.pop(worst)])] = "unobserved"
+    return order[np.array(moved, dtype=np.intp)], held
+
+
+def covariance_of(rows: Floats) -> Floats:
+    """Covariance of all columns of a reduced system, in mm and rad."""
+    norms = np.maximum(np.linalg.norm(rows, axis=0), 1e-300)
+    return np.asarray(_covariance(rows / norms) / np.outer(norms, norms))
+
+
+def _covariance(columns: Floats) -> Floats:
+    _, s, Vt = np.linalg.svd(columns, full_matrices=False)
+    s = np.maximum(s, 1e-12 * s[0])
+    return np.asarray((Vt.T / s**2) @ Vt)
+
+
+def _beside(column: Floats, basis: list[Floats]) -> Floats:
+    """What of a column is orthogonal to a basis; twice, against rounding."""
+    left = column
+    for _ in range(2):
+        for direction in basis:
+            left = left - (direction @ left) * direction
+    return left

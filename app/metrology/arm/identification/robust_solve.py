@@ -1,0 +1,233 @@
+"""The robust fit: outliers named, the scatter beyond the encoders found, then least squares."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.errors import Refusal
+from app.metrology.arm.identification.least_squares import (
+    LEAST_SCATTER_MM,
+    Indices,
+    Unknowns,
+    look,
+    mahalanobis,
+    reduced,
+    residuals,
+    settle_centres,
+    start,
+    step,
+)
+from app.metrology.arm.identification.observations import Stacked
+from app.metrology.arm.identification.parameter_selection import (
+    Candidates,
+    Reason,
+    covariance_of,
+    limits,
+    select,
+)
+from app.metrology.arm.kinematics import Arm
+from app.metrology.transforms import Floats
+
+HUBER = 2.0
+ROBUST_STEPS, STEPS = 12, 30
+SMALL_STEP = 1e-4
+"""A step this small against its standard deviations changes nothing that anyone sees."""
+# Of good points, one in a million lies beyond: along one direction, and in space.
+SPHERE_SIGMAS, SEAT_SIGMAS = 4.9, 5.5
+OUTLIER_ROUNDS = 20
+BACK_AGAIN = 0.9
+"""A point left out comes back within this share of the limit, so that none goes to and fro."""
+
+
+@dataclass(frozen=True)
+class Fit:
+    """A solution, and what belongs to it."""
+
+    at: Unknowns
+    moved: Indices
+    held: dict[int, Reason]
+    covariance: Floats
+    """(p, p) of the parameters moved, mm and rad, k = 1."""
+    others_covariance: Floats
+    """(o, o) of the spheres' radius excess (if there are spheres) and the bars' errors."""
+    scatter_mm: float
+    """Per coordinate, of the points beyond what the encoders explain."""
+    kept: NDArray[np.bool_]
+    """(N,) points that are no outliers."""
+    freedom: int
+
+
+def solve(arm: Arm, data: Stacked, choice: Candidates, moving: Indices | None = None) -> Fit:
+    """The best arm for the points.
+
+    Args:
+        choice: which parameters may move.
+        moving: move just these, where it was decided before.
+
+    Raises:
+        Refusal: too few points for the parameters, or a fit that runs away.
+    """
+    at, scatter = start(arm, data), LEAST_SCATTER_MM
+    everything = np.ones(len(data.q_rad))
+    at = settle_centres(data, at, everything, 0.1)
+    columns = _first_choice(data, at, choice) if moving is None else moving
+    at, scatter = _robust(data, at, columns)
+    kept = residuals(data, at, scatter).whitened < _limits(data, everything > 0)
+    kept = _enough_left(data, kept)
+    held: dict[int, Reason] = {}
+    for _ in range(2):
+        if moving is None:
+            system = reduced(data, at, choice.order, kept.astype(float), scatter)
+            worth = limits(arm, choice.order)
+            columns, held = select(system.rows, system.others, choice.order, worth)
+            columns = np.sort(columns)
+        at, scatter, kept = _without_outliers(data, at, columns, kept, scatter)
+    system = reduced(data, at, columns, kept.astype(float), scatter)
+    covariance, others = covariance_of(system.rows), system.others
+    return Fit(
+        at,
+        columns,
+        {**choice.held, **held},
+        covariance[others:, others:],
+        covariance[:others, :others],
+        scatter,
+        kept,
+        _freedom(data, kept, len(columns) + others),
+    )
+
+
+def descend(
+    data: Stacked, at: Unknowns, columns: Indices, weights: Floats, scatter_mm: float
+) -> Unknowns:
+    """Gauss-Newton to the end, at fixed weights; ``Refusal`` if it does not end."""
+    start_of_search = at
+    for _ in range(STEPS):
+        system = reduced(data, at, columns, weights, scatter_mm)
+        at, size = step(data, at, columns, system)
+        if not np.isfinite(size) or float(np.max(np.abs(at.centres_mm))) > 1e6:
+            break
+        if size < SMALL_STEP:
+            return at
+    off = residuals(data, start_of_search, scatter_mm).distances_mm
+    rms = [float(np.sqrt(np.mean(off[place.rows] ** 2))) for place in data.places]
+    worst = int(np.argmax(rms))
+    raise Refusal(
+        "identification-diverges",
+        f"no arm near the given one explains the points; those of {data.places[worst].label} "
+        f"lie {rms[worst]:.1f} mm (rms) apart",
+        "the fit does not settle",
+        "Check arm.json against the arm: signs, units, lengths, the order of the joints; "
+        "and the points of that place",
+    )
+
+
+def _first_choice(data: Stacked, at: Unknowns, choice: Candidates) -> Indices:
+    """What to move before the scatter is known: as if the encoders' noise were nearly all."""
+    everything = np.ones(len(data.q_rad))
+    system = reduced(data, at, choice.order, everything, 0.02)
+    columns, _ = select(system.rows, system.others, choice.order, limits(at.arm, choice.order))
+    return columns
+
+
+def _robust(data: Stacked, at: Unknowns, columns: Indices) -> tuple[Unknowns, float]:
+    """Huber's M-estimate with the scatter found on the way, so that outliers do not lead."""
+    scatter = LEAST_SCATTER_MM
+    for _ in range(ROBUST_STEPS):
+        scatter = _median_scatter(data, at)
+        off = residuals(data, at, scatter).whitened
+        weights = np.minimum(1.0, HUBER / np.maximum(off, 1e-9))
+        system = reduced(data, at, columns, weights, scatter)
+        at, size = step(data, at, columns, system)
+        if not np.isfinite(size) or size < 0.1:
+            break
+    return at, _median_scatter(data, at)
+
+
+def _median_scatter(data: Stacked, at: Unknowns) -> float:
+    """Scatter per coordinate beyond the encoders that puts the median point at its place."""
+    found = residuals(data, at, LEAST_SCATTER_MM)
+    by_encoders = np.trace(look(data, at).covariances, axis1=1, axis2=2) / 3
+    # medians of the chi distributions with one and three degrees of freedom
+    typical = np.where(data.on_sphere, 0.6745, 1.5382)
+    scale = float(np.median(found.distances_mm / typical))
+    return float(np.sqrt(max(scale**2 - float(np.median(by_encoders)), LEAST_SCATTER_MM**2)))
+
+
+def _without_outliers(
+    data: Stacked, at: Unknowns, columns: Indices, kept: NDArray[np.bool_], scatter: float
+) -> tuple[Unknowns, float, NDArray[np.bool_]]:
+    """Least squares on the points that agree.
+
+    The worst of each place leaves in turn; one that turns out to agree comes back.
+    """
+    for _ in range(OUTLIER_ROUNDS):
+        for _ in range(3):
+            at = descend(data, at, columns, kept.astype(float), scatter)
+            found = _scatter(data, at, columns, kept)
+            done = abs(found - scatter) < 0.02 * scatter
+            scatter = found
+            if done:
+                break
+        off = residuals(data, at, scatter).whitened / _limits(data, kept)
+        chosen = kept | (off < BACK_AGAIN)
+        for number in range(len(data.places)):
+            own = np.flatnonzero(kept & (data.place_of == number))
+            if len(own) and off[worst := own[np.argmax(off[own])]] > 1.0:
+                chosen[worst] = False
+        chosen = _enough_left(data, chosen)
+        if np.array_equal(chosen, kept):
+            break
+        kept = chosen
+    return at, scatter, kept
+
+
+def _limits(data: Stacked, kept: NDArray[np.bool_]) -> Floats:
+    """(N,) Mahalanobis distance beyond which a point is an outlier.
+
+    A point pulls its own place's centre, the more so the fewer points are there; one
+    that was left out does not, and lies further off.
+    """
+    counts = np.bincount(data.place_of[kept], minlength=len(data.places))[data.place_of]
+    share = np.where(data.on_sphere, 4.0, 1.0) / np.maximum(counts, 1)
+    spare = np.sqrt(np.where(kept, np.maximum(1 - share, 0.1), 1 + share))
+    return np.asarray(np.where(data.on_sphere, SPHERE_SIGMAS, SEAT_SIGMAS) * spare)
+
+
+def _enough_left(data: Stacked, kept: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """No place is left without points: then all of its own count again."""
+    counts = np.bincount(data.place_of[kept], minlength=len(data.places))
+    return np.asarray(kept | (counts[data.place_of] == 0))
+
+
+def _freedom(data: Stacked, kept: NDArray[np.bool_], unknowns: int) -> int:
+    """Degrees of freedom that the points leave over."""
+    rows = int(np.sum(np.where(data.on_sphere[kept], 1, 3)))
+    bars = sum(group.bar is not None for group in data.groups)
+    return rows + bars + len(data.bar_names) - 3 * len(data.places) - unknowns
+
+
+def _scatter(data: Stacked, at: Unknowns, columns: Indices, kept: NDArray[np.bool_]) -> float:
+    """The scatter beyond the encoders with which the points' chi-squared is as expected."""
+    freedom = _freedom(data, kept, len(columns) + 1)
+    if freedom < 1:
+        raise Refusal(
+            "too-few-points",
+            f"{int(kept.sum())} points at {len(data.places)} places",
+            f"they leave nothing over to check {len(columns)} parameters",
+            "Take more points, in more places",
+        )
+
+    from scipy.optimize import brentq  # slow to load, and seldom needed
+
+    sight = look(data, at)
+
+    def excess(scatter_mm: float) -> float:
+        return float(np.sum(mahalanobis(data, at, sight, scatter_mm)[kept] ** 2)) - freedom
+
+    if excess(LEAST_SCATTER_MM) <= 0:
+        return LEAST_SCATTER_MM
+    largest = LEAST_SCATTER_MM
+    while excess(largest) > 0:
+        largest *= 10
+    return float(brentq(excess, LEAST_SCATTER_MM, largest, rtol=1e-3))

@@ -1,0 +1,64 @@
+"""What the arm's parameters are worth: the tip's error over the arm's whole reach."""
+
+import numpy as np
+
+from app.metrology.arm.identification.least_squares import Indices
+from app.metrology.arm.identification.parameter_selection import LENGTH_MM
+from app.metrology.arm.identification.parameters import tip_jacobian
+from app.metrology.arm.kinematics import Arm
+from app.metrology.transforms import Floats, apply, rigid_fit, skew
+
+POSES = 400
+SHARE = 0.8
+"""Of each joint's limits that the poses span."""
+
+
+def reach_poses(arm: Arm) -> Floats:
+    """(POSES, n) encoder angles all over the arm's reach; the same for the same limits."""
+    low, high = np.array([joint.limits_rad for joint in arm.joints]).T
+    middle, half = (low + high) / 2, (high - low) / 2 * SHARE
+    return np.random.default_rng(0).uniform(middle - half, middle + half, (POSES, len(low)))
+
+
+def volumetric_difference_mm(before: Arm, after: Arm) -> float:
+    """Rms distance of the two arms' tips over the reach, after the best rigid fit.
+
+    A rigid motion of the whole arm is no error: all is measured from its own base.
+    """
+    q = reach_poses(before)
+    a, b = tip_jacobian(before, q)[0], tip_jacobian(after, q)[0]
+    left = apply(rigid_fit(b, a), a) - b
+    return float(np.sqrt(np.mean(np.sum(left**2, axis=1))))
+
+
+def size_uncertainty_mm(arm: Arm) -> float:
+    """Rms error of the tip over the reach if the arm's size is as wrong as its longest link.
+
+    That link is taken to be made to ``LENGTH_MM``; a rigid fit does not take a size away.
+    """
+    longest = max(max(abs(joint.a_mm), abs(joint.d_mm)) for joint in arm.joints)
+    tips, _ = tip_jacobian(arm, reach_poses(arm))
+    spread = tips - tips.mean(axis=0)
+    return float(np.sqrt(np.mean(np.sum(spread**2, axis=1)))) * LENGTH_MM / longest
+
+
+def volumetric_uncertainty_mm(arm: Arm, moved: Indices, covariance: Floats) -> float:
+    """Rms standard uncertainty (k = 1) of the tip over the reach, by the parameters moved.
+
+    What is held has no part in it: without a bar, ``size_uncertainty_mm`` comes on top.
+
+    Args:
+        moved: (p,) parameters.
+        covariance: (p, p) in mm and rad.
+    """
+    if not len(moved):
+        return 0.0
+    tips, J = tip_jacobian(arm, reach_poses(arm))
+    rigid = np.concatenate(
+        [np.hstack([np.eye(3), -skew(tip)]) for tip in (tips - tips.mean(axis=0)) / 100.0]
+    )
+    by_parameters = J[:, :, moved].reshape(-1, len(moved))
+    basis, _ = np.linalg.qr(rigid)
+    left = by_parameters - basis @ (basis.T @ by_parameters)
+    squares = np.einsum("ri,ij,rj->r", left, covariance, left)
+    return float(np.sqrt(np.sum(squares) / len(tips)))

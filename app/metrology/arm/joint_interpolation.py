@@ -1,0 +1,43 @@
+"""The arm's angles between its samples."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.transforms import Floats
+
+Stamps = NDArray[np.int64]
+
+
+def angles_at(stamps_ns: Stamps, q_rad: Floats, wanted_ns: Stamps, gap_limit_ns: int) -> Floats:
+    """The angles at stamps, each on the straight line between its neighbours.
+
+    A joint that passes the half turn is followed the short way round.
+
+    Args:
+        stamps_ns: (N,) of the samples, rising.
+        q_rad: (N, n) their angles.
+        wanted_ns: (F,) in any order.
+        gap_limit_ns: between samples farther apart than this the hand may have gone anywhere.
+
+    Returns:
+        (F, n); NaN outside the samples, and in gaps.
+    """
+    found = np.full((len(wanted_ns), q_rad.shape[1]), np.nan)
+    if not len(stamps_ns):
+        return found
+    after = np.minimum(np.searchsorted(stamps_ns, wanted_ns), len(stamps_ns) - 1)
+    before = np.maximum(after - 1, 0)
+    exact = stamps_ns[after] == wanted_ns
+    gap_ns = stamps_ns[after] - stamps_ns[before]
+    inside = (stamps_ns[before] < wanted_ns) & (wanted_ns < stamps_ns[after])
+    inside &= gap_ns <= gap_limit_ns
+    found[exact] = q_rad[after[exact]]
+    a, b = before[inside], after[inside]
+    share = (wanted_ns[inside] - stamps_ns[a]) / gap_ns[inside]
+    found[inside] = q_rad[a] + share[:, None] * turn(q_rad[b] - q_rad[a])
+    return found
+
+
+def turn(difference_rad: Floats) -> Floats:
+    """The shortest turn, in [-pi, pi), of a difference of angles: encoders roll over."""
+    return np.asarray((difference_rad + np.pi) % (2 * np.pi) - np.pi)

@@ -1,0 +1,194 @@
+"""The arm's kinematics: standard Denavit-Hartenberg (Eq. 1-2) with error matrices (Eq. 3)."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from app.metrology.transforms import Floats
+
+
+@dataclass(frozen=True)
+class LinkError:
+    """Error transform after a link, ``E = T(x, y, z) Rz(rz) Ry(ry) Rx(rx)`` (Eq. 3)."""
+
+    x_mm: float = 0.0
+    y_mm: float = 0.0
+    z_mm: float = 0.0
+    rx_rad: float = 0.0
+    ry_rad: float = 0.0
+    rz_rad: float = 0.0
+
+
+@dataclass(frozen=True)
+class Joint:
+    """One rotary joint and its link, ``A = Rz(sign q + theta) Tz(d) Tx(a) Rx(alpha)`` (Eq. 2)."""
+
+    name: str
+    a_mm: float
+    alpha_rad: float
+    d_mm: float
+    theta_rad: float
+    sign: int = 1
+    limits_rad: tuple[float, float] = (-np.pi, np.pi)
+    encoder_sd_rad: float = 0.0
+    error: LinkError = field(default_factory=LinkError)
+
+
+@dataclass(frozen=True)
+class Tip:
+    """The touch probe's sphere: its centre in the flange frame, and its diameter."""
+
+    x_mm: float
+    y_mm: float
+    z_mm: float
+    diameter_mm: float
+
+    @property
+    def centre_mm(self) -> Floats:
+        """(3,) centre of the sphere in the flange frame."""
+        return np.array([self.x_mm, self.y_mm, self.z_mm])
+
+    @property
+    def radius_mm(self) -> float:
+        return self.diameter_mm / 2
+
+
+@dataclass(frozen=True)
+class Arm:
+    """An articulated arm of six or seven rotary joints with a touch probe."""
+
+    name: str
+    serial_number: str
+    joints: tuple[Joint, ...]
+    tip: Tip
+
+    @property
+    def joint_count(self) -> int:
+        return len(self.joints)
+
+    @property
+    def encoder_sd_rad(self) -> Floats:
+        """(n,) standard deviation of each joint's encoder."""
+        return np.array([joint.encoder_sd_rad for joint in self.joints])
+
+
+@dataclass(frozen=True)
+class RobotArm:
+    """A robot whose controller reports the flange's pose instead of joint angles."""
+
+    name: str
+    serial_number: str
+    tip: Tip | None = None
+    """Where one is mounted to touch with."""
+
+
+def link_transforms(arm: Arm, q_rad: Floats) -> Floats:
+    """``A_i E_i`` of every joint (Eq. 2-3).
+
+    Args:
+        q_rad: (N, n) encoder angles, before sign and offset.
+
+    Returns:
+        (n, N, 4, 4); element i maps frame i+1 to frame i.
+    """
+    q = np.asarray(q_rad, dtype=np.float64)
+    links = np.zeros((arm.joint_count, len(q), 4, 4))
+    for i, joint in enumerate(arm.joints):
+        angle = joint.sign * q[:, i] + joint.theta_rad
+        c, s = np.cos(angle), np.sin(angle)
+        ca, sa = np.cos(joint.alpha_rad), np.sin(joint.alpha_rad)
+        A = links[i]
+        A[:, 0, 0], A[:, 0, 1], A[:, 0, 2], A[:, 0, 3] = c, -s * ca, s * sa, joint.a_mm * c
+        A[:, 1, 0], A[:, 1, 1], A[:, 1, 2], A[:, 1, 3] = s, c * ca, -c * sa, joint.a_mm * s
+        A[:, 2, 1], A[:, 2, 2], A[:, 2, 3] = sa, ca, joint.d_mm
+        A[:, 3, 3] = 1.0
+        if joint.error != LinkError():
+            links[i] = A @ error_transform(joint.error)
+    return links
+
+
+def error_transform(error: LinkError) -> Floats:
+    """The (4, 4) matrix ``E = T(x, y, z) Rz Ry Rx`` of Eq. 3."""
+    cx, sx = np.cos(error.rx_rad), np.sin(error.rx_rad)
+    cy, sy = np.cos(error.ry_rad), np.sin(error.ry_rad)
+    cz, sz = np.cos(error.rz_rad), np.sin(error.rz_rad)
+    return np.array(
+        [
+            [cz * cy, cz * sy * sx - sz * cx, cz * sy * cx + sz * sx, error.x_mm],
+            [sz * cy, sz * sy * sx + cz * cx, sz * sy * cx - cz * sx, error.y_mm],
+            [-sy, cy * sx, cy * cx, error.z_mm],
+            [0.0, 0.0, 0.0, 1.0],
+        ]
+    )
+
+
+def flange_poses(arm: Arm, q_rad: Floats) -> Floats:
+    """``T_arm_flange`` for many poses at once (Eq. 1, with Eq. 3's error matrices).
+
+    Args:
+        q_rad: (N, n) encoder angles, before sign and offset.
+
+    Returns:
+        (N, 4, 4).
+    """
+    links = link_transforms(arm, q_rad)
+    T = links[0]
+    for link in links[1:]:
+        T = T @ link
+    return np.asarray(T)
+
+
+def flange_pose(arm: Arm, q_rad: Floats) -> Floats:
+    """``T_arm_flange`` (4, 4) for one pose, encoder angles (n,) (Eq. 1)."""
+    return np.asarray(flange_poses(arm, np.asarray(q_rad, dtype=np.float64)[None])[0])
+
+
+def tip_centres(arm: Arm, q_rad: Floats) -> Floats:
+    """Centres (N, 3) of the probe's sphere in the arm frame for angles (N, n) (Eq. 1)."""
+    T = flange_poses(arm, q_rad)
+    return np.asarray(T[:, :3, :3] @ arm.tip.centre_mm + T[:, :3, 3])
+
+
+def geometric_jacobian(arm: Arm, q_rad: Floats, point_flange_mm: Floats) -> Floats:
+    """How a flange-fixed point moves and turns with the joints.
+
+    Args:
+        q_rad: (n,) encoder angles.
+        point_flange_mm: (3,) the point, in the flange frame.
+
+    Returns:
+        (6, n): rows 0-2 the point's velocity in mm/rad, rows 3-5 the angular
+        velocity, both in the arm frame, per unit rate of each encoder.
+    """
+    one = np.asarray(q_rad, dtype=np.float64)[None]
+    return np.asarray(geometric_jacobians(arm, one, point_flange_mm)[0])
+
+
+def geometric_jacobians(arm: Arm, q_rad: Floats, point_flange_mm: Floats) -> Floats:
+    """``geometric_jacobian`` (N, 6, n) at encoder angles (N, n)."""
+    links = link_transforms(arm, q_rad)
+    before = [np.broadcast_to(np.eye(4), links.shape[1:])]
+    for link in links:
+        before.append(before[-1] @ link)
+    point = before[-1][:, :3, :3] @ np.asarray(point_flange_mm) + before[-1][:, :3, 3]
+    jacobians = np.zeros((len(point), 6, arm.joint_count))
+    for i, joint in enumerate(arm.joints):
+        axis = joint.sign * before[i][:, :3, 2]
+        jacobians[:, :3, i] = np.cross(axis, point - before[i][:, :3, 3])
+        jacobians[:, 3:, i] = axis
+    return jacobians
+
+
+def tip_covariances(arm: Arm, q_rad: Floats) -> Floats:
+    """What the encoders' noise does to the tip's centre, arm frame.
+
+    Args:
+        q_rad: (N, n) encoder angles.
+
+    Returns:
+        (N, 3, 3) covariance in mm^2 of each tip centre; zero where the arm's
+        model gives no encoder noise.
+    """
+    variances = np.diag(arm.encoder_sd_rad**2)
+    J = geometric_jacobians(arm, np.asarray(q_rad, dtype=np.float64), arm.tip.centre_mm)[:, :3]
+    return np.asarray(J @ variances @ np.swapaxes(J, 1, 2))

@@ -1,1 +1,0 @@
-"""The arm itself: its geometric parameters identified, and its daily check."""

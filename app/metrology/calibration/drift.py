@@ -1,0 +1,71 @@
+"""How a sensor on an arm moved between two calibrations, told by the points that they give.
+
+Never by their parameters: the focal length and the distance are so much alike in what they do
+that each may differ by much while every point stays.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.metrology.sensor.camera import Camera
+from app.metrology.sensor.laser_plane import LaserPlane
+from app.metrology.sensor.triangulation import sensor_points
+from app.metrology.transforms import Floats, apply, rigid_fit, vector_from_rotation
+
+ARCSEC = float(np.degrees(1.0) * 3600)
+LEAST_POINTS = 6
+
+
+@dataclass(frozen=True)
+class Mounted:
+    """A calibrated sensor: its frame in that of the flange is ``T_flange_sensor``."""
+
+    camera: Camera
+    plane: LaserPlane
+    T_flange_sensor: Floats
+
+
+@dataclass(frozen=True)
+class Drift:
+    """From one calibration to the next, in the flange frame."""
+
+    sensor_um: float
+    """Of the measuring volume's middle, by the rigid motion that fits all its points best."""
+    sensor_arcsec: float
+    """The angle of that motion."""
+    plane_um: float
+    """Of the laser plane in the volume's middle, along its normal."""
+    plane_arcsec: float
+    """The angle between the laser planes."""
+    points_um: float
+    """Of the points, rms: the motion, and the change of shape."""
+
+
+def drift(before: Mounted, after: Mounted, uv_px: Floats) -> Drift | None:
+    """What moved, by the points of the same pixels (N, 2); None where too few are common."""
+    old, new = (_points(sensor, uv_px) for sensor in (before, after))
+    common = np.isfinite(old).all(axis=1) & np.isfinite(new).all(axis=1)
+    if common.sum() < LEAST_POINTS:
+        return None
+    old, new = old[common], new[common]
+    T_after_before = rigid_fit(new, old)
+    turned = vector_from_rotation(T_after_before[:3, :3])
+    was, now = (_normal(sensor) for sensor in (before, after))
+    now = now if now @ was > 0 else -now
+    middle = new.mean(axis=0) - old.mean(axis=0)
+    return Drift(
+        sensor_um=float(1e3 * np.linalg.norm(middle)),
+        sensor_arcsec=float(ARCSEC * np.linalg.norm(turned)),
+        plane_um=float(1e3 * abs(now @ middle)),
+        plane_arcsec=float(ARCSEC * np.arctan2(np.linalg.norm(np.cross(was, now)), was @ now)),
+        points_um=float(1e3 * np.sqrt(np.mean(np.sum((new - old) ** 2, axis=1)))),
+    )
+
+
+def _points(sensor: Mounted, uv_px: Floats) -> Floats:
+    return apply(sensor.T_flange_sensor, sensor_points(sensor.camera, sensor.plane, uv_px))
+
+
+def _normal(sensor: Mounted) -> Floats:
+    return np.asarray(sensor.T_flange_sensor[:3, :3] @ sensor.plane.normal)

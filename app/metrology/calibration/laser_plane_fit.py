@@ -1,0 +1,263 @@
+"""The light plane from a stripe on the levels of the block."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.errors import Refusal
+from app.metrology.image import Image
+from app.metrology.sensor.camera import Camera, rays
+from app.metrology.sensor.laser_plane import LaserPlane, meet_levels, refuse_edge_on, tangents
+from app.metrology.sensor.residual_correlation import neighbours_alike
+from app.metrology.stripe import Stripe, extract_stripe, joined_stripes
+from app.metrology.targets.crenellated_block import Crenellated
+from app.metrology.transforms import Floats
+
+# Stripe points nearer than this to an edge of their face may mix light of both sides.
+EDGE_MARGIN_PX = 6.0
+# Points that each level must show, and the least angle between sight and laser plane.
+FEWEST_ON_A_LEVEL = 20
+# Which level a pixel lies on is looked up once for squares of this many pixels.
+LEVEL_STEP_PX = 4
+# Residuals beyond this many standard deviations are no light of the direct stripe.
+OUTLIER_SIGMAS = 4.0
+
+
+@dataclass(frozen=True)
+class LaserPlaneFit:
+    """The plane, and what each stripe point (N,) had to do with it.
+
+    ``level`` is ``crest``, ``floor`` or empty where the point lies on neither, and
+    ``points_mm`` (N, 3) is where on the level its ray ends, NaN elsewhere;
+    ``used`` marks those of a level that agree with the plane; ``residuals_mm`` are
+    their signed distances from it and ``sigma_mm`` the expected standard deviations
+    of these, NaN off the levels; ``correlation`` is the number of neighbouring points
+    that together tell as much as one alone (speckle). ``covariance`` (3, 3) is that of
+    a tilt of the normal along ``tangents(normal)`` (rad) and of the offset at
+    ``centroid_mm`` (mm).
+    """
+
+    plane: LaserPlane
+    rms_mm: float
+    used: NDArray[np.bool_]
+    level: NDArray[np.str_]
+    points_mm: Floats
+    residuals_mm: Floats
+    sigma_mm: Floats
+    correlation: float
+    covariance: Floats
+    centroid_mm: Floats
+
+
+def levels_of(camera: Camera, block: Crenellated, uv_px: Floats) -> tuple[NDArray[np.str_], Floats]:
+    """On which level the camera sees each pixel (N, 2), and where (N, 3) in the object frame.
+
+    ``crest`` or ``floor`` where the pixel's ray meets that face first, on the block,
+    at least ``EDGE_MARGIN_PX`` from its edges; empty elsewhere, with NaN points.
+    """
+    origin, along = rays(camera, uv_px)
+    margin_share = EDGE_MARGIN_PX / float(min(camera.matrix[0, 0], camera.matrix[1, 1]))
+    edges = np.asarray(block.edges_x_mm)
+    entry_x = _entry_x(block, origin, along)
+    level = np.full(len(along), "", dtype="<U5")
+    points = np.full((len(along), 3), np.nan)
+    for name, z, left, right in (
+        ("crest", block.crest_z_mm, edges[0::2], edges[1::2]),
+        ("floor", block.floor_z_mm, edges[1:-1:2], edges[2::2]),
+    ):
+        hit = meet_levels(camera, uv_px, z)
+        margin = margin_share * np.linalg.norm(hit - origin, axis=1)
+        inside = (along[:, 2] * (z - origin[2]) > 0) & (origin[2] > z)
+        inside &= hit[:, 1] > block.front_y_mm + margin
+        inside &= hit[:, 1] < block.back_y_mm - margin
+        # a ray down into a groove must clear the merlons on both sides of it
+        nearest, furthest = hit[:, 0], hit[:, 0]
+        if name == "floor":
+            nearest, furthest = np.minimum(nearest, entry_x), np.maximum(furthest, entry_x)
+        between = (nearest[:, None] > left + margin[:, None]) & (
+            furthest[:, None] < right - margin[:, None]
+        )
+        inside &= between.any(axis=1)
+        level[inside], points[inside] = name, hit[inside]
+    return level, points
+
+
+def stripe_on_levels(camera: Camera, block: Crenellated, image: Image, axis: str) -> Stripe:
+    """The stripe (N points) on the crests, then on the floors, each sought for itself.
+
+    One peak a column is not enough where the camera is turned against the stripe: a
+    column may then cross a crest and a floor. Table and walls are left out.
+
+    Args:
+        camera: with the sensor frame equal to the object frame.
+        image: (H, W) with the stripe on it.
+        axis: see ``extract_stripe``.
+    """
+    height, width = image.shape
+    rows, columns = np.mgrid[0:height:LEVEL_STEP_PX, 0:width:LEVEL_STEP_PX]
+    coarse = np.column_stack([columns.ravel(), rows.ravel()]) + (LEVEL_STEP_PX - 1) / 2
+    level = levels_of(camera, block, coarse)[0].reshape(rows.shape)
+    level = level.repeat(LEVEL_STEP_PX, axis=0).repeat(LEVEL_STEP_PX, axis=1)[:height, :width]
+    return joined_stripes(
+        [extract_stripe(image, axis, level == name) for name in ("crest", "floor")]
+    )
+
+
+def _entry_x(block: Crenellated, origin: Floats, along: Floats) -> Floats:
+    """x (N,) where rays enter the block's bounding box, through its top, front or back."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        to_top = (block.crest_z_mm - origin[2]) / along[:, 2]
+        at_y = np.where(along[:, 1] > 0, block.front_y_mm, block.back_y_mm)
+        to_side = (at_y - origin[1]) / along[:, 1]
+    return np.asarray(origin[0] + np.fmax(to_top, to_side) * along[:, 0])
+
+
+def fit_laser_plane(
+    camera: Camera, block: Crenellated, stripe: Stripe, plane: LaserPlane | None = None
+) -> LaserPlaneFit:
+    """The laser plane through the stripe's points on crests and floors.
+
+    Each point's ray is met with the level that it hits; a plane is fitted to both
+    levels at once, weighted by the points' deviations. Streaks on the walls, the
+    stripe on the table and reflections inside the grooves are left out.
+
+    Args:
+        camera: with the sensor frame equal to the object frame.
+        plane: where it is known already (from ``fit_camera``), the points are judged
+            against it and it stays as it is.
+
+    Raises:
+        Refusal: too few points, only one level crossed, or a plane through the
+            camera's centre.
+    """
+    level, points = levels_of(camera, block, stripe.uv_px)
+    on = level != ""
+    X, own = points[on], level[on]
+    _require_both(own, len(on))
+    per_sigma = _moves(camera, stripe, on, X) * stripe.sigma_px[on, None]
+    if plane is None:
+        plane = _refined(_least_median_plane(X, own, per_sigma), X, per_sigma)
+    kept = _agreeing(plane, X, per_sigma)
+    _require_both(own[kept], len(on))
+    refuse_edge_on(plane, X[kept] - camera.centre_mm)
+    residuals = X @ plane.normal - plane.offset_mm
+    sigma = np.abs(per_sigma @ plane.normal)
+    correlation = neighbours_alike(stripe.uv_px[on][kept], (residuals / sigma)[kept])
+    covariance, centroid = _covariance(plane, X[kept], sigma[kept] * np.sqrt(correlation))
+    used = on.copy()
+    used[on] = kept
+    over_all = np.full((2, len(on)), np.nan)
+    over_all[:, on] = residuals, sigma
+    return LaserPlaneFit(
+        plane,
+        float(np.sqrt(np.mean(residuals[kept] ** 2))),
+        used,
+        level,
+        points,
+        over_all[0],
+        over_all[1],
+        correlation,
+        covariance,
+        centroid,
+    )
+
+
+def agreeing_levels(
+    camera: Camera, block: Crenellated, stripe: Stripe, plane: LaserPlane
+) -> NDArray[np.str_]:
+    """The level (N,) of each point of the stripe that agrees with a known plane, else empty."""
+    level, points = levels_of(camera, block, stripe.uv_px)
+    on = level != ""
+    if on.any():
+        per_sigma = _moves(camera, stripe, on, points[on]) * stripe.sigma_px[on, None]
+        level[np.flatnonzero(on)[~_agreeing(plane, points[on], per_sigma)]] = ""
+    return level
+
+
+def _require_both(level: NDArray[np.str_], found: int) -> None:
+    """Refuses a stripe that does not show enough of crests and floors."""
+    count = {name: int(np.sum(level == name)) for name in ("crest", "floor")}
+    if min(count.values()) >= FEWEST_ON_A_LEVEL:
+        return
+    if max(count.values()) < FEWEST_ON_A_LEVEL:
+        raise Refusal(
+            "stripe-too-short",
+            f"{sum(count.values())} points of the laser stripe lie on the object "
+            f"(of {found} on its levels; {FEWEST_ON_A_LEVEL} are needed on crests and on floors)",
+            "the laser is off, too weak, or does not cross the object",
+            "check the laser, the exposure and the sensor's stripe_axis, and let the stripe cross "
+            "the object's middle",
+        )
+    missing = min(count, key=lambda name: count[name])
+    raise Refusal(
+        "laser-one-level",
+        f"the laser stripe shows {count[missing]} points on the {missing}s",
+        "a stripe on one level alone does not fix the laser plane",
+        "place the sensor so that the stripe crosses crests and floors",
+    )
+
+
+def _moves(camera: Camera, stripe: Stripe, on: NDArray[np.bool_], points: Floats) -> Floats:
+    """How the points (n, 3) move on their level, in mm, for one pixel across the stripe."""
+    uv, z = stripe.uv_px[on], points[:, 2]
+    ahead = meet_levels(camera, uv + 0.5 * stripe.across, z)
+    return ahead - meet_levels(camera, uv - 0.5 * stripe.across, z)
+
+
+def _least_median_plane(points: Floats, level: NDArray[np.str_], per_sigma: Floats) -> LaserPlane:
+    """The plane of least median residual on both levels, of many drawn from three points.
+
+    Right as long as more than half of either level's points are the direct stripe.
+    """
+    rng = np.random.default_rng(0)
+    own = {name: np.flatnonzero(level == name) for name in ("crest", "floor")}
+    chosen = []
+    for draw in range(300):
+        pair, single = ("crest", "floor") if draw % 2 else ("floor", "crest")
+        chosen.append([*rng.choice(own[pair], 2, replace=False), rng.choice(own[single])])
+    first, second, third = points[np.array(chosen).T]
+    normals = np.cross(second - first, third - first)
+    length = np.linalg.norm(normals, axis=1)
+    sound = length >= 1e-6
+    if not sound.any():
+        return LaserPlane(np.array([0.0, 1.0, 0.0]), 0.0)
+    normals = normals[sound] / length[sound, None]
+    offsets = (first[sound] * normals).sum(axis=1)
+    off = np.abs(normals @ points.T - offsets[:, None])
+    off /= np.maximum(np.abs(normals @ per_sigma.T), 1e-9)
+    best = int(np.argmin(sum(np.median(off[:, rows], axis=1) for rows in own.values())))
+    return LaserPlane(normals[best], float(offsets[best]))
+
+
+def _agreeing(plane: LaserPlane, points: Floats, per_sigma: Floats) -> NDArray[np.bool_]:
+    """Points (n,) within the limit, measured by their own scatter where that is larger."""
+    off = points @ plane.normal - plane.offset_mm
+    off /= np.maximum(np.abs(per_sigma @ plane.normal), 1e-9)
+    spread = max(float(np.median(np.abs(off))) / 0.6745, 1.0)
+    return np.asarray(np.abs(off) < OUTLIER_SIGMAS * spread)
+
+
+def _refined(plane: LaserPlane, points: Floats, per_sigma: Floats) -> LaserPlane:
+    """Weighted least squares on the points that agree."""
+    before = np.zeros(len(points), dtype=np.bool_)
+    for _ in range(20):
+        kept = _agreeing(plane, points, per_sigma)
+        if np.array_equal(kept, before):
+            break
+        before = kept
+        weight = np.maximum(np.abs(per_sigma[kept] @ plane.normal), 1e-9) ** -2.0
+        centre = weight @ points[kept] / weight.sum()
+        spread_out = (points[kept] - centre) * np.sqrt(weight)[:, None]
+        normal = np.linalg.svd(spread_out, full_matrices=False)[2][2]
+        normal *= np.sign(normal @ plane.normal)
+        plane = LaserPlane(normal, float(normal @ centre))
+    return plane
+
+
+def _covariance(plane: LaserPlane, points: Floats, sigma: Floats) -> tuple[Floats, Floats]:
+    """Covariance (3, 3) of tilts (rad) and offset (mm) about the centroid, and that (3,)."""
+    centroid = points.mean(axis=0)
+    tilts = (points - centroid) @ tangents(plane.normal).T
+    J = np.column_stack([tilts, -np.ones(len(points))]) / sigma[:, None]
+    return np.asarray(np.linalg.inv(J.T @ J)), np.asarray(centroid)

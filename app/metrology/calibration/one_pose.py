@@ -1,0 +1,297 @@
+"""The paper's one-step calibration: contact points and one picture pose (section 3.2).
+
+The sensor frame is the object frame in the calibration pose (Eq. 6), so that the
+probe matrix follows from the alignment and the arm's pose alone (Eq. 8).
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.errors import Refusal
+from app.metrology.arm.kinematics import Arm, flange_pose, tip_centres, tip_covariances
+from app.metrology.calibration.camera_refinement import CameraFit, Observations, fit_camera
+from app.metrology.calibration.findings import Finding, WorstPoint
+from app.metrology.calibration.laser_plane_fit import (
+    LaserPlaneFit,
+    fit_laser_plane,
+    stripe_on_levels,
+)
+from app.metrology.calibration.one_pose_findings import Evidence, findings_of, worst_points
+from app.metrology.calibration.uncertainty_budget import (
+    Budget,
+    BudgetRow,
+    Placement,
+    budget_of,
+    volume_pixels,
+)
+from app.metrology.detection.detect_block import ObjectDetection, detect_object, picture_findings
+from app.metrology.image import Image
+from app.metrology.probing.alignment import Alignment, align, refuse_wrong_faces
+from app.metrology.sensor.camera import Camera, project
+from app.metrology.sensor.faugeras import FaugerasSolution, solve_faugeras
+from app.metrology.sensor.laser_plane import LaserPlane
+from app.metrology.sensor.triangulation import sensor_points
+from app.metrology.stripe import Stripe, extract_stripe
+from app.metrology.targets.crenellated_block import Crenellated, corners, probing_face
+from app.metrology.transforms import Floats, inverse
+
+Progress = Callable[[str, float], None]
+
+# How well a hand brings a probe's sphere onto a ground face, time after time.
+TOUCH_SD_MM = 0.005
+
+
+@dataclass(frozen=True)
+class OnePoseInputs:
+    """What a one-pose calibration is made from.
+
+    ``laser`` is None where ``ambient`` shows the stripe too (lighting ``both``).
+    ``size_px`` is the sensor's width and height, where known: pictures of another
+    size are refused.
+    """
+
+    arm: Arm
+    block: Crenellated
+    features: tuple[str, ...]  # (N) the face of each contact
+    contact_q_rad: Floats  # (N, n)
+    pose_q_rad: Floats  # (n,)
+    ambient: Image
+    laser: Image | None = None
+    stripe_axis: str = "u"
+    size_px: tuple[int, int] | None = None
+
+
+@dataclass(frozen=True)
+class OnePoseCalibration:
+    """A calibration and what it rests on; the sensor frame is the object frame (Eq. 6)."""
+
+    alignment: Alignment
+    detection: ObjectDetection
+    faugeras: FaugerasSolution
+    fit: CameraFit
+    stripe: Stripe
+    laser: LaserPlaneFit
+    T_flange_sensor: Floats  # (4, 4), the probe matrix (Eq. 8)
+    corner_residuals_px: Floats  # (C, 2) measured minus projected, of detection.corners
+    full_budget: Budget
+    depth_range_mm: tuple[float, float]
+    """Nearest and furthest distance from the camera's centre between crests and floors."""
+    findings: tuple[Finding, ...]
+    worst: tuple[WorstPoint, ...]
+
+    @property
+    def camera(self) -> Camera:
+        return self.fit.camera
+
+    @property
+    def plane(self) -> LaserPlane:
+        return self.fit.plane
+
+    @property
+    def budget(self) -> tuple[BudgetRow, ...]:
+        return self.full_budget.rows
+
+    @property
+    def total_um(self) -> float:
+        return self.full_budget.total_um
+
+    @property
+    def covariance(self) -> Floats:
+        """(23, 23) of ``full_budget.names``: camera, laser plane, probe matrix."""
+        return self.full_budget.covariance
+
+    @property
+    def reprojection_rms_px(self) -> float:
+        """Of the edges that the camera was fitted to, across them."""
+        return self.fit.edges.rms_px
+
+
+def calibrate_one_pose(
+    inputs: OnePoseInputs, progress: Progress | None = None
+) -> OnePoseCalibration:
+    """Camera, laser plane and probe matrix from contacts and one pose (Eq. 6-8).
+
+    Args:
+        inputs: contacts and pictures of one block that has not moved in between.
+        progress: told what is being done, and the share done.
+
+    Raises:
+        Refusal: whatever makes the calibration impossible, by its reason.
+    """
+    say = progress or (lambda _what, _share: None)
+    _check(inputs)
+    say("Fitting the contact points", 0.0)
+    alignment = aligned(inputs)
+    lit = inputs.ambient if inputs.laser is None else inputs.laser
+    say("Finding the object's edges", 0.1)
+    in_the_way = None if inputs.laser is not None else extract_stripe(lit, inputs.stripe_axis)
+    detection = detect_object(inputs.ambient, inputs.block, in_the_way)
+    say("Extracting the laser stripe", 0.5)
+    stripe = stripe_on_levels(detection.camera, inputs.block, lit, inputs.stripe_axis)
+    if len(stripe.u) == 0:
+        raise Refusal(
+            "stripe-not-found",
+            "no laser stripe was found on the object",
+            "the laser is off, covered, beside the object, or too weak for this exposure",
+            "check the laser, the exposure and the sensor's stripe_axis, and let the stripe cross "
+            "the object's middle",
+        )
+    say("Solving for the camera", 0.6)
+    faugeras = _faugeras(detection, inputs.block)
+    say("Refining camera, lens and laser plane", 0.7)
+    fit, laser = refined(detection, inputs.block, stripe)
+    say("Working out the error budget", 0.9)
+    result = _assembled(inputs, alignment, detection, faugeras, fit, stripe, laser)
+    say("Done", 1.0)
+    return result
+
+
+def aligned(inputs: OnePoseInputs) -> Alignment:
+    """``T_arm_obj`` from the contacts; contacts on a wrong face are refused."""
+    tips = tip_centres(inputs.arm, inputs.contact_q_rad)
+    noise = tip_covariances(inputs.arm, inputs.contact_q_rad)
+    known = noise if np.any(noise) else None
+    alignment = align(inputs.features, tips, inputs.arm.tip.radius_mm, inputs.block, known)
+    refuse_wrong_faces(alignment, inputs.features, inputs.block)
+    return alignment
+
+
+def refined(
+    detection: ObjectDetection, block: Crenellated, stripe: Stripe
+) -> tuple[CameraFit, LaserPlaneFit]:
+    """The adjusted camera and plane, the stripe sorted anew with the adjusted camera."""
+    laser = fit_laser_plane(detection.camera, block, stripe)
+    fit = fit_camera(
+        detection.camera, block, Observations(detection.edges, detection.corners, stripe, laser)
+    )
+    sorted_anew = fit_laser_plane(fit.camera, block, stripe)
+    if not np.array_equal(sorted_anew.used, laser.used):
+        laser = sorted_anew
+        fit = fit_camera(
+            fit.camera, block, Observations(detection.edges, detection.corners, stripe, laser)
+        )
+    return fit, fit_laser_plane(fit.camera, fit.scene.block, stripe, fit.plane)
+
+
+def probe_matrix(T_arm_flange: Floats, T_arm_sensor: Floats) -> Floats:
+    """``T_flange_sensor`` (4, 4) from both in the calibration pose (Eq. 8)."""
+    return np.asarray(inverse(T_arm_flange) @ T_arm_sensor)
+
+
+def _assembled(
+    inputs: OnePoseInputs,
+    alignment: Alignment,
+    detection: ObjectDetection,
+    faugeras: FaugerasSolution,
+    fit: CameraFit,
+    stripe: Stripe,
+    laser: LaserPlaneFit,
+) -> OnePoseCalibration:
+    """Probe matrix, budget and verdict of what was fitted."""
+    placed = Placement(
+        inputs.arm,
+        inputs.block,
+        alignment,
+        inputs.features,
+        inputs.contact_q_rad,
+        inputs.pose_q_rad,
+        arm_excess(inputs, alignment),
+    )
+    budget = budget_of(fit, placed)
+    at = corners(inputs.block)
+    predicted = project(fit.camera, np.array([at[corner.name] for corner in detection.corners]))
+    measured = np.array([[corner.u, corner.v] for corner in detection.corners])
+    evidence = Evidence(
+        inputs.block,
+        alignment,
+        inputs.features,
+        detection,
+        picture_findings(inputs.ambient),
+        faugeras,
+        fit,
+        stripe,
+        laser,
+        budget,
+        placed.arm_excess,
+    )
+    return OnePoseCalibration(
+        alignment=alignment,
+        detection=detection,
+        faugeras=faugeras,
+        fit=fit,
+        stripe=stripe,
+        laser=laser,
+        T_flange_sensor=probe_matrix(
+            flange_pose(inputs.arm, inputs.pose_q_rad), alignment.T_arm_obj
+        ),
+        corner_residuals_px=measured - predicted,
+        full_budget=budget,
+        depth_range_mm=_depth_range(fit, inputs.block),
+        findings=findings_of(evidence),
+        worst=worst_points(evidence, measured - predicted),
+    )
+
+
+def arm_excess(inputs: OnePoseInputs, alignment: Alignment) -> float:
+    """How much more the contacts scatter than the arm's encoders explain; 1 at least.
+
+    What is left beyond a hand's touch is the arm's geometry, so the calibration pose is
+    taken to be as much worse than its encoders as the contacts are.
+    """
+    noise = tip_covariances(inputs.arm, inputs.contact_q_rad)
+    if not np.any(noise):
+        return 1.0
+    normals = np.array([probing_face(inputs.block, face)[0] for face in inputs.features])
+    normals = normals @ alignment.T_arm_obj[:3, :3].T
+    variances = np.einsum("ij,ijk,ik->i", normals, noise, normals)[~alignment.outliers]
+    unexplained = (alignment.sigma_mm**2 - TOUCH_SD_MM**2) / float(np.mean(variances))
+    return float(np.sqrt(max(unexplained, 1.0)))
+
+
+def _faugeras(detection: ObjectDetection, block: Crenellated) -> FaugerasSolution:
+    at = corners(block)
+    points = np.array([at[corner.name] for corner in detection.corners]).reshape(-1, 3)
+    uv = np.array([[corner.u, corner.v] for corner in detection.corners]).reshape(-1, 2)
+    camera = detection.camera
+    return solve_faugeras(points, uv, camera.width_px, camera.height_px)
+
+
+def _depth_range(fit: CameraFit, block: Crenellated) -> tuple[float, float]:
+    uv = volume_pixels(fit.camera, fit.plane, block)
+    points = sensor_points(fit.camera, fit.plane, uv)
+    distance = np.linalg.norm(points - fit.camera.centre_mm, axis=1)
+    return float(distance.min()), float(distance.max())
+
+
+def _check(inputs: OnePoseInputs) -> None:
+    """Refuses inputs that do not belong together."""
+    joints = inputs.arm.joint_count
+    angles = {"the calibration pose": np.atleast_2d(inputs.pose_q_rad)}
+    angles["the contacts"] = inputs.contact_q_rad
+    for name, q in angles.items():
+        if q.ndim != 2 or q.shape[1] != joints:
+            raise Refusal(
+                "joint-count",
+                f"{name}: {q.shape[-1]} joint angles",
+                f"the arm {inputs.arm.name} has {joints} joints",
+                "check that the session was taken with this arm",
+            )
+        if not np.isfinite(q).all():
+            raise Refusal("angles-not-finite", f"{name}: a joint angle is not a number")
+    if len(inputs.features) != len(inputs.contact_q_rad):
+        raise Refusal(
+            "contacts-malformed",
+            f"{len(inputs.features)} faces for {len(inputs.contact_q_rad)} contacts",
+        )
+    pictures = {"the calibration picture": inputs.ambient, "the laser picture": inputs.laser}
+    size = inputs.size_px or (inputs.ambient.shape[1], inputs.ambient.shape[0])
+    for name, picture in pictures.items():
+        if picture is not None and picture.shape[:2] != (size[1], size[0]):
+            raise Refusal(
+                "image-size",
+                f"{name} is {picture.shape[1]} x {picture.shape[0]} pixels",
+                f"{size[0]} x {size[1]} were expected",
+                "use full pictures of one sensor, neither cropped nor scaled",
+            )

@@ -1,0 +1,232 @@
+"""The inner corners of a chessboard in a picture, each known by its place on the board."""
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from app.errors import Refusal
+from app.metrology.chessboard.corner_fit import fit_corner
+from app.metrology.chessboard.failure_evidence import with_board_evidence
+from app.metrology.chessboard.grid import Lattice, largest_lattice, mapped, perspective
+from app.metrology.chessboard.saddle_points import Saddles, find_saddles
+from app.metrology.image import Image, saturation_level
+from app.metrology.stripe import Stripe, empty_stripe
+from app.metrology.targets.chessboard import Chessboard
+from app.metrology.transforms import Floats
+
+# Pixels this near to clipped ones or to the stripe's middle show laser light.
+BESIDE_CLIPPED_PX, BESIDE_STRIPE_PX = 8, 12
+# Weaker points than this share of the stripe's usual brightness are none of it.
+OF_THE_STRIPE = 0.5
+# The laser's line outshines the sheet by this, and the sheet's white this share of a picture.
+OUTSHINES, DARKER_SHARE = 1.15, 0.95
+# Share of the corners that must be seen, and on each side of the pattern.
+LEAST_SEEN, LEAST_ON_A_SIDE = 0.5, 2
+# Corners further than this off a perspective of all, and this often the usual, are left out.
+MISFIT_PX, MISFIT_TIMES = 0.5, 6.0
+
+
+@dataclass(frozen=True)
+class BoardDetection:
+    """N corners of the board in one picture.
+
+    ``number`` (N,) says which of ``corner_points`` each is; where the colours leave a
+    choice, ``other_numbers`` holds the others, each as good. ``covariance_px2`` is by
+    the picture's noise around each corner.
+    """
+
+    uv_px: Floats  # (N, 2)
+    covariance_px2: Floats  # (N, 2, 2)
+    number: NDArray[np.int64]  # (N,)
+    other_numbers: tuple[NDArray[np.int64], ...] = ()
+
+    def __len__(self) -> int:
+        return len(self.number)
+
+
+def detect_board(image: Image, board: Chessboard, stripe: Stripe | None = None) -> BoardDetection:
+    """Every inner corner that can be measured; those under the laser's line are left out.
+
+    Args:
+        image: (H, W) of 8 or 16 bits.
+        stripe: of the same picture, where the laser was on.
+
+    Raises:
+        DetectionRefusal: no board, another board, or too little of it to number its corners
+            surely; with what of the picture is at fault, and what of the board was found.
+    """
+    blocked = _blocked(image, stripe)
+    saddles = find_saddles(image, blocked)
+    columns, rows = board.inner_corners
+    lattice = largest_lattice(saddles, columns * rows)
+    try:
+        return _numbered_corners(image, blocked, board, saddles, lattice)
+    except Refusal as refusal:
+        raise with_board_evidence(refusal, image, saddles, lattice) from refusal
+
+
+def _numbered_corners(
+    image: Image,
+    blocked: NDArray[np.bool_],
+    board: Chessboard,
+    saddles: Saddles,
+    lattice: Lattice,
+) -> BoardDetection:
+    columns, rows = board.inner_corners
+    _refuse_other_board(lattice, board)
+    ways = _numberings(saddles, lattice, board)
+    uv, covariance, taken = _measured(image, blocked, saddles, lattice)
+    if len(taken) < LEAST_SEEN * columns * rows:
+        raise Refusal(
+            "board-blurred",
+            f"{len(taken)} of {columns * rows} corners of {board.name} can be measured",
+            "the picture is blurred or noisy, or the laser's line lies over them",
+            "focus, and light the board evenly",
+        )
+    numbers = [way[taken] for way in ways]
+    kept = _agreeing(board, uv, numbers[0])
+    return BoardDetection(
+        uv[kept], covariance[kept], numbers[0][kept], tuple(other[kept] for other in numbers[1:])
+    )
+
+
+def outshining(image: Image, stripe: Stripe) -> Stripe:
+    """The stripe, or none of it where it is not brighter than a sheet's white: bright squares
+    between black ones look like a stripe where the laser's line is out of the picture."""
+    if not len(stripe.u):
+        return stripe
+    u, v = (np.round(x).astype(np.int64) for x in (stripe.u, stripe.v))
+    at = image[np.clip(v, 0, image.shape[0] - 1), np.clip(u, 0, image.shape[1] - 1)]
+    white = float(np.quantile(image, DARKER_SHARE))
+    if np.median(at) >= min(OUTSHINES * white, saturation_level(image)):
+        return stripe
+    return empty_stripe(stripe.axis)
+
+
+def _blocked(image: Image, stripe: Stripe | None) -> NDArray[np.bool_]:
+    """(H, W) pixels that the laser's line has spoilt."""
+    size = 2 * BESIDE_CLIPPED_PX + 1
+    spoilt = (image >= saturation_level(image)).astype(np.uint8)
+    spoilt = np.asarray(cv2.dilate(spoilt, np.ones((size, size), np.uint8)), np.uint8)
+    if stripe is not None and len(stripe.u):
+        own = stripe.intensity > OF_THE_STRIPE * float(np.median(stripe.intensity))
+        middle = np.zeros(image.shape, np.uint8)
+        u, v = (np.round(x[own]).astype(np.int64) for x in (stripe.u, stripe.v))
+        middle[np.clip(v, 0, image.shape[0] - 1), np.clip(u, 0, image.shape[1] - 1)] = 1
+        size = 2 * BESIDE_STRIPE_PX + 1
+        spoilt |= np.asarray(cv2.dilate(middle, np.ones((size, size), np.uint8)), np.uint8)
+    return spoilt.astype(np.bool_)
+
+
+def _refuse_other_board(lattice: Lattice, board: Chessboard) -> None:
+    """Refuses what cannot be numbered for certain."""
+    columns, rows = board.inner_corners
+    if len(lattice) < 4:
+        raise Refusal(
+            "board-not-found",
+            f"no chessboard of {columns} x {rows} inner corners was found",
+            "it is out of the picture, covered or blurred, or another object lies there",
+            "bring the whole board into the picture, sharp and evenly lit",
+        )
+    places = np.array(list(lattice))
+    # told in the certificate's order, whichever way the picture lies
+    found = sorted((int(n) for n in np.ptp(places, axis=0) + 1), reverse=columns >= rows)
+    if sorted(found) != sorted((columns, rows)):
+        more = max(found) > max(columns, rows) or min(found) > min(columns, rows)
+        raise Refusal(
+            "another-board" if more else "board-partly-seen",
+            f"a chessboard of {found[0]} x {found[1]} inner corners was found",
+            f"{board.name} has {columns} x {rows}"
+            + ("" if more else "; without its outermost corners the others cannot be numbered"),
+            "give the certificate of the board in the picture"
+            if more
+            else "bring the whole board into the picture, and its outermost corners off the laser;"
+            " if the board has no more, give its own certificate",
+        )
+    low, high = places.min(axis=0), places.max(axis=0)
+    on_sides = [int(np.sum(places[:, k] == end[k])) for k in (0, 1) for end in (low, high)]
+    if len(lattice) < LEAST_SEEN * columns * rows or min(on_sides) < LEAST_ON_A_SIDE:
+        raise Refusal(
+            "board-partly-seen",
+            f"{len(lattice)} of {columns * rows} corners of {board.name} were found",
+            "the others are covered, or lost in the laser's light",
+            "bring the whole board into the picture, sharp and evenly lit",
+        )
+
+
+def _numberings(saddles: Saddles, lattice: Lattice, board: Chessboard) -> list[NDArray[np.int64]]:
+    """Each way to number the lattice's corners that turns and colours allow.
+
+    Z points to the camera, so that Y is to the left of X in the picture; the square
+    outside the first corner is black where any at such a corner is.
+    """
+    columns, rows = board.inner_corners
+    places = np.array(list(lattice))
+    places = places - places.min(axis=0)
+    uv = saddles.uv_px[list(lattice.values())]
+    phase = saddles.phase[list(lattice.values())]
+    black: list[NDArray[np.int64]] = []
+    white: list[NDArray[np.int64]] = []
+    for turned in _turned(places):
+        if tuple(turned.max(axis=0) + 1) != (columns, rows):
+            continue
+        H = perspective(turned, uv)
+        right, up = (mapped(H, turned + np.array(way)) - uv for way in ((1, 0), (0, 1)))
+        if float(np.median(right[:, 0] * up[:, 1] - right[:, 1] * up[:, 0])) > 0:
+            continue  # seen from behind
+        across = mapped(H, turned + 1) - uv
+        angle = np.arctan2(across[:, 1], across[:, 0])
+        sign = 1 - 2 * (turned.sum(axis=1) % 2)
+        bright = float(np.mean(sign * np.cos(2 * angle + phase))) > 0
+        (white if bright else black).append(turned[:, 1] * columns + turned[:, 0])
+    return black or white
+
+
+def _turned(places: NDArray[np.int64]) -> list[NDArray[np.int64]]:
+    """The eight ways to count columns and rows (N, 2) from a corner of the grid."""
+    high = places.max(axis=0)
+    ways = []
+    for flip in ((0, 0), (1, 0), (0, 1), (1, 1)):
+        flipped = np.where(np.array(flip, dtype=np.bool_), high - places, places)
+        ways += [flipped, flipped[:, ::-1]]
+    return ways
+
+
+def _measured(
+    image: Image, blocked: NDArray[np.bool_], saddles: Saddles, lattice: Lattice
+) -> tuple[Floats, Floats, NDArray[np.int64]]:
+    """Pixels, covariances, and which of the lattice's corners these are."""
+    uv, covariance, taken = [], [], []
+    for k, (place, saddle) in enumerate(lattice.items()):
+        at = saddles.uv_px[saddle]
+        spacing = _spacing(saddles, lattice, place)
+        found = fit_corner(image, blocked, at, float(saddles.phase[saddle]), spacing)
+        if found is not None:
+            uv.append(found.uv_px)
+            covariance.append(found.covariance_px2)
+            taken.append(k)
+    return (
+        np.array(uv).reshape(-1, 2),
+        np.array(covariance).reshape(-1, 2, 2),
+        np.array(taken, dtype=np.int64),
+    )
+
+
+def _spacing(saddles: Saddles, lattice: Lattice, place: tuple[int, int]) -> float:
+    """Pixels to the nearest of a corner's neighbours."""
+    i, j = place
+    beside = [lattice.get((i + a, j + b)) for a, b in ((1, 0), (-1, 0), (0, 1), (0, -1))]
+    at = saddles.uv_px[lattice[place]]
+    away = [float(np.linalg.norm(saddles.uv_px[k] - at)) for k in beside if k is not None]
+    return min(away, default=0.0)
+
+
+def _agreeing(board: Chessboard, uv: Floats, number: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """Which corners lie where a perspective of all puts them, to a lens's distortion."""
+    columns = board.inner_corners[0]
+    places = np.column_stack([number % columns, number // columns])
+    H = perspective(places, uv, cv2.LMEDS)
+    off = np.linalg.norm(mapped(H, places) - uv, axis=1)
+    return np.asarray(off < max(MISFIT_PX, MISFIT_TIMES * float(np.median(off))))

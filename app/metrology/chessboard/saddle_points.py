@@ -1,0 +1,103 @@
+"""Places of a picture where four squares may meet: saddles of the brightness."""
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.image import Image
+from app.metrology.transforms import Floats
+
+# Blur at which saddles are sought, and the radii of the two rings on which each is tested.
+BLURS_PX = (1.5, 3.0)
+RINGS_PX = (5.0, 8.0)
+RING_POINTS = 32
+# Share of a ring's variance that alternates twice round it: 0.81 for a perfect corner, 0 for
+# an edge; and the least step between bright and dark, in standard deviations of the noise.
+LEAST_ALTERNATING = 0.5
+LEAST_STEP_SIGMAS = 4.0
+MOST_CANDIDATES = 4000
+
+
+@dataclass(frozen=True)
+class Saddles:
+    """N candidates: pixels (N, 2), and the phase (N,) in rad of their bright sectors.
+
+    Neighbouring corners of a chessboard have opposite phases.
+    """
+
+    uv_px: Floats
+    phase: Floats
+
+
+def find_saddles(image: Image, blocked: NDArray[np.bool_]) -> Saddles:
+    """Candidates outside the blocked pixels (H, W), each once."""
+    grey = image.astype(np.float32)
+    noise = _noise(grey)
+    smooth = np.asarray(cv2.GaussianBlur(grey, (0, 0), 1.0), np.float32)
+    places: list[Floats] = []
+    phases: list[Floats] = []
+    for blur in BLURS_PX:
+        uv = _peaks(grey, blur, blocked)
+        good = np.ones(len(uv), dtype=np.bool_)
+        phase = np.zeros(len(uv))
+        for ring in RINGS_PX:
+            share, amplitude, phase = _alternating(smooth, uv, ring * blur / BLURS_PX[0])
+            good &= (share > LEAST_ALTERNATING) & (amplitude > LEAST_STEP_SIGMAS * noise)
+        places.append(uv[good])
+        phases.append(phase[good])
+    return _each_once(np.concatenate(places), np.concatenate(phases))
+
+
+def _noise(grey: NDArray[np.float32]) -> float:
+    """Standard deviation of a pixel of the dark and even parts, in grey levels."""
+    steps = np.abs(np.diff(grey[::4], axis=1))
+    return max(float(np.median(steps)) / (0.6745 * 2**0.5), 0.3)
+
+
+def _peaks(grey: NDArray[np.float32], blur: float, blocked: NDArray[np.bool_]) -> Floats:
+    """(N, 2) local maxima of the saddle's strength, the strongest ``MOST_CANDIDATES``."""
+    smooth = cv2.GaussianBlur(grey, (0, 0), blur)
+    xx = cv2.Sobel(smooth, cv2.CV_32F, 2, 0)
+    yy = cv2.Sobel(smooth, cv2.CV_32F, 0, 2)
+    xy = cv2.Sobel(smooth, cv2.CV_32F, 1, 1)
+    strength = xy * xy - xx * yy
+    size = 2 * int(2 * blur) + 1
+    peak = strength >= cv2.dilate(strength, np.ones((size, size), np.uint8))
+    peak &= (strength > 0) & ~blocked
+    rows, columns = np.nonzero(peak)
+    order = np.argsort(-strength[rows, columns])[:MOST_CANDIDATES]
+    return np.column_stack([columns, rows])[order].astype(np.float64)
+
+
+def _alternating(
+    smooth: NDArray[np.float32], uv: Floats, ring_px: float
+) -> tuple[Floats, Floats, Floats]:
+    """How a ring round each place alternates twice: share of variance, amplitude, phase."""
+    if not len(uv):
+        return np.zeros(0), np.zeros(0), np.zeros(0)
+    angle = 2 * np.pi * np.arange(RING_POINTS) / RING_POINTS
+    at = uv[:, None, :] + ring_px * np.column_stack([np.cos(angle), np.sin(angle)])
+    at32 = at.astype(np.float32)
+    values = cv2.remap(
+        smooth, at32[..., 0], at32[..., 1], cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE
+    ).reshape(len(uv), RING_POINTS)
+    spectrum = np.fft.rfft(values, axis=1)
+    power = np.abs(spectrum[:, 1:]) ** 2
+    power[:, :-1] *= 2
+    total = np.maximum(power.sum(axis=1), 1e-9)
+    inside = (at >= 0).all(axis=(1, 2))
+    inside &= (at < np.array(smooth.shape[::-1]) - 1).all(axis=(1, 2))
+    share = np.where(inside, power[:, 1] / total, 0.0)
+    amplitude = 2 * np.abs(spectrum[:, 2]) / RING_POINTS
+    return share, amplitude, np.angle(spectrum[:, 2])
+
+
+def _each_once(uv: Floats, phase: Floats) -> Saddles:
+    """Candidates of several blurs that lie on one another count once."""
+    kept: list[int] = []
+    for i, place in enumerate(uv):
+        if not kept or np.min(np.sum((uv[kept] - place) ** 2, axis=1)) > 3.0**2:
+            kept.append(i)
+    return Saddles(uv[kept], phase[kept])

@@ -1,0 +1,219 @@
+"""The crenellated object in a calibration image: its edges, its corners, and the camera they show.
+
+No guess from the operator is needed. The object is found in a small picture
+(``locate``), its edges are measured in the full one (``edge_survey``) with a camera
+fitted to all of them at once, and the result is accepted only if every edge lies
+where the certificate puts it (``acceptance``).
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.errors import Refusal
+from app.metrology.detection import acceptance
+from app.metrology.detection import errors as refusals
+from app.metrology.detection.corner_fit import Corner, corners_where_edges_meet
+from app.metrology.detection.edges.dimension_test import unseen
+from app.metrology.detection.edges.measure_all import Survey
+from app.metrology.detection.failure_evidence import DetectionRefusal, with_evidence
+from app.metrology.detection.image_quality import (
+    Image,
+    PictureFinding,
+    grey_picture,
+    noisy,
+    picture_findings,
+)
+from app.metrology.detection.search.coarse_pose import Cleaning, locate, working_picture
+from app.metrology.detection.search.verify_hypotheses import NOT_TRIED, Placed, Tried, try_placings
+from app.metrology.detection.stripe_mask import stripe_mask
+from app.metrology.sensor.camera import Camera
+from app.metrology.stripe import Stripe
+from app.metrology.targets.crenellated_block import Crenellated
+from app.metrology.transforms import Floats
+
+__all__ = [
+    "Corner",
+    "DetectionRefusal",
+    "EdgePoints",
+    "ObjectDetection",
+    "PictureFinding",
+    "detect_object",
+    "picture_findings",
+]
+
+# Longer sides, in pixels, at which the object is looked for, and how the picture is freed of
+# texture there: small objects want a larger picture, soft and noisy pictures a smaller one.
+_ATTEMPTS: tuple[tuple[int, Cleaning], ...] = (
+    (640, "coarse"),
+    (640, "fine"),
+    (320, "coarse"),
+    (640, "speckled"),
+    (320, "fine"),
+    (1280, "fine"),
+)
+# Where a picture is not seen well, a placing that less of the visible edges bears out may be
+# a wrong one.
+_HALF = 0.5
+# A try that draws this share of another's edges says as much.
+_AS_MUCH = 0.8
+
+# A camera's eleven numbers need as many corners, two numbers each.
+_LEAST_CORNERS = 6
+
+
+@dataclass(frozen=True)
+class EdgePoints:
+    """Measured points (N, 2) of one edge; each is free along the edge, and across it,
+    along ``normal`` (N, 2), has the standard deviation ``sigma_px`` (N,)."""
+
+    edge: str
+    uv_px: Floats
+    normal: Floats
+    sigma_px: Floats
+
+
+@dataclass(frozen=True)
+class ObjectDetection:
+    """The block in an image. ``camera`` has the object frame as its sensor frame;
+    ``rms_px`` is that of the edge points about it, along their normals; ``unseen`` names
+    the planes of the block whose place the image does not show."""
+
+    corners: tuple[Corner, ...]
+    edges: tuple[EdgePoints, ...]
+    camera: Camera
+    rms_px: float
+    unseen: tuple[str, ...] = ()
+
+
+def detect_object(
+    ambient: Image, block: Crenellated, stripe: Stripe | None = None
+) -> ObjectDetection:
+    """Finds, identifies and measures the block in one image, without a starting guess.
+
+    Args:
+        ambient: (H, W) grey, 8 to 16 bits, with room light (and the laser's, if
+            ``stripe`` is given).
+        block: the block by its certificate.
+        stripe: the laser's points in this image; its pixels are left out.
+
+    Raises:
+        Refusal: ``image-not-grey``, ``image-dark``, ``image-saturated``,
+            ``image-blurred``, ``object-not-found``, ``object-unclear``,
+            ``object-does-not-match``, ``object-mirrored``, ``object-ambiguous``,
+            ``object-cut-off``; all but the first as ``DetectionRefusal``, with the evidence.
+    """
+    grey, clipped = grey_picture(ambient)
+    findings = picture_findings(ambient)
+    lit = None if stripe is None or len(stripe.u) == 0 else stripe_mask(grey, stripe)
+    tries: list[Tried] = []
+    declined: list[Placed] = []
+    try:
+        refusals.refuse_unusable(findings, clipped)
+        hidden = clipped if lit is None else clipped | lit
+        for longer_px, cleaning in _ATTEMPTS:
+            small, ignore, scale = working_picture(grey, lit, longer_px)
+            found = locate(small, ignore, block, cleaning)
+            tried = try_placings(grey, hidden, found, scale, block, declined)
+            tries.append(tried)
+            best = max(tries, key=lambda one: one.borne_out_px)
+            if tried.good and not tried.doubtful and tried is best:
+                _refuse_gainsaid(tried, tries[:-1], findings, block)
+                return _detection(_the_one(tried, findings, block), block)
+            if tried.sure_of_another:
+                break
+        if best.good:
+            return _detection(_the_one(best, findings, block), block)
+        refusals.refuse_bad_picture(findings, "the object was not found")
+        raise _why_not(tries, findings, grey, block)
+    except Refusal as refusal:
+        shown = max(tries, key=lambda one: one.shown_px, default=NOT_TRIED)
+        raise with_evidence(
+            refusal, findings, clipped, shown.found, shown.measured, shown.against
+        ) from None
+
+
+def _refuse_gainsaid(
+    tried: Tried, before: list[Tried], findings: list[PictureFinding], block: Crenellated
+) -> None:
+    """Refuses a find where an earlier try drew about as much of the object and found another.
+
+    Raises:
+        Refusal: ``object-does-not-match``.
+    """
+    for one in before:
+        as_much = one.shown_px > _AS_MUCH * tried.shown_px
+        if one.nearest is not None and one.against is not None and one.against.definite and as_much:
+            raise refusals.contradicted(block, one.against, findings, one.nearest.blur_px)
+
+
+def _the_one(tried: Tried, findings: list[PictureFinding], block: Crenellated) -> Survey:
+    """The measured placing, if there is no other and it is fit to be used.
+
+    Raises:
+        Refusal: ``image-blurred``, ``image-saturated``, ``object-ambiguous``,
+            ``object-mirrored``, ``object-cut-off``.
+    """
+    located, measured = tried.good[0]
+    refusals.refuse_blurred(measured)
+    share = acceptance.in_frame(measured)
+    if tried.more_than_one_way or acceptance.symmetric(block):
+        refusals.refuse_bad_picture(findings, "it can be read in more than one way")
+        raise refusals.ambiguous(block, share)
+    if located.mirrored:
+        raise refusals.mirror_refusal(block, share)
+    if acceptance.too_little_left(measured, block, share):
+        raise refusals.too_much_cut_off(block, share)
+    return measured
+
+
+def _why_not(
+    tries: list[Tried], findings: list[PictureFinding], grey: Floats, block: Crenellated
+) -> Refusal:
+    """The refusal after the last attempt: another object, or one not seen well enough."""
+    best = max(tries, key=lambda one: one.shown_px)
+    # Lines that mostly make no block are of marks and of other things: these may hide it.
+    block_like = [acceptance.block_like(one.found) for one in tries]
+    seen_well = not findings and not noisy(grey) and sum(block_like) > len(tries) / 2
+    # A placing that hardly shows is none to say where the frame ends on.
+    if best.nearest is not None and best.share_shown > acceptance.LEAST_SHOWN:
+        share = acceptance.in_frame(best.nearest)
+        if acceptance.too_little_left(best.nearest, block, share):
+            return refusals.too_much_cut_off(block, share)
+    if best.nearest is not None and best.against is not None and best.against.definite:
+        if not seen_well and best.share_shown < _HALF:
+            return refusals.hardly_shown(block, best.against, best.share_shown)
+        return refusals.contradicted(block, best.against, findings, best.nearest.blur_px)
+    if not any(block_like):
+        return refusals.unfound(tries[0].found)
+    why = "no placing of its edges explains those in the picture"
+    if best.against is not None:
+        why = best.against.text
+        seen_well = seen_well and not best.against.hidden
+    return refusals.mismatch(block, why) if seen_well else refusals.unclear(block, why)
+
+
+def _detection(measured: Survey, block: Crenellated) -> ObjectDetection:
+    at = measured.at
+    edges = []
+    for edge in np.unique(at.edge[measured.used]):
+        rows = np.flatnonzero(measured.used & (at.edge == edge))
+        edges.append(
+            EdgePoints(
+                measured.frame.names[edge],
+                measured.uv_px[rows],
+                at.normal[rows],
+                measured.sigma_px[rows],
+            )
+        )
+    off = measured.off_px[measured.used]
+    found = corners_where_edges_meet(measured, block)
+    if len(found) < _LEAST_CORNERS:
+        raise refusals.unclear(block, f"only {len(found)} of its corners can be measured")
+    return ObjectDetection(
+        found,
+        tuple(edges),
+        measured.camera,
+        float(np.sqrt(np.mean(off**2))),
+        unseen(measured),
+    )

@@ -1,0 +1,1 @@
+"""All edges of the block measured to a fraction of a pixel. Entry point: ``measure_all``."""

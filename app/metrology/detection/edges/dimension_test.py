@@ -1,0 +1,244 @@
+"""Is a size of the certificate wrong: would the edges fit far better were one plane shifted?
+
+All edges in one of the block's planes shift together when a size is wrong, and the
+fitted camera takes up part of that. So each plane's shift is estimated beside the camera,
+in one adjustment, and judged over its standard deviation by the scatter that is left
+(Baarda's test of one alternative hypothesis, with the variance estimated).
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.detection.edges.camera_from_edges import (
+    WITH_K1,
+    WITH_K2,
+    held_rows,
+    residuals_with_jacobian,
+)
+from app.metrology.detection.edges.measure_all import Survey
+from app.metrology.detection.edges.stations import Stations
+from app.metrology.detection.edges.step_fit import chosen
+from app.metrology.detection.visibility import Wireframe
+from app.metrology.sensor.camera import Camera, project
+from app.metrology.transforms import Floats
+
+# Each part's points are gathered into so many pieces at most, of at least so many points.
+_PIECES, _IN_PIECE = 3, 4
+# What the image leaves of an edge's place beside noise and marks, over the blur.
+_LEFT_BLURS = 0.03
+# So many points that a plane's shift by a mm would move so many px show where it lies.
+_TELLING_POINTS, _TELLING_PX = 4, 2.0
+# Pieces further off than this many deviations weigh less (Huber), and rounds of that.
+_HUBER, _ROUNDS = 2.5, 3
+# By how much, in mm, a size may be thought wrong.
+FURTHEST_MM = 2.6
+# An edge is where it should be where at least so many px of it, and this share of its points,
+# lie within so many px of it, and might be moved by twice that were the size wrong.
+_ENOUGH_PX, _MOST_OF_IT, _IN_PLACE_PX = 18.0, 0.6, 1.6
+
+
+@dataclass(frozen=True)
+class Shift:
+    """How far a plane of the block seems to lie from its place in the certificate.
+
+    ``axis`` and ``at_mm``: the plane; ``edges``: rows in the wireframe of those in it;
+    ``by_mm`` along the axis; ``ratio``: that over its standard deviation, the
+    certificate's included.
+    """
+
+    axis: int
+    at_mm: float
+    edges: tuple[int, ...]
+    by_mm: float
+    ratio: float
+
+
+@dataclass(frozen=True)
+class _Pieces:
+    """Gathered points: distances (M,) from the camera's edges, their variances (M,) in px
+    squared, and what the camera's parameters (M, P) and the planes' shifts (M, K), px a mm,
+    do to them."""
+
+    off_px: Floats
+    variance: Floats
+    camera: Floats
+    shifts: Floats
+
+
+def planes(frame: Wireframe) -> list[tuple[int, float, tuple[int, ...]]]:
+    """Every plane of the block's faces: its axis, its coordinate in mm, the edges in it."""
+    both = np.stack([frame.starts_mm, frame.ends_mm], axis=1)
+    found = []
+    for axis in range(3):
+        for value in np.unique(both[..., axis]):
+            edges = np.flatnonzero((np.abs(both[..., axis] - value) < 1e-9).all(axis=1))
+            found.append((axis, float(value), tuple(int(edge) for edge in edges)))
+    return found
+
+
+def lines_along_x(frame: Wireframe, kinds: tuple[str, ...]) -> list[list[int]]:
+    """Edges along X, those in one line together, from the left to the right."""
+    lines: dict[tuple[str, str], list[int]] = {}
+    for edge, name in enumerate(frame.names):
+        words = name.split(":")
+        if words[0] in kinds and words[-1] in ("front", "back"):
+            lines.setdefault((words[0], words[-1]), []).append(edge)
+    return list(lines.values())
+
+
+def moves_px_per_mm(camera: Camera, at: Stations, axis: int) -> Floats:
+    """(N,) how far a shift along an axis moves each station's edge across, along its normal."""
+    ahead = project(camera, at.points_mm + 0.1 * np.eye(3)[axis]) - at.uv_px
+    return np.asarray(10.0 * (ahead * at.normal).sum(axis=1))
+
+
+def in_place(found: Survey, edges: tuple[int, ...], axis: int) -> int:
+    """How many of a plane's edges are seen, all but whole, where the certificate puts them.
+
+    Only those count that a shift of the plane would move in the picture.
+    """
+    at = found.at
+    count = 0
+    for edge in edges:
+        rows = np.flatnonzero(at.edge == edge)
+        there = found.used[rows] & (np.abs(found.off_px[rows]) < _IN_PLACE_PX)
+        moves = np.abs(moves_px_per_mm(found.camera, chosen(at, rows), axis))
+        there &= moves * FURTHEST_MM > 2 * _IN_PLACE_PX
+        enough = at.length_px[rows][there].sum() > _ENOUGH_PX
+        count += bool(enough and there.sum() >= _MOST_OF_IT * len(rows))
+    return count
+
+
+def shifts(found: Survey, certificate_mm: float) -> list[Shift]:
+    """How far each plane seems shifted; none where the edges tell nothing of it.
+
+    Args:
+        found: the edges measured, and the camera fitted to them.
+        certificate_mm: standard uncertainty of the block's coordinates.
+    """
+    faces = planes(found.frame)
+    free = WITH_K2 if found.camera.distortion[1] != 0.0 else WITH_K1
+    pieces = _gathered(found, faces, free, certificate_mm)
+    if len(pieces.off_px) <= len(free) + 1:
+        return []
+    held = held_rows(found.camera, free)
+    told = []
+    for k, (axis, at_mm, edges) in enumerate(faces):
+        by_mm, ratio = _estimated(pieces, held, k, certificate_mm)
+        told.append(Shift(axis, at_mm, edges, by_mm, abs(ratio)))
+    return told
+
+
+def unseen(found: Survey) -> tuple[str, ...]:
+    """The block's planes, in words, that no measured edge tells the place of.
+
+    Faces of equal brightness, shadows and the frame hide edges; a size that is wrong there
+    would not be noticed.
+    """
+    faces = planes(found.frame)
+    rows = np.flatnonzero(found.used)
+    telling = (np.abs(_shift_effects(found, rows, faces)) > _TELLING_PX).sum(axis=0)
+    count = dict.fromkeys(range(3), 0)
+    hidden = []
+    for (axis, _, _), points in zip(faces, telling, strict=True):
+        if points < _TELLING_POINTS:
+            hidden.append(plane_in_words(axis, count[axis]))
+        count[axis] += 1
+    return tuple(hidden)
+
+
+def plane_in_words(axis: int, number: int) -> str:
+    """The name of the so-manieth plane along an axis: merlons are counted from the left."""
+    if axis == 0:
+        return f"the {('left', 'right')[number % 2]} side of merlon {number // 2 + 1}"
+    if axis == 1:
+        return f"the block's {('front', 'back')[number]}"
+    return f"the height of its {('base', 'floors', 'crests')[number]}"
+
+
+def _gathered(
+    found: Survey,
+    faces: list[tuple[int, float, tuple[int, ...]]],
+    free: tuple[int, ...],
+    certificate_mm: float,
+) -> _Pieces:
+    """The used points in pieces of their parts."""
+    rows = np.flatnonzero(found.used)
+    at, camera = found.at, found.camera
+    part = at.part[rows]
+    _, effects = residuals_with_jacobian(
+        camera, at.points_mm[rows], found.uv_px[rows], at.normal[rows]
+    )
+    effects = np.column_stack([effects[:, list(free)], _shift_effects(found, rows, faces)])
+    depth = at.points_mm[rows] @ camera.rotation[2] + camera.translation_mm[2]
+    certificate_px = certificate_mm * camera.matrix[0, 0] / depth
+    weight = 1 / found.own_px[rows] ** 2
+    off, variance, means = [], [], []
+    for one in np.unique(part):
+        own = np.flatnonzero(part == one)
+        if len(own) < _IN_PIECE:
+            continue
+        for piece in np.array_split(own, min(_PIECES, len(own) // _IN_PIECE)):
+            total = weight[piece].sum()
+            off.append(weight[piece] @ found.off_px[rows[piece]] / total)
+            means.append(weight[piece] @ effects[piece] / total)
+            marks = found.marks_px[rows[piece[0]]]
+            variance.append(1 / total + marks**2 + certificate_px[piece].mean() ** 2)
+    table = np.array(means).reshape(len(off), -1)
+    return _Pieces(
+        np.array(off),
+        np.array(variance) + (_LEFT_BLURS * found.blur_px) ** 2,
+        table[:, : len(free)],
+        table[:, len(free) :],
+    )
+
+
+def _shift_effects(
+    found: Survey, rows: NDArray[np.int64], faces: list[tuple[int, float, tuple[int, ...]]]
+) -> Floats:
+    """What a shift of each plane by a mm does to the points' distances, (N, K) px."""
+    points, normal = found.at.points_mm[rows], found.at.normal[rows]
+    here = project(found.camera, points)
+    along = [
+        100.0
+        * ((project(found.camera, points + 0.01 * np.eye(3)[axis]) - here) * normal).sum(axis=1)
+        for axis in range(3)
+    ]
+    edge = found.at.edge[rows]
+    return np.column_stack(
+        [np.where(np.isin(edge, edges), along[axis], 0.0) for axis, _, edges in faces]
+    )
+
+
+def _estimated(
+    pieces: _Pieces, held: Floats, plane: int, certificate_mm: float
+) -> tuple[float, float]:
+    """A plane's shift in mm and that over its deviation; zeros where the camera does as much.
+
+    ``held`` (H, P): what is known of cameras beforehand, as further rows of the camera's.
+    """
+    weight = 1 / np.sqrt(pieces.variance)
+    count, spare = len(pieces.off_px), len(pieces.off_px) - pieces.camera.shape[1] - 1
+    nothing = np.zeros(len(held))
+    by_mm = deviation = 0.0
+    for _ in range(_ROUNDS):
+        table = np.vstack([pieces.camera * weight[:, None], held])
+        basis, _ = np.linalg.qr(table / np.linalg.norm(table, axis=0))
+        shift = np.append(pieces.shifts[:, plane] * weight, nothing)
+        off = np.append(pieces.off_px * weight, nothing)
+        alone = shift - basis @ (basis.T @ shift)
+        rest = off - basis @ (basis.T @ off)
+        square = float(alone @ alone)
+        if square <= 1e-6 * float(shift @ shift):
+            return 0.0, 0.0
+        by_mm = float(alone @ rest) / square
+        left = (rest - by_mm * alone)[:count]
+        scale = max(1.0, float(np.sqrt(left @ left / spare)))
+        deviation = float(np.hypot(scale / np.sqrt(square), certificate_mm))
+        spread = max(1.0, float(np.median(np.abs(left))) / 0.6745)
+        weight = weight * np.sqrt(
+            np.minimum(1.0, _HUBER * spread / np.maximum(np.abs(left), 1e-12))
+        )
+    return by_mm, by_mm / deviation

@@ -1,0 +1,258 @@
+"""Where the block's edges along X end in the picture: at their certificate's corners?
+
+An edge that ends elsewhere tells of a wrong size where the edges of the shifted plane
+itself are hidden: by faces of equal brightness, or lost among shadows' borders.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from app.metrology.detection.edges.dimension_test import (
+    FURTHEST_MM,
+    in_place,
+    lines_along_x,
+    planes,
+)
+from app.metrology.detection.edges.measure_all import Survey, stations_along_x
+from app.metrology.detection.edges.other_edges import lie_at
+from app.metrology.detection.edges.stations import Stations, profiles
+from app.metrology.detection.edges.step_fit import chosen
+from app.metrology.detection.rejection import Objection, elsewhere
+from app.metrology.detection.visibility import seen
+from app.metrology.sensor.camera import project
+from app.metrology.transforms import Floats
+
+# An edge's step is told from at least so much of it, px.
+_ENOUGH_PX = 16.0
+# What is too little to be told as another size, px; an edge is followed by so many px more
+# than a size may be thought wrong, to either side.
+_NEAREST_PX, _FURTHER_PX = 5.0, 14.0
+# An edge is where its step is at least this share of its usual one, and not where it is less
+# than that; its usual one stands out so many times from what lies beside it.
+_THERE, _GONE, _OVER_BESIDE = 0.6, 0.3, 4.0
+# Of what is followed, this share may be otherwise on the edge's side of its end, and beyond;
+# so many px must be known of either, the edge's light gathered along so many.
+_LESS, _MORE, _KNOWN_PX, _ALONG_PX = 0.1, 0.15, 6, 5
+# An end that is hidden, and so is unclear by more than this beyond what the blur leaves, is none.
+_UNCLEAR_PX = 3.0
+# Where an edge ends, its light is mixed with what lies beyond for so many px and blurs.
+_CLEAR_PX, _CLEAR_BLURS = 3.0, 1.5
+# Ends are the same, moved, where they are moved alike to so many px, or to this share.
+_ALIKE_PX, _ALIKE = 4.0, 0.15
+# A share of an edge that is rounding.
+_ROUNDING = 1e-6
+# Of the way to the next edge in the line, how much is the edge's own.
+_OWN_WAY = 0.6
+
+
+@dataclass(frozen=True)
+class End:
+    """Where an edge seems to end: ``by_mm`` ``outward`` (1 or -1 along X) of its plane at
+    ``at_mm``, as far as the picture is clear, to ``unclear_px``."""
+
+    at_mm: float
+    outward: float
+    by_mm: float
+    px_per_mm: float
+    unclear_px: float
+
+    @property
+    def by_px(self) -> float:
+        return abs(self.by_mm) * self.px_per_mm
+
+    @property
+    def moved(self) -> bool:
+        return self.by_px > self.unclear_px
+
+
+def ends_of(grey: Floats, found: Survey) -> list[End]:
+    """Where the edges of crests and base along X end, as far as the picture tells.
+
+    Broken edges cut all of them short alike: so each is compared with the others of the block.
+
+    Args:
+        grey: (H, W) the picture, NaN where it must not count.
+        found: the edges measured in it.
+    """
+    ends = [end for way in _ways(found) if (end := _end(grey, found, way)) is not None]
+    usual_mm = float(np.median([end.by_mm for end in ends])) if ends else 0.0
+    return [replace(end, by_mm=end.by_mm - usual_mm) for end in ends]
+
+
+def in_place_by(ends: Sequence[End], at_mm: float, by_mm: float) -> bool:
+    """Whether edges end where they should at a plane along X, rather than ``by_mm`` further."""
+    own = [end for end in ends if end.at_mm == at_mm]
+    away = [abs(end.outward * by_mm - end.by_mm) * end.px_per_mm for end in own]
+    stand = [not end.moved and px > end.unclear_px for end, px in zip(own, away, strict=True)]
+    return bool(own) and all(stand)
+
+
+def ends_elsewhere(grey: Floats, found: Survey, everywhere: Sequence[End]) -> Objection | None:
+    """A size along X that the picture shows to be another, as edges end elsewhere, if any.
+
+    One edge may be cut short by anything that lies before it. Where two edges of crests and
+    base end at one other place, or one does and lines run where that would put the plane's
+    own edges, none ends where it should, and no edge in the plane that ends them is seen in
+    its place, that plane lies there; where they go on beyond their ends, which nothing else
+    does to two, fewer edges may be in place than ends are not.
+
+    Args:
+        grey: (H, W) the picture, NaN where it must not count.
+        found: the edges measured in it.
+        everywhere: where its edges end.
+    """
+    for axis, at_mm, edges in planes(found.frame):
+        ends = [end for end in everywhere if axis == 0 and end.at_mm == at_mm]
+        moved = [end for end in ends if end.moved]
+        together = max((_alike(end, moved) for end in moved), key=len, default=[])
+        if not together or len(moved) < len(ends):
+            continue
+        by_mm = float(np.mean([end.by_mm for end in together]))
+        # Another edge of the block may lie, by chance, where one of the plane's is drawn.
+        by_chance = len(together) - 1 if by_mm > 0 else 0
+        if in_place(found, edges, axis) > by_chance:
+            continue
+        if len(together) > 1 or _borne_out(grey, found, edges, together[0]):
+            by_px = max(end.by_px for end in together)
+            # What lies over two ends shortens both alike; nothing makes an edge longer.
+            alone = by_mm < 0 and len(together) < 3
+            return elsewhere(found.frame.names[edges[0]], abs(by_mm), by_px, edges, alone)
+    return None
+
+
+def _borne_out(grey: Floats, found: Survey, edges: tuple[int, ...], end: End) -> bool:
+    """Whether lines run where the edges of an end's plane would lie, ended the plane there."""
+    return lie_at(grey, found, edges, 0, end.outward * end.by_mm, _ALIKE_PX)
+
+
+def _alike(end: End, others: list[End]) -> list[End]:
+    """The ends that are moved by as much as one of them."""
+    near_mm = max(_ALIKE_PX, _ALIKE * end.by_px) / end.px_per_mm
+    return [one for one in others if abs(one.by_mm - end.by_mm) < near_mm]
+
+
+@dataclass(frozen=True)
+class _Way:
+    """The way along an edge through its corner (3,), which lies ``outward`` (1 or -1) along X.
+
+    ``within_mm``: as far as the edge is in sight; ``beyond_mm``: as far as no other edge is.
+    """
+
+    edge: int
+    corner_mm: Floats
+    outward: float
+    within_mm: float
+    beyond_mm: float
+
+
+def _ways(found: Survey) -> Iterator[_Way]:
+    """Through every corner in sight of the edges of crests and base along X."""
+    frame = found.frame
+    parts = seen(frame, found.camera.centre_mm)
+    for line in lines_along_x(frame, ("crest", "base")):
+        for k, edge in enumerate(line):
+            begin, end = frame.starts_mm[edge], frame.ends_mm[edge]
+            length = end[0] - begin[0]
+            before = begin[0] - frame.ends_mm[line[k - 1]][0] if k > 0 else np.inf
+            after = frame.starts_mm[line[k + 1]][0] - end[0] if k + 1 < len(line) else np.inf
+            for one in np.flatnonzero(parts.edge == edge):
+                shown = (parts.end[one] - parts.start[one]) * length
+                if parts.start[one] < _ROUNDING:
+                    yield _Way(edge, begin, -1.0, shown, _OWN_WAY * before)
+                if parts.end[one] > 1.0 - _ROUNDING:
+                    yield _Way(edge, end, 1.0, shown, _OWN_WAY * after)
+
+
+def _end(grey: Floats, found: Survey, way: _Way) -> End | None:
+    """Where the edge ends on its way; None where the picture does not tell."""
+    out = np.array([way.outward, 0.0, 0.0])
+    ends = project(found.camera, way.corner_mm + np.array([[-0.05], [0.05]]) * out)
+    px_per_mm = 10.0 * float(np.hypot(*(ends[1] - ends[0])))
+    furthest_px = FURTHEST_MM * px_per_mm
+    own = np.flatnonzero(found.used & (found.at.edge == way.edge))
+    enough = found.at.length_px[own].sum() > _ENOUGH_PX
+    if not enough or furthest_px < 2 * _NEAREST_PX:
+        return None
+    at = _along(found, way, px_per_mm, int(own[0]))
+    if len(at.edge) < 2 * _KNOWN_PX:
+        return None
+    on_edge, _ = _contrast(grey, chosen(found.at, own), found.blur_px)
+    step, beside = _contrast(grey, at, found.blur_px)
+    usual, noise = _median(on_edge), _median(np.abs([_gathered(one) for one in beside])) / 0.6745
+    if not abs(usual) > _OVER_BESIDE * noise:
+        return None
+    along_px = (at.points_mm - way.corner_mm) @ out * px_per_mm
+    clear_px = _CLEAR_PX + _CLEAR_BLURS * max(1.0, found.blur_px)
+    by_px = _stops(along_px, _gathered(step) / usual, clear_px, furthest_px)
+    if by_px is None:
+        return None
+    unclear_px = max(_NEAREST_PX, clear_px)
+    return End(float(way.corner_mm[0]), way.outward, by_px / px_per_mm, px_per_mm, unclear_px)
+
+
+def _along(found: Survey, way: _Way, px_per_mm: float, row: int) -> Stations:
+    """Stations every px along a way, as far as it is followed and in the picture.
+
+    ``row``: of a station on the edge itself.
+    """
+    most_px = FURTHEST_MM * px_per_mm + _FURTHER_PX
+    first = -min(way.within_mm * px_per_mm, most_px)
+    last = min(way.beyond_mm * px_per_mm, most_px)
+    offset_mm = np.zeros((int(np.ceil(last - np.ceil(first))), 3))
+    offset_mm[:, 0] = way.outward * (np.ceil(first) + np.arange(len(offset_mm))) / px_per_mm
+    return stations_along_x(found, way.corner_mm + offset_mm, row)
+
+
+def _median(values: Floats) -> float:
+    """Of those known; NaN where none is."""
+    known = values[np.isfinite(values)]
+    return float(np.median(known)) if len(known) else np.nan
+
+
+def _contrast(grey: Floats, at: Stations, blur_px: float) -> tuple[Floats, Floats]:
+    """By how much it is brighter on one side of stations (N,) than on the other, grey levels,
+    and the same (2, N) where no edge is looked for, to either side of them."""
+    far = int(np.ceil(1.0 + blur_px))
+    levels = profiles(grey, at.uv_px, at.normal, 3 * far)[:, :: 2 * far].T
+    steps = np.diff(levels, axis=0)
+    return steps[1], steps[[0, 2]]
+
+
+def _gathered(step: Floats) -> Floats:
+    """Means (N,) over neighbours; NaN where too few are known."""
+    known = np.isfinite(step)
+    near = np.ones(_ALONG_PX)
+    total = np.convolve(np.where(known, step, 0.0), near, "same")
+    count = np.convolve(known.astype(np.float64), near, "same")
+    return np.where(count > _ALONG_PX / 2, total / np.maximum(count, 1.0), np.nan)
+
+
+def _stops(along_px: Floats, share: Floats, clear_px: float, furthest_px: float) -> float | None:
+    """How far along its way an edge ends, of which there is so much (N,) at every px.
+
+    The place that leaves least of it beyond, and least of it wanting before. None where
+    neither side can be told, much speaks against every place, or as little for many.
+    """
+    there = np.where(share > _THERE, 1.0, np.where(share < _GONE, 0.0, 0.5))
+    known = np.isfinite(share)
+    best: list[float] = []
+    least = np.inf
+    for at_px in np.arange(-np.floor(furthest_px), furthest_px):
+        off = along_px - at_px
+        within = known & (off < -clear_px) & (off > -clear_px - furthest_px)
+        beyond = known & (off > clear_px) & (off < clear_px + furthest_px)
+        if min(within.sum(), beyond.sum()) < _KNOWN_PX:
+            continue
+        wanting, left = 1.0 - there[within], there[beyond]
+        wrong = float(wanting.sum() + left.sum())
+        if wrong > least:
+            continue
+        if wrong < least:
+            least, best = wrong, []
+        if wanting.mean() < _LESS and left.mean() < _MORE:
+            best.append(float(at_px))
+    if not best or best[-1] - best[0] > 2 * clear_px + _UNCLEAR_PX:
+        return None
+    return float(np.mean(best))

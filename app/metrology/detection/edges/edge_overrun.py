@@ -1,0 +1,111 @@
+"""Edges of the block that run on beyond where the certificate ends them."""
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.detection.edges.dimension_test import lines_along_x
+from app.metrology.detection.edges.measure_all import Survey, stations_along_x
+from app.metrology.detection.edges.stations import Stations
+from app.metrology.detection.edges.step_fit import chosen, measure
+from app.metrology.detection.rejection import Objection, in_words
+from app.metrology.sensor.camera import project
+from app.metrology.transforms import Floats
+
+# An edge's step is told from at least so many of its points.
+_ENOUGH = 6
+# How far a line may run beside an edge, in px, and be the edge's.
+_STRAIGHT_PX = 1.5
+# How far beyond the block's ends its lines are followed, over its length; how many stations
+# in a row, every two pixels, must see one go on, for which share of the way: for most of it
+# where tool marks run beside it, which are looked for so many px away.
+_BEYOND = 0.3
+_IN_A_ROW, _OF_THE_WAY, _MOST_OF_THE_WAY = 8, 0.3, 0.6
+# Where noise leaves none of them certain, so many must, but for a few.
+_IN_NOISE, _NEARLY_ALL = 24, 0.9
+_BESIDE_PX = (*range(-24, -5, 3), *range(6, 25, 3))
+
+
+def overrun(grey: Floats, found: Survey) -> Objection | None:
+    """An edge that goes on beyond its certificate's end, if any.
+
+    Along X an edge must end at its corners, and beyond the block's two ends nothing
+    may run on in the same line.
+
+    Args:
+        grey: (H, W) the picture, NaN where it must not count.
+        found: the edges measured in it.
+    """
+    at, frame = found.at, found.frame
+    for edges in lines_along_x(frame, ("crest", "floor", "base")):
+        own = found.used & np.isin(at.edge, edges)
+        if own.sum() < _ENOUGH:
+            continue
+        step = float(np.median(found.step[own]))
+        row = int(np.flatnonzero(own)[0])
+        begin, end = frame.starts_mm[edges], frame.ends_mm[edges]
+        # Halfway to the next edge in the line; a good way beyond the last.
+        after = np.append((begin[1:, 0] - end[:-1, 0]) / 2, _BEYOND * (end[-1, 0] - begin[0, 0]))
+        before = np.append(after[-1], after[:-1])
+        for k, edge in enumerate(edges):
+            ways = ((end[k], after[k], "right"), (begin[k], -before[k], "left"))
+            for corner, reach_mm, side in ways:
+                beyond = _beyond(found, corner, reach_mm, row)
+                if _runs_on(grey, found, beyond, step):
+                    what = in_words(frame.names[edge])
+                    return Objection(f"{what} goes on beyond its {side} end", True, (edge,))
+    return None
+
+
+def _runs_on(grey: Floats, found: Survey, beyond: Stations, step: float) -> bool:
+    """Whether a step like an edge's own is seen at enough stations (every 2 px) in a row."""
+    seen = measure(grey, beyond, found.blur_px)
+    straight = np.abs(seen.offset_px) < _STRAIGHT_PX / 2
+    apart = np.abs(seen.step - step)
+    clear = straight & (apart < np.minimum(0.4 * abs(step), abs(step) - 6 * seen.step_sigma))
+    if _in_a_row(clear, _OF_THE_WAY):
+        return _in_a_row(clear, _MOST_OF_THE_WAY) or not _marked(grey, found, beyond, step)
+    # Not so far apart that nothing at all would be like it.
+    noisy = np.clip(2 * seen.step_sigma, 0.4 * abs(step), 0.6 * abs(step))
+    faint = straight & (apart < noisy) & (3 * seen.step_sigma < abs(step))
+    long = _in_a_row(faint, _OF_THE_WAY, _IN_NOISE, _NEARLY_ALL)
+    return long and not _marked(grey, found, beyond, step)
+
+
+def _in_a_row(
+    like: NDArray[np.bool_], share: float, least: int = _IN_A_ROW, of_them: float = 1.0
+) -> bool:
+    """Whether neighbouring stations, for this share of the way and ``least``, are alike.
+
+    ``of_them``: the share of these that must be.
+    """
+    row = max(least, int(share * len(like)))
+    if len(like) < row:
+        return False
+    streak = np.convolve(like.astype(np.int64), np.ones(row, dtype=np.int64), "valid")
+    return bool(streak.max() >= of_them * row)
+
+
+def _marked(grey: Floats, found: Survey, beyond: Stations, step: float) -> bool:
+    """Whether lines as strong as the one at some stations run beside it as well: tool marks."""
+    for away in _BESIDE_PX:
+        beside = replace(beyond, uv_px=beyond.uv_px + away * beyond.normal)
+        seen = measure(grey, beside, found.blur_px)
+        there = np.abs(seen.offset_px) < _STRAIGHT_PX / 2
+        there &= np.abs(seen.step) > np.maximum(0.6 * abs(step), 2 * seen.step_sigma)
+        if _in_a_row(there, _OF_THE_WAY):
+            return True
+    return False
+
+
+def _beyond(found: Survey, corner: Floats, reach_mm: float, row: int) -> Stations:
+    """Stations every 2 px along X from beyond a corner (3,) as far as ``reach_mm``."""
+    ends = project(found.camera, np.array([corner, corner + [reach_mm, 0.0, 0.0]]))
+    length = float(np.hypot(*(ends[1] - ends[0])))
+    clear = found.at.half_length_px + 3 * found.blur_px + 2
+    if length < clear + 2 * _IN_A_ROW:
+        return chosen(found.at, np.zeros(len(found.at.edge), dtype=bool))
+    share = np.arange(clear, length, 2.0)[:, None] / length
+    points = corner + share * np.array([reach_mm, 0.0, 0.0])
+    return stations_along_x(found, points, row)

@@ -1,0 +1,297 @@
+"""All edges of the located block measured in the full picture, and the camera they give."""
+
+from dataclasses import astuple, dataclass, replace
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.detection.edges.camera_from_edges import (
+    NO_DISTORTION,
+    WITH_K1,
+    WITH_K2,
+    fit_edges,
+    residuals,
+)
+from app.metrology.detection.edges.scatter import scatter
+from app.metrology.detection.edges.stations import Stations, block_ahead, search, stations
+from app.metrology.detection.edges.step_fit import Measured, chosen, joined, measure, with_room
+from app.metrology.detection.edges.tool_marks import texture
+from app.metrology.detection.visibility import Wireframe
+from app.metrology.sensor.camera import Camera, project
+from app.metrology.transforms import Floats
+
+# One point for every so many pixels of edge: as far apart as each gathers light.
+_SPACING_PX = 5.0
+# A step this many times its own standard deviation is an edge that shows.
+_SHOWS = 6.0
+# In noise a part of an edge may show as a whole, and then its points if they agree.
+_PART_SHOWS, _IN_PART = 9.0, 2.5
+# Points less certain than this are of no use.
+_WORST_PX = 1.0
+# A lens term is kept where it is this many times its standard deviation.
+_SIGNIFICANT = 3.0
+# Steps over noise at which points every few pixels are good, and the most they may lengthen.
+_GOOD_CONTRAST, _LONGEST = 12.0, 5.0
+_NOISY_SPACING_PX = 20.0
+# Faint edges are measured in pieces so many times as long, up to this.
+_LONGER, _LONGEST_PX = 5.0, 60.0
+# Marks along an edge, over its step, from which on it is not to be told from them.
+_MARKS = 0.3
+# An edge so many times as wide as the picture's others is a shadow's; every so many points
+# of it are looked at, and so many must tell.
+_SOFTER, _EVERY, _WIDTHS = 1.6, 3, 3
+
+
+@dataclass(frozen=True)
+class Survey:
+    """Measured edges and the camera fitted to them.
+
+    ``at``: the stations; ``uv_px`` (N, 2) where their edges lie; ``sigma_px`` (N,) standard
+    deviations, scaled to the scatter along the edges and of the edges, ``own_px`` (N,) to the
+    former alone; ``marks_px`` (N,) how far marks along a part may move the whole of it;
+    ``off_px`` (N,) distance from the camera's edge along the normal; ``step`` (N,) its
+    height in grey levels, from the second region to the first; ``shows`` (N,) whether the
+    picture shows an edge there; ``used`` (N,) whether it agrees with its neighbours;
+    ``blur_px``: the standard deviation of the picture's blur.
+    """
+
+    frame: Wireframe
+    camera: Camera
+    at: Stations
+    uv_px: Floats
+    sigma_px: Floats
+    own_px: Floats
+    marks_px: Floats
+    off_px: Floats
+    step: Floats
+    shows: NDArray[np.bool_]
+    used: NDArray[np.bool_]
+    blur_px: float
+
+
+def softened(grey: Floats, coarse_px: float) -> Floats:
+    """The picture (H, W) in which a camera that is ``coarse_px`` off finds its edges."""
+    return np.asarray(cv2.GaussianBlur(grey, (0, 0), max(0.8, coarse_px / 4)), dtype=np.float64)
+
+
+def pulled(smooth: Floats, frame: Wireframe, camera: Camera, reach_px: float) -> Camera | None:
+    """The camera that draws the block's edges where the picture has its steepest places.
+
+    Args:
+        smooth: (H, W) the picture, ``softened``.
+        frame: the block.
+        camera: a camera for this picture that draws the edges within ``reach_px``.
+        reach_px: how far off it may be.
+
+    Returns:
+        None where too few edges show, or the block is not before the camera.
+    """
+    for radius in (reach_px, max(0.6 * reach_px, 2.0)):
+        at = stations(frame, camera, 2 * _SPACING_PX, radius + 2)
+        offset, slope = search(smooth, at, radius)
+        met = np.isfinite(offset)
+        steep = np.abs(slope)
+        if met.sum() < 30:
+            return None
+        met &= steep > 0.15 * np.nanpercentile(steep, 80)
+        uv = at.uv_px + np.nan_to_num(offset)[:, None] * at.normal
+        sigma = np.full(int(met.sum()), 0.5)
+        camera, _ = fit_edges(camera, at.points_mm[met], uv[met], at.normal[met], sigma, WITH_K1, 3)
+    return camera if block_ahead(frame, camera) else None
+
+
+def survey(
+    masked: Floats, frame: Wireframe, camera: Camera, blur_px: float, certificate_mm: float
+) -> Survey | None:
+    """Measures every visible edge of the block and fits the camera to them.
+
+    Args:
+        masked: (H, W) the picture, 0..255, NaN where it must not count (clipped, lit by the
+            laser).
+        frame: the block.
+        camera: a camera for this picture, ``pulled``.
+        blur_px: about the standard deviation of the picture's blur.
+        certificate_mm: standard uncertainty of the block's coordinates.
+
+    Returns:
+        None where too few edges show to fit anything.
+    """
+    blur, contrast = _blur(masked, frame, camera, blur_px)
+    # In a noisy picture each point gathers light along more of its edge.
+    spacing = _SPACING_PX * float(np.clip((_GOOD_CONTRAST / contrast) ** 2, 1.0, _LONGEST))
+    for _ in range(2):
+        fitted = _fitted(_measured(masked, frame, camera, blur, spacing), WITH_K1, certificate_mm)
+        if fitted is None:
+            return None
+        camera = fitted[0].camera
+        if not block_ahead(frame, camera):
+            return None
+    return _with_significant_lens(_measured(masked, frame, camera, blur, spacing), certificate_mm)
+
+
+def without(found: Survey, parts: list[int], certificate_mm: float) -> Survey | None:
+    """The survey with the camera fitted to all but some parts; None if too few are left."""
+    left_out = np.isin(found.at.part, parts)
+    again = replace(found, shows=found.shows & ~left_out)
+    return _with_significant_lens(again, certificate_mm)
+
+
+def stations_along_x(found: Survey, points_mm: Floats, row: int) -> Stations:
+    """Stations at points (N, 3) in the line of an edge along X, as far as in the picture.
+
+    What else lies about them is not known. ``row``: of a station on the edge itself.
+    """
+    camera = found.camera
+    uv = project(camera, points_mm)
+    step = project(camera, points_mm + np.array([1e-3, 0.0, 0.0])) - uv
+    tangent = step / np.linalg.norm(step, axis=1, keepdims=True)
+    normal = np.column_stack([-tangent[:, 1], tangent[:, 0]])
+    limit = np.array([camera.width_px, camera.height_px]) - 1
+    count = len(points_mm)
+    at = replace(
+        found.at,
+        edge=np.full(count, found.at.edge[row]),
+        part=np.full(count, found.at.part[row]),
+        points_mm=points_mm,
+        uv_px=uv,
+        normal=normal,
+        room_px=np.full((count, 2), np.inf),
+        length_px=np.ones(count),
+    )
+    return chosen(at, np.all((uv > 0) & (uv < limit), axis=1))
+
+
+def _blur(masked: Floats, frame: Wireframe, camera: Camera, blur: float) -> tuple[float, float]:
+    """The picture's blur and its steps over its noise, from some of the stations."""
+    contrast = 1.0
+    for _ in range(4):
+        at = with_room(stations(frame, camera, _NOISY_SPACING_PX, 4.0), blur)
+        seen = measure(masked, at, blur, free_blur=True)
+        sound = np.isfinite(seen.offset_px) & (np.abs(seen.step) > _SHOWS * seen.step_sigma)
+        if sound.sum() < 12:
+            break
+        contrast = float(np.median(np.abs(seen.step[sound]) / seen.noise[sound]))
+        last, blur = blur, float(np.median(seen.blur_px[sound]))
+        if abs(blur / last - 1) < 0.1:
+            break
+    return blur, contrast
+
+
+def _measured(
+    masked: Floats, frame: Wireframe, camera: Camera, blur: float, spacing: float
+) -> Survey:
+    margin = max(4.0, 3.0 * blur)
+    at = with_room(stations(frame, camera, spacing, margin), blur)
+    seen = measure(masked, at, blur)
+    shows = _showing(at, seen)
+    # Where an edge is too faint for short pieces, long ones may show it.
+    wide = min(_LONGER * spacing, _LONGEST_PX)
+    faint = ~np.isin(at.part, at.part[shows])
+    if faint.any():
+        long = with_room(stations(frame, camera, wide, margin), blur)
+        long = chosen(long, np.isin(long.part, at.part[faint]))
+        gathered = measure(masked, long, blur)
+        found = _showing(long, gathered)
+        kept = ~np.isin(at.part, long.part[found])
+        fresh = np.isin(long.part, long.part[found])
+        at = joined(chosen(at, kept), chosen(long, fresh))
+        seen = _one_after_the_other(seen, kept, gathered, fresh)
+        shows = np.concatenate([shows[kept], found[fresh]])
+    uv = at.uv_px + np.nan_to_num(seen.offset_px)[:, None] * at.normal
+    sigma = np.where(shows, seen.sigma_px, np.nan)
+    off = np.where(shows, seen.offset_px, np.nan)
+    step = np.where(shows, seen.step, 0.0)
+    ratio, moved = texture(masked, at, step, blur)
+    # Among marks as strong as itself an edge cannot be told.
+    shows &= ratio < _MARKS
+    shows &= ~_softer(masked, at, shows, blur)
+    return Survey(frame, camera, at, uv, sigma, sigma, moved, off, step, shows, shows.copy(), blur)
+
+
+def _softer(
+    masked: Floats, at: Stations, shows: NDArray[np.bool_], blur: float
+) -> NDArray[np.bool_]:
+    """Stations (N,) of parts that are less sharp than the picture: a shadow's border runs there."""
+    some = np.flatnonzero(shows)[::_EVERY]
+    seen = measure(masked, chosen(at, some), blur, free_blur=True)
+    soft = np.zeros(len(shows), dtype=bool)
+    for part in np.unique(at.part[some]):
+        widths = seen.blur_px[at.part[some] == part]
+        widths = widths[np.isfinite(widths)]
+        if len(widths) >= _WIDTHS and np.median(widths) > _SOFTER * blur:
+            soft |= at.part == part
+    return soft
+
+
+def _one_after_the_other(
+    one: Measured, of_one: NDArray[np.bool_], other: Measured, of_other: NDArray[np.bool_]
+) -> Measured:
+    """Some of one's values, then some of the other's."""
+    rows = zip(astuple(one), astuple(other), strict=True)
+    return Measured(*(np.concatenate([a[of_one], b[of_other]]) for a, b in rows))
+
+
+def _showing(at: Stations, seen: Measured) -> NDArray[np.bool_]:
+    """Where the picture shows an edge: by itself, or as one of a part that does."""
+    there = np.isfinite(seen.offset_px) & (seen.sigma_px < _WORST_PX)
+    ratio = np.where(there, seen.step / seen.step_sigma, 0.0)
+    weight = np.where(there, 1 / np.maximum(seen.step_sigma, 1e-6) ** 2, 0.0)
+    parts = int(at.part.max()) + 1 if len(at.part) else 0
+    total = np.bincount(at.part, weight, parts)
+    mean = np.bincount(at.part, weight * np.nan_to_num(seen.step), parts)
+    together = (mean / np.sqrt(np.maximum(total, 1e-12)))[at.part]
+    as_part = (np.abs(together) > _PART_SHOWS) & (ratio * np.sign(together) > _IN_PART)
+    return there & ((np.abs(ratio) > _SHOWS) | as_part)
+
+
+def _fitted(
+    found: Survey, free: tuple[int, ...], certificate_mm: float
+) -> tuple[Survey, Floats] | None:
+    keep = found.shows
+    if keep.sum() < 3 * len(free):
+        return None
+    at = found.at
+    edge = at.edge[keep]
+    per_edge = np.bincount(edge, minlength=len(found.frame.names))[edge]
+    # The certificate's error moves a whole edge at once, a mark a whole part of it: spread
+    # over the points they weigh as they should.
+    depth = (at.points_mm @ found.camera.rotation.T + found.camera.translation_mm)[:, 2]
+    certificate_px = certificate_mm * found.camera.matrix[0, 0] / depth
+    per_part = np.bincount(at.part[keep])[at.part[keep]]
+    as_a_whole = per_edge * certificate_px[keep] ** 2 + per_part * found.marks_px[keep] ** 2
+    sigma = np.sqrt(found.sigma_px[keep] ** 2 + as_a_whole)
+    camera, covariance = fit_edges(
+        found.camera, at.points_mm[keep], found.uv_px[keep], at.normal[keep], sigma, free
+    )
+    off = residuals(camera, at.points_mm, found.uv_px, at.normal)
+    used, along, together = scatter(
+        off, at, found.shows, found.sigma_px, found.marks_px, certificate_px
+    )
+    return replace(
+        found,
+        camera=camera,
+        off_px=np.where(found.shows, off, np.nan),
+        used=used,
+        sigma_px=found.sigma_px * along * together,
+        own_px=found.sigma_px * along,
+    ), covariance
+
+
+def _with_significant_lens(found: Survey, certificate_mm: float) -> Survey | None:
+    """The fit with as many distortion terms as the edges support."""
+    best = None
+    for free, term in ((WITH_K2, 11), (WITH_K1, 10), (NO_DISTORTION, -1)):
+        start = found.camera.distortion.copy()
+        start[[k for k in (0, 1) if 10 + k not in free]] = 0.0
+        begun = replace(found, camera=replace(found.camera, distortion=start))
+        fitted = _fitted(begun, free, certificate_mm)
+        if fitted is None:
+            return None
+        best, covariance = fitted
+        if term < 0:
+            break
+        value = best.camera.distortion[term - 10]
+        if abs(value) > _SIGNIFICANT * np.sqrt(covariance[term, term]):
+            break
+    return best

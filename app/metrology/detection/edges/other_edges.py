@@ -1,0 +1,220 @@
+"""What the picture shows elsewhere than where the certificate puts it."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.detection.edges.dimension_test import (
+    FURTHEST_MM,
+    in_place,
+    moves_px_per_mm,
+    planes,
+)
+from app.metrology.detection.edges.measure_all import Survey
+from app.metrology.detection.edges.stations import Stations, profiles, stations
+from app.metrology.detection.edges.step_fit import chosen
+from app.metrology.detection.rejection import Objection, elsewhere
+from app.metrology.transforms import Floats
+
+# What is too little to be told as another size, px.
+_NEAREST_PX = 1.6
+# Stations are so far apart; lines are followed over so many of them.
+_SPACING_PX, _AVERAGED = 3.0, 13
+# A line counts by its height over the edges' usual one, and over what lies beside it.
+_STEP, _OVER_NOISE = 0.1, 5.0
+# Share of the edges of a size that must show elsewhere where the size is wrong, beyond what
+# shows where the certificate puts them and what shows somewhere else; of those edges at least
+# so many free of others; and how much may show where the certificate puts them.
+_STANDS_OUT, _FREE, _HERE = 0.15, 0.4, 0.25
+# What bears out a place that ends of edges tell must stand out by so much.
+_BEARS_OUT = 0.08
+# The next likely place is so far from the likeliest at least.
+_APART_PX = 6.0
+# Share of one edge, or of each of two, that shows there.
+_MOST_OF_IT, _PART_OF_IT = 0.6, 0.3
+# Length, px, that the edges of a size must have in the picture to say anything.
+_LENGTH_PX = 25.0
+# How far a line may run beside an edge, in px, and be the edge's.
+_STRAIGHT_PX = 1.5
+# Gaussian: a step of height a blurred by s is a / (s sqrt(2 pi)) steep.
+_ROOT_TWO_PI = 2.5066
+
+
+def missized(
+    grey: Floats, found: Survey, in_place_by_ends: Callable[[float, float], bool]
+) -> Objection | None:
+    """A size of the certificate that the picture shows to be another, if any.
+
+    Faces of equal brightness, shadows and things in the way hide edges, which is no
+    fault. But where the edges of one size (all those in one plane) are missing, and would
+    all be seen if the plane lay elsewhere, the block has another measure.
+
+    Args:
+        grey: (H, W) the picture, NaN where it must not count.
+        found: the edges measured in it.
+        in_place_by_ends: whether edges end in the plane at so many mm along X, rather than so
+            many mm further: then lines there are shadows' borders, or shading.
+    """
+    lines = _lines_about(grey, found)
+    for axis, at_mm, edges in planes(found.frame):
+        rows = np.flatnonzero(np.isin(lines.at.edge, edges))
+        told = _elsewhere(found, lines, rows, axis, in_place(found, edges, axis))
+        if told is not None and not (axis == 0 and in_place_by_ends(at_mm, told.by_mm)):
+            name = found.frame.names[lines.at.edge[rows[0]]]
+            return elsewhere(name, abs(told.by_mm), told.by_px, edges, told.alone)
+    return None
+
+
+def lie_at(
+    grey: Floats, found: Survey, edges: tuple[int, ...], axis: int, by_mm: float, off_px: float
+) -> bool:
+    """Whether lines run where a plane's edges would lie, were it shifted along its axis, rather
+    than elsewhere.
+
+    ``by_mm``: the shift, good to ``off_px`` in the picture.
+    """
+    lines = _lines_about(grey, found)
+    rows = np.flatnonzero(np.isin(lines.at.edge, edges))
+    px_per_mm = moves_px_per_mm(found.camera, chosen(lines.at, rows), axis)
+    fastest = float(np.abs(px_per_mm).max(initial=0.0))
+    if fastest * abs(by_mm) < _NEAREST_PX:
+        return False
+    steps, away = _shifts(px_per_mm)
+    edge, length = lines.at.edge[rows], lines.at.length_px[rows]
+    seen, _ = _seen_at(lines, rows, away)
+    share = seen @ length / length.sum()
+    there = np.abs(steps - by_mm) * fastest <= off_px
+    best = int(np.argmax(np.where(there, share, -1.0)))
+    second = float(share[np.abs(steps - steps[best]) * fastest > _APART_PX].max(initial=0.0))
+    shows = _shares(seen[best], length, edge)
+    return bool(shows.max() > _PART_OF_IT and share[best] - second > _BEARS_OUT)
+
+
+@dataclass(frozen=True)
+class _Lines:
+    """Where lines run beside stations, along their edges.
+
+    ``there``: (N, 2 reach + 1) whether one lies at each offset along the normal;
+    ``free``: (N, 2 reach + 1) whether no other drawn edge lies near.
+    """
+
+    at: Stations
+    there: NDArray[np.bool_]
+    free: NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class _Elsewhere:
+    """Where a plane seems to lie: by how many mm along its axis, and px in the picture, from its
+    place; ``alone``: one of its edges says so, and another the contrary."""
+
+    by_mm: float
+    by_px: float
+    alone: bool
+
+
+def _lines_about(grey: Floats, found: Survey) -> _Lines:
+    hidden = np.isnan(grey)
+    smooth: Floats = np.asarray(
+        cv2.GaussianBlur(np.nan_to_num(grey), (0, 0), max(1.0, found.blur_px)), dtype=np.float64
+    )
+    smooth[hidden] = np.nan
+    at = stations(found.frame, found.camera, _SPACING_PX, _STRAIGHT_PX)
+    depth = at.points_mm @ found.camera.rotation[2] + found.camera.translation_mm[2]
+    px_per_mm = found.camera.matrix[0, 0] / float(np.median(depth))
+    reach = int(np.ceil(FURTHEST_MM * px_per_mm)) + 2
+    slope = np.gradient(profiles(smooth, at.uv_px, at.normal, reach), axis=1)
+    blur = float(np.hypot(found.blur_px, max(1.0, found.blur_px)))
+    usual = float(np.median(np.abs(found.step[found.used]))) / (_ROOT_TWO_PI * blur)
+    peak = np.zeros(slope.shape, dtype=bool)
+    for part in np.unique(at.part):
+        rows = at.part == part
+        along = np.abs(_averaged(slope[rows]))
+        noise = float(np.median(along)) / 0.6745
+        peak[rows] = along >= max(_STEP * usual, _OVER_NOISE * noise)
+        peak[rows, 1:-1] &= (along[:, 1:-1] >= along[:, :-2]) & (along[:, 1:-1] >= along[:, 2:])
+    peak[:, [0, -1]] = False
+    there = cv2.dilate(peak.astype(np.uint8), np.ones((1, 3), np.uint8)) > 0
+    offset = np.arange(-reach, reach + 1)
+    clear = 2 * blur + 1
+    free = (offset < at.room_px[:, :1] - clear) & (offset > -(at.room_px[:, 1:] - clear))
+    return _Lines(at, there, free)
+
+
+def _averaged(slope: Floats) -> Floats:
+    """Slopes (N, M) averaged over neighbouring stations, which leaves of texture little."""
+    known = np.isfinite(slope)
+    size = (1, min(_AVERAGED, len(slope)))
+    total = cv2.boxFilter(np.where(known, slope, 0.0), -1, size, borderType=cv2.BORDER_ISOLATED)
+    share = cv2.boxFilter(known.astype(np.float64), -1, size, borderType=cv2.BORDER_ISOLATED)
+    return np.asarray(total / np.maximum(share, 1e-3), dtype=np.float64)
+
+
+def _elsewhere(
+    found: Survey, lines: _Lines, rows: NDArray[np.int64], axis: int, staying: int
+) -> _Elsewhere | None:
+    """How far along an axis the edges at some stations lie elsewhere; None if they do not.
+
+    Every shift of their plane moves each station's edge along its normal by a known amount.
+    ``staying``: how many of the edges are seen where they should be; as many must lie
+    elsewhere, and one more.
+    """
+    at = lines.at
+    px_per_mm = moves_px_per_mm(found.camera, chosen(at, rows), axis)
+    length = at.length_px[rows]
+    telling = np.abs(px_per_mm) * FURTHEST_MM > 2 * _NEAREST_PX
+    if float(length[telling].sum()) < _LENGTH_PX:
+        return None
+    rows, px_per_mm, length = rows[telling], px_per_mm[telling], length[telling]
+    fastest = float(np.abs(px_per_mm).max())
+    reach = lines.there.shape[1] // 2
+    steps, away = _shifts(px_per_mm)
+    seen, free = _seen_at(lines, rows, away)
+    share = seen @ length / np.maximum(free @ length, _FREE * length.sum())
+    best = int(np.argmax(share))
+    here = float(lines.there[rows, reach] @ length / length.sum())
+    # In texture, and between parallel lines, something lies everywhere.
+    apart = np.abs(steps - steps[best]) * fastest > _APART_PX
+    second = float(share[apart].max(initial=0.0))
+    edge = at.edge[rows]
+    shows = _shares(seen[best], length, edge)
+    most = int(np.sum(shows > _MOST_OF_IT))
+    # One line alone may be a shadow's; it must be there for most of the edge.
+    like_edges = most > 0 or np.sum(shows > _PART_OF_IT) > 1
+    stands_out = like_edges and share[best] - here - second > _STANDS_OUT
+    if most <= staying and staying > 0:
+        return None
+    several = most > 1
+    told = (stands_out and here < _HERE * share[best]) or (several and here < share[best] / 2)
+    if not told:
+        return None
+    say = shows - _shares(lines.there[rows, reach], length, edge)
+    alone = bool(np.sum(say > _PART_OF_IT) < 2 and np.any(say < -_PART_OF_IT))
+    return _Elsewhere(float(steps[best]), float(np.abs(away[best]).max()), alone)
+
+
+def _shifts(px_per_mm: Floats) -> tuple[Floats, NDArray[np.int64]]:
+    """Shifts (S,), mm, every half px of the fastest station, and where they move all (S, N), px."""
+    steps = np.arange(-FURTHEST_MM, FURTHEST_MM, 0.5 / float(np.abs(px_per_mm).max()))
+    return steps, np.rint(steps[:, None] * px_per_mm).astype(np.int64)
+
+
+def _seen_at(
+    lines: _Lines, rows: NDArray[np.int64], away_px: NDArray[np.int64]
+) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Whether a line is seen so far (..., R) away from stations (R,), and whether one might be."""
+    reach = lines.there.shape[1] // 2
+    column = np.clip(away_px + reach, 0, 2 * reach)
+    free = lines.free[rows, column] & (np.abs(away_px) >= _NEAREST_PX)
+    return lines.there[rows, column] & free, free
+
+
+def _shares(there: NDArray[np.bool_], length: Floats, edge: NDArray[np.int64]) -> Floats:
+    """Of each edge (E,), the share of its stations' length at which a line lies."""
+    every, number = np.unique(edge, return_inverse=True)
+    total = np.bincount(number, length, len(every))
+    shown = np.bincount(number, length * there, len(every))
+    return np.where(total > _LENGTH_PX, shown / np.maximum(total, _LENGTH_PX), 0.0)

@@ -1,0 +1,191 @@
+"""Single edges that lie elsewhere than the rest of the block says: shadows, damage, wrong sizes."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.metrology.detection.edges.dimension_test import Shift, shifts
+from app.metrology.detection.edges.measure_all import Survey, without
+from app.metrology.detection.rejection import Objection, in_words
+from app.metrology.sensor.camera import project
+
+# An edge that lies this many standard deviations off is not the certificate's.
+_SIGMAS = 5.0
+# An edge alone this many off, its neighbours being where they should, is left out; and the
+# share of the parts of edges that may be.
+_ODD, _FEW = 3.5, 0.1
+# A single edge less than this off, px, is left out.
+_LONE_PX = 1.0
+# A plane that all edges together put elsewhere by less, over its deviation, is where it should be.
+_STAYS = 3.0
+# What a camera model and an edge's finish may do to a whole edge, over the longer side.
+_MODEL = 0.05 / 1280
+# All edges together may lie off by this many standard deviations.
+_SPREAD = 3.0
+# How far edges may lie off on average, over the blur.
+_STRAIN_BLURS = 0.3
+# Points that make a part.
+_POINTS = 4
+
+
+@dataclass(frozen=True)
+class Part:
+    """A measured part of an edge: its number and edge, how far it lies from where the camera
+    draws it, and that over what image noise, certificate and camera model leave it."""
+
+    number: int
+    edge: int
+    name: str
+    distance_um: float
+    distance_px: float
+    ratio: float
+
+
+def parts_of(found: Survey, certificate_mm: float) -> list[Part]:
+    """The measured parts, of enough points each.
+
+    ``certificate_mm``: standard uncertainty of the block's coordinates.
+    """
+    at = found.at
+    model_px = _MODEL * max(found.camera.width_px, found.camera.height_px)
+    depth = (at.points_mm @ found.camera.rotation.T + found.camera.translation_mm)[:, 2]
+    parts = []
+    for part in np.unique(at.part[found.used]):
+        rows = np.flatnonzero(found.used & (at.part == part))
+        if len(rows) < _POINTS:
+            continue
+        mm_per_px = float(np.median(depth[rows])) / found.camera.matrix[0, 0]
+        off = float(np.median(found.off_px[rows]))
+        own = 1.25 * float(np.median(found.sigma_px[rows])) / np.sqrt(len(rows))
+        allowed = np.sqrt(own**2 + (certificate_mm / mm_per_px) ** 2 + model_px**2)
+        edge = int(at.edge[rows[0]])
+        parts.append(
+            Part(
+                int(part),
+                edge,
+                found.frame.names[edge],
+                1000 * abs(off) * mm_per_px,
+                abs(off),
+                float(abs(off) / allowed),
+            )
+        )
+    return parts
+
+
+def without_odd_ones(found: Survey, certificate_mm: float) -> Survey:
+    """The survey without the few parts that something moved each alone."""
+    parts = parts_of(found, certificate_mm)
+    displaced = _displaced(parts, _ODD)
+    if not displaced:
+        return found
+    planes = shifts(found, certificate_mm)
+    odd = [
+        part
+        for part in displaced
+        if _others_agree(found, part, parts) or _planes_stay(part, planes)
+    ]
+    rest = max((part.ratio for part in parts if part not in odd), default=0.0)
+    if not odd or len(odd) > _FEW * len(parts) or rest >= _ODD:
+        return found
+    return without(found, [part.number for part in odd], certificate_mm) or found
+
+
+def without_lone_one(found: Survey, certificate_mm: float) -> Survey:
+    """The survey without a single edge that lies a little off, where all else is in place then.
+
+    Too little to be told from a shadow's border or a worn edge; what it alone tells of the
+    block, the picture does not show.
+    """
+    displaced = _displaced(parts_of(found, certificate_mm), _SIGMAS)
+    little = max((part.distance_px for part in displaced), default=np.inf) < _LONE_PX
+    if not little or not _alone(found, displaced, certificate_mm):
+        return found
+    return without(found, [part.number for part in displaced], certificate_mm) or found
+
+
+def _planes_stay(part: Part, planes: list[Shift]) -> bool:
+    """Whether all edges together leave the planes of a part's edge where they should be."""
+    own = [plane.ratio for plane in planes if part.edge in plane.edges]
+    return bool(own) and max(own) < _STAYS
+
+
+def astray(found: Survey, parts: list[Part], certificate_mm: float) -> Objection | None:
+    """Edges that lie too far from where the certificate puts them."""
+    displaced = _displaced(parts, _SIGMAS)
+    if not displaced:
+        return _strained(found, parts)
+    worst = max(displaced, key=lambda part: part.ratio)
+    return Objection(
+        f"{in_words(worst.name)} lies {worst.distance_um:.0f} µm from where the certificate"
+        " puts it",
+        True,
+        tuple({part.edge for part in displaced}),
+        _alone(found, displaced, certificate_mm),
+        max(part.distance_px for part in displaced),
+    )
+
+
+def _alone(found: Survey, displaced: list[Part], certificate_mm: float) -> bool:
+    """Whether a single edge says so: without it, its planes are where they should be."""
+    if len({part.edge for part in displaced}) > 1:
+        return False
+    rest = without(found, [part.number for part in displaced], certificate_mm)
+    if rest is None or _displaced(parts_of(rest, certificate_mm), _SIGMAS):
+        return False
+    return _planes_stay(displaced[0], shifts(rest, certificate_mm))
+
+
+def _strained(found: Survey, parts: list[Part]) -> Objection | None:
+    """All edges lie off by more than texture explains: the camera had to take up a wrong size."""
+    usual_px = float(np.median([part.distance_px for part in parts])) / 0.6745
+    if usual_px < _STRAIN_BLURS * max(1.0, found.blur_px):
+        return None
+    worst = max(parts, key=lambda part: part.distance_px)
+    return Objection(
+        f"its edges lie {usual_px:.1f} px off on average, and {in_words(worst.name)}"
+        f" {worst.distance_um:.0f} µm, from where the certificate puts them",
+        True,
+        (worst.edge,),
+        off_px=worst.distance_px,
+    )
+
+
+def _displaced(parts: list[Part], sigmas: float) -> list[Part]:
+    """The parts that lie too far from where the camera draws them; all where most do."""
+    # Texture along the edges moves each as a whole; one that is moved more stands out.
+    spread = max(1.0, float(np.median([part.ratio for part in parts] or [0.0])) / 0.6745)
+    if spread > _SPREAD:
+        return parts
+    return [part for part in parts if part.ratio > sigmas * spread]
+
+
+def _others_agree(found: Survey, astray: Part, parts: list[Part]) -> bool:
+    """Whether in both planes of a displaced edge others lie where they should.
+
+    A wrong size moves all edges of its plane. Only those count that a shift of the
+    plane would move at least half as far in the picture.
+    """
+    displaced = {part.number for part in _displaced(parts, _ODD)}
+    frame = found.frame
+    both = np.stack([frame.starts_mm, frame.ends_mm], axis=1)
+    for axis in np.flatnonzero(both[astray.edge, 0] == both[astray.edge, 1]):
+        shift = 1000.0 * _shift_px(found, astray, int(axis))
+        if shift < 1e-6:
+            continue
+        level = both[astray.edge, 0, axis]
+        if not any(
+            part.number not in displaced
+            and bool((both[part.edge, :, axis] == level).all())
+            and 1000.0 * _shift_px(found, part, int(axis)) > 0.5 * shift
+            for part in parts
+        ):
+            return False
+    return True
+
+
+def _shift_px(found: Survey, part: Part, axis: int) -> float:
+    """How far, px, a part moves across itself when its edge is shifted by 1 µm along an axis."""
+    row = int(np.flatnonzero(found.at.part == part.number)[0])
+    ahead = found.at.points_mm[row] + 1e-3 * np.eye(3)[axis]
+    moved = project(found.camera, ahead[None])[0] - found.at.uv_px[row]
+    return abs(float(moved @ found.at.normal[row]))

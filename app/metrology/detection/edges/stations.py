@@ -1,0 +1,162 @@
+"""Sub-pixel points on the block's edges in a picture, searched where a camera predicts them."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.detection.visibility import Wireframe, seen
+from app.metrology.sensor.camera import Camera, project
+from app.metrology.transforms import Floats
+from app.native.arguments import F64, I64, Array, Function, Real, Whole
+from app.native.product import CRENEL
+
+# Faces that are seen at less than this, as sines, may as well be hidden, or seen.
+_EDGE_ON = 0.004
+
+_room = Function(
+    CRENEL,
+    "room_beside_edges",
+    Array(F64, "n", 2),
+    Array(F64, "n", 2),
+    Array(I64, "n"),
+    Array(F64, "p", 4),
+    Real(),
+    Array(F64, "n", 2, written=True),
+    Array(F64, 4, "p", written=True),
+)
+_search = Function(
+    CRENEL,
+    "steepest_places",
+    Array(F64, "height", "width"),
+    Array(F64, "n", 2),
+    Array(F64, "n", 2),
+    Array(F64, "n", 2),
+    Real(),
+    Whole(),
+    Array(F64, "n", 2, written=True),
+    Array(F64, 2, "line", written=True),
+)
+_profiles = Function(
+    CRENEL,
+    "profiles_across",
+    Array(F64, "height", "width"),
+    Array(F64, "n", 2),
+    Array(F64, "n", 2),
+    Array(F64, "n", "line", written=True),
+)
+
+
+@dataclass(frozen=True)
+class Stations:
+    """Places along the visible edges at which the picture is to be measured.
+
+    Arrays of one length N: ``edge`` (row in the wireframe), ``part`` (visible part),
+    ``points_mm`` (N, 3), ``uv_px`` (N, 2) where they are expected, ``normal`` (N, 2)
+    unit, towards the part's first region, ``room_px`` (N, 2) distance along
+    and against the normal to the next edge that shows, or would from a little aside,
+    ``length_px`` (N,) of edge each stands for. ``regions`` (parts, 2): what adjoins each
+    part. ``half_length_px``: how far along the edge each gathers light to either side, the
+    least of them where they differ.
+    """
+
+    edge: NDArray[np.int64]
+    part: NDArray[np.int64]
+    points_mm: Floats
+    uv_px: Floats
+    normal: Floats
+    room_px: Floats
+    length_px: Floats
+    regions: NDArray[np.int64]
+    half_length_px: float
+
+
+def block_ahead(frame: Wireframe, camera: Camera) -> bool:
+    """Whether the block lies before the camera, and the camera before its front and above it."""
+    if not all(np.isfinite(one).all() for one in (camera.matrix, camera.translation_mm)):
+        return False
+    _, y, z = camera.centre_mm
+    if y >= frame.starts_mm[:, 1].min() or z <= frame.starts_mm[:, 2].max():
+        return False
+    depth = frame.starts_mm @ camera.rotation[2] + camera.translation_mm[2]
+    return bool(depth.min() > 0.1 * depth.max() > 0)
+
+
+def stations(frame: Wireframe, camera: Camera, spacing_px: float, margin_px: float) -> Stations:
+    """Stations every ``spacing_px`` along all edges that ``camera`` sees in its picture.
+
+    They keep ``margin_px`` from the ends of each visible part, where other edges meet it.
+    The block lies before the camera (``block_ahead``).
+    """
+    parts = seen(frame, camera.centre_mm)
+    begin, along = frame.starts_mm[parts.edge], (frame.ends_mm - frame.starts_mm)[parts.edge]
+    first = begin + parts.start[:, None] * along
+    last = begin + parts.end[:, None] * along
+    behind = _just_hidden(frame, parts.edge, camera.centre_mm)
+    both = project(camera, np.vstack([first, frame.starts_mm[behind], last, frame.ends_mm[behind]]))
+    near = np.column_stack(np.split(both, 2))
+    ends = near[: len(first)]
+    length = np.hypot(ends[:, 2] - ends[:, 0], ends[:, 3] - ends[:, 1])
+    usable = length - 2 * margin_px
+    count = np.where(usable > 0, np.maximum(np.rint(usable / spacing_px), 1), 0).astype(np.int64)
+    part = np.repeat(np.arange(len(count)), count)
+    within = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
+    share = (margin_px + (within + 0.5) * (usable / np.maximum(count, 1))[part]) / length[part]
+    points = first[part] + share[:, None] * (last - first)[part]
+    uv = project(camera, points)
+    step = project(camera, points + 1e-3 * (last - first)[part]) - uv
+    tangent = step / np.linalg.norm(step, axis=1, keepdims=True)
+    normal = np.column_stack([-tangent[:, 1], tangent[:, 0]])
+    half_length = spacing_px / 2
+    edge_of_frame = half_length + 1
+    limit = np.array([camera.width_px, camera.height_px]) - 1 - edge_of_frame
+    inside = np.all((uv >= edge_of_frame) & (uv <= limit), axis=1)
+    uv, normal, part = uv[inside], normal[inside], part[inside]
+    room = np.empty((len(uv), 2))
+    _room(uv, normal, part, near, half_length, room, np.empty((4, len(near))))
+    return Stations(
+        parts.edge[part],
+        part,
+        points[inside],
+        uv,
+        normal,
+        room,
+        (usable / np.maximum(count, 1))[part],
+        parts.regions,
+        half_length,
+    )
+
+
+def _just_hidden(
+    frame: Wireframe, visible: NDArray[np.int64], centre_mm: Floats
+) -> NDArray[np.int64]:
+    """Hidden edges of faces that are seen nearly edge on: a camera little aside would see them."""
+    aside = np.abs(frame.starts_mm - centre_mm)
+    edge_on = aside < _EDGE_ON * np.sqrt((aside**2).sum(axis=1, keepdims=True))
+    edge_on &= frame.starts_mm == frame.ends_mm
+    hidden = edge_on.any(axis=1)
+    hidden[visible] = False
+    return np.flatnonzero(hidden)
+
+
+def search(image: Floats, at: Stations, radius_px: float) -> tuple[Floats, Floats]:
+    """Offsets (N,) in px along the normals and slopes (N,), grey levels a pixel, of the edges.
+
+    The steepest place of the picture within ``radius_px`` of each station; NaN where
+    there is none. Good to some tenths of a pixel: ``measure`` refines.
+    """
+    found = np.empty((len(at.uv_px), 2))
+    workspace = np.empty((2, 2 * (int(np.ceil(radius_px)) + 2) + 1))
+    half = int(at.half_length_px)
+    _search(image, at.uv_px, at.normal, at.room_px, radius_px, half, found, workspace)
+    return found[:, 0], found[:, 1]
+
+
+def profiles(image: Floats, uv_px: Floats, normal: Floats, reach_px: int) -> Floats:
+    """The picture along the normals (N, 2) at places (N, 2), every pixel from -reach to reach.
+
+    (N, 2 reach + 1), NaN outside of the picture.
+    """
+    found = np.empty((len(uv_px), 2 * reach_px + 1))
+    _profiles(image, uv_px, normal, found)
+    return found

@@ -1,0 +1,119 @@
+"""The place of a step of brightness, from the pixels about it, with its standard deviation."""
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.detection.edges.stations import Stations
+from app.metrology.transforms import Floats
+from app.native.arguments import F64, I64, Array, Function, Real, Whole
+from app.native.product import CRENEL
+
+# The window reaches this far from the edge: so many blurs and pixels, at least three.
+_REACH_BLURS, _REACH_PX, _LEAST_REACH_PX = 2.5, 1.0, 3.0
+# A neighbouring edge's light reaches this many of its blurs.
+_NEIGHBOUR_BLURS = 2.0
+# What must be left of the window on either side.
+_NEEDED_BLURS, _NEEDED_PX = 1.5, 0.5
+# The Gaussian's integral and its density at every so much of its standard deviation.
+_PER_SIGMA, _OUTERMOST = 128, 9
+_AT = np.arange(-_OUTERMOST * _PER_SIGMA, _OUTERMOST * _PER_SIGMA + 1) / _PER_SIGMA
+_NODES = np.array(
+    [
+        [0.5 * math.erfc(-z / math.sqrt(2.0)) for z in _AT],
+        np.exp(-0.5 * _AT**2) / math.sqrt(2.0 * math.pi),
+    ]
+)
+# The pixels are taken so many at a time.
+_AT_A_TIME = 8
+
+_measure = Function(
+    CRENEL,
+    "measure_steps",
+    Array(F64, "height", "width"),
+    Array(F64, "n", 4),
+    Array(F64, "n", 3),
+    Array(I64, "n"),
+    Array(F64, 2, "k"),
+    Real(),
+    Whole(),
+    Array(F64, "n", 6, written=True),
+    Array(F64, 9, "most", written=True),
+)
+
+
+@dataclass(frozen=True)
+class Measured:
+    """What ``measure`` gives per station, arrays (N,); NaN where there is no sound edge.
+
+    ``offset_px`` along the normal and its ``sigma_px``; ``step``: height in grey levels
+    from the second region to the first, and its ``step_sigma``; ``blur_px``: the
+    blur's standard deviation; ``noise``: the scatter of the pixels about the fit,
+    grey levels.
+    """
+
+    offset_px: Floats
+    sigma_px: Floats
+    step: Floats
+    step_sigma: Floats
+    blur_px: Floats
+    noise: Floats
+
+
+def with_room(at: Stations, blur_px: float) -> Stations:
+    """The stations whose next edges are far enough for a blur of this standard deviation."""
+    needed = (_NEIGHBOUR_BLURS + _NEEDED_BLURS) * blur_px + _NEEDED_PX
+    return chosen(at, at.room_px.min(axis=1) >= needed)
+
+
+def chosen(at: Stations, keep: NDArray[np.bool_] | NDArray[np.int64]) -> Stations:
+    """Some of the stations."""
+    return replace(
+        at,
+        edge=at.edge[keep],
+        part=at.part[keep],
+        points_mm=at.points_mm[keep],
+        uv_px=at.uv_px[keep],
+        normal=at.normal[keep],
+        room_px=at.room_px[keep],
+        length_px=at.length_px[keep],
+    )
+
+
+def joined(one: Stations, other: Stations) -> Stations:
+    """The stations of both, of the same visible parts."""
+    return replace(
+        one,
+        edge=np.concatenate([one.edge, other.edge]),
+        part=np.concatenate([one.part, other.part]),
+        points_mm=np.concatenate([one.points_mm, other.points_mm]),
+        uv_px=np.concatenate([one.uv_px, other.uv_px]),
+        normal=np.concatenate([one.normal, other.normal]),
+        room_px=np.concatenate([one.room_px, other.room_px]),
+        length_px=np.concatenate([one.length_px, other.length_px]),
+    )
+
+
+def measure(image: Floats, at: Stations, blur_px: float, free_blur: bool = False) -> Measured:
+    """Sub-pixel edges at stations that lie within about two pixels, or two blurs, of them.
+
+    Least squares on the pixels themselves: nothing is interpolated, so nothing
+    depends on how an edge lies to the rows and columns.
+
+    Args:
+        image: (H, W) grey levels, NaN where they must not count.
+        at: stations with room (``with_room``).
+        blur_px: standard deviation of the picture's blur; fitted too if ``free_blur``.
+    """
+    reach = max(_LEAST_REACH_PX, _REACH_BLURS * blur_px + _REACH_PX)
+    room = np.minimum(reach, at.room_px - _NEIGHBOUR_BLURS * blur_px)
+    windows = np.column_stack([room, np.full(len(room), at.half_length_px)])
+    places = np.column_stack([at.uv_px, at.normal])
+    reach = np.ceil(np.hypot(room.max(axis=1), at.half_length_px)).astype(np.int64)
+    workspace = np.empty((9, (2 * int(reach.max(initial=0)) + 1) ** 2 + _AT_A_TIME))
+    found = np.empty((len(places), 6))
+    unknowns = 6 if free_blur else 5
+    _measure(image, places, windows, reach, _NODES, blur_px, unknowns, found, workspace)
+    return Measured(*(found[:, k] for k in range(6)))

@@ -1,0 +1,62 @@
+"""What tool marks beside an edge do to it: lines that run along it, and may be taken for it."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.detection.edges.stations import Stations, profiles
+from app.metrology.transforms import Floats
+
+# The texture is taken from so many windows of the step's fit to either side of it.
+_WINDOWS = 4
+# Fewer places than this along the normals tell nothing.
+_FEWEST = 6
+# Gaussian: a step of height a blurred by s is a / (s sqrt(2 pi)) steep.
+_ROOT_TWO_PI = 2.5066
+
+
+def texture(
+    image: Floats, at: Stations, step: Floats, blur_px: float
+) -> tuple[Floats, NDArray[np.float64]]:
+    """Texture along whole parts of edges, over the edges' steps, and how far it moves them.
+
+    Marks that run along an edge stay when the picture is averaged along it, noise and marks
+    across it do not. What is left beside the edge, of less than the fit's width, is what
+    the step lies in.
+
+    Args:
+        image: (H, W) grey levels, NaN where they must not count.
+        at: stations; step: (N,) the heights there, NaN or 0 where none was found.
+        blur_px: standard deviation of the picture's blur.
+
+    Returns:
+        (N,) per station that ratio of its part, and (N,) the part's displacement in px, one
+        standard deviation; 0 where nothing can be told.
+    """
+    window = int(np.ceil(2.5 * blur_px + 1.0))
+    reach = (_WINDOWS + 1) * window
+    along = profiles(image, at.uv_px, at.normal, reach + window)
+    offset = np.arange(-reach, reach + 1)
+    beside = np.abs(offset) > 2 * window
+    clear = window + 2 * blur_px
+    free = beside & (offset < at.room_px[:, :1] - clear) & (offset > clear - at.room_px[:, 1:])
+    ratio, moved = np.zeros(len(at.part)), np.zeros(len(at.part))
+    sums = np.cumsum(np.pad(along, ((0, 0), (1, 0))), axis=1)
+    trend = (sums[:, 2 * window + 1 :] - sums[:, : -2 * window - 1]) / (2 * window + 1)
+    rough = np.where(free, along[:, window:-window] - trend, np.nan)
+    for part in np.unique(at.part):
+        rows = np.flatnonzero((at.part == part) & np.isfinite(step) & (step != 0.0))
+        if len(rows) < 3:
+            continue
+        there = np.isfinite(rough[rows])
+        counts = there.sum(axis=0)
+        enough = counts >= max(3, len(rows) // 2)
+        if enough.sum() < _FEWEST:
+            continue
+        values = np.where(there, rough[rows], 0.0)[:, enough]
+        mean = values.sum(axis=0) / counts[enough]
+        scatter = (values**2).sum(axis=0) / counts[enough] - mean**2
+        left = float(np.mean(mean**2 - scatter / (counts[enough] - 1)))
+        height = abs(float(np.median(step[rows])))
+        ratio[rows] = np.sqrt(max(left, 0.0)) / max(height, 1e-9)
+        moved[rows] = ratio[rows[0]] * _ROOT_TWO_PI * blur_px
+    return ratio, moved

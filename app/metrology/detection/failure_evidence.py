@@ -1,0 +1,164 @@
+"""What of a refused picture is at fault, and where in the picture that shows."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from app.errors import Refusal
+from app.metrology.detection.edges.measure_all import Survey
+from app.metrology.detection.image_quality import PictureFinding
+from app.metrology.detection.rejection import Objection
+from app.metrology.detection.search.coarse_pose import Search
+from app.metrology.detection.visibility import seen
+from app.metrology.sensor.camera import Camera, project
+from app.metrology.transforms import Floats
+
+Fault = Literal["exposure", "focus", "framing", "object", "lighting"]
+MarkKind = Literal["clipped", "segment", "outline", "disagrees", "outside"]
+
+_FAULTS: dict[str, Fault] = {
+    "image-dark": "exposure",
+    "image-saturated": "exposure",
+    "image-blurred": "focus",
+    "object-cut-off": "framing",
+    "object-not-found": "framing",
+    "object-unclear": "lighting",
+    "object-does-not-match": "object",
+    "object-mirrored": "object",
+    "object-ambiguous": "object",
+}
+# A dim or soft picture is at fault before what was not seen in it is.
+_FINDING_FAULTS: dict[str, Fault] = {
+    "image-dim": "exposure",
+    "image-dark": "exposure",
+    "image-saturated": "exposure",
+    "image-soft": "focus",
+    "image-blurred": "focus",
+}
+# Clipped regions smaller than this share of the picture are glints; so many are shown.
+_GLINT, _REGIONS = 5e-4, 12
+_SEGMENTS = 60
+
+
+@dataclass(frozen=True)
+class Mark:
+    """A line to draw on the picture, from (u0, v0) to (u1, v1) in px, and what it shows.
+
+    ``clipped``: an overexposed region's border; ``segment``: a straight edge that was
+    found; ``outline``: an edge of the nearest placing that the picture shows;
+    ``disagrees``: one that it does not, or elsewhere; ``outside``: out of the frame.
+    """
+
+    kind: MarkKind
+    u0: float
+    v0: float
+    u1: float
+    v1: float
+
+
+class DetectionRefusal(Refusal):
+    """A picture in which the object was not found, with the fault and its evidence."""
+
+    def __init__(self, refusal: Refusal, fault: Fault, marks: tuple[Mark, ...]) -> None:
+        super().__init__(refusal.code, refusal.what, refusal.why, refusal.remedy)
+        self.fault: Fault = fault
+        self.marks = marks
+
+
+def with_evidence(
+    refusal: Refusal,
+    findings: list[PictureFinding],
+    clipped: NDArray[np.bool_],
+    found: Search | None,
+    nearest: Survey | None,
+    against: Objection | None,
+) -> DetectionRefusal:
+    """The refusal with what is at fault and marks in the picture's pixels.
+
+    Args:
+        refusal: why the picture was declined.
+        findings: what is wrong with the picture as such.
+        clipped: (H, W) overexposed pixels.
+        found: what was found of straight edges and placings, if it came so far.
+        nearest: the placing that the picture bears out most, measured.
+        against: what speaks against it.
+    """
+    fault = _FAULTS.get(refusal.code, "object")
+    by_light = against is not None and against.alone
+    if refusal.code in ("object-not-found", "object-unclear") and not by_light:
+        fault, refusal = by_picture(fault, refusal, findings)
+    marks = clipped_regions(clipped) if fault == "exposure" else []
+    if nearest is not None:
+        marks += _outline(nearest, against)
+    elif found is not None:
+        marks += _segments(found, clipped.shape)
+    return DetectionRefusal(refusal, fault, tuple(marks))
+
+
+def by_picture(
+    fault: Fault, refusal: Refusal, findings: list[PictureFinding], guessed: bool = False
+) -> tuple[Fault, Refusal]:
+    """What is at fault: the picture as such before what was not seen in it.
+
+    Args:
+        fault, refusal: what holds where nothing is wrong with the picture as such.
+        findings: what is wrong with it.
+        guessed: the refusal's reason only lists what it could be, so that a finding
+            comes in its place and not before it.
+    """
+    named = next((one for one in findings if one.code in _FINDING_FAULTS), None)
+    if named is None:
+        return fault, refusal
+    kept = ("", "") if guessed else (refusal.why, refusal.remedy)
+    why = "; ".join(part for part in (named.text, kept[0]) if part)
+    remedy = "; ".join(part for part in (named.remedy, kept[1]) if part)
+    return _FINDING_FAULTS[named.code], Refusal(refusal.code, refusal.what, why, remedy)
+
+
+def clipped_regions(clipped: NDArray[np.bool_]) -> list[Mark]:
+    """The borders of the largest overexposed regions, as boxes."""
+    count, _, stats, _ = cv2.connectedComponentsWithStats(clipped.astype(np.uint8))
+    order = np.argsort(-stats[1:count, cv2.CC_STAT_AREA])[:_REGIONS] + 1
+    marks: list[Mark] = []
+    for k in order:
+        left, top, width, height, area = (float(value) for value in stats[k])
+        if area < _GLINT * clipped.size:
+            break
+        right, low = left + width - 1, top + height - 1
+        corners = ((left, top), (right, top), (right, low), (left, low))
+        for one, other in zip(corners, (*corners[1:], corners[0]), strict=True):
+            marks.append(Mark("clipped", *one, *other))
+    return marks
+
+
+def _segments(found: Search, shape: tuple[int, ...]) -> list[Mark]:
+    """The weightiest straight edges that were seen."""
+    height, width = shape
+    lines = found.segments[:_SEGMENTS] * max(width, height)
+    lines = lines + np.tile([(width - 1) / 2, (height - 1) / 2], 2)
+    return [Mark("segment", *(float(value) for value in line)) for line in lines]
+
+
+def _outline(nearest: Survey, against: Objection | None) -> list[Mark]:
+    """The visible edges as the placing draws them: agreeing, disagreeing, out of the frame."""
+    camera, frame = nearest.camera, nearest.frame
+    parts = seen(frame, camera.centre_mm)
+    begin = frame.starts_mm[parts.edge]
+    along = frame.ends_mm[parts.edge] - begin
+    first = project(camera, begin + parts.start[:, None] * along)
+    last = project(camera, begin + parts.end[:, None] * along)
+    wrong = set(against.edges) if against is not None else set()
+    marks = []
+    for edge, one, other in zip(parts.edge, first, last, strict=True):
+        kind: MarkKind = "disagrees" if int(edge) in wrong else "outline"
+        if _outside(camera, one) and _outside(camera, other):
+            kind = "outside"
+        marks.append(Mark(kind, float(one[0]), float(one[1]), float(other[0]), float(other[1])))
+    return marks
+
+
+def _outside(camera: Camera, uv: Floats) -> bool:
+    return bool((uv < 0).any() or uv[0] > camera.width_px - 1 or uv[1] > camera.height_px - 1)

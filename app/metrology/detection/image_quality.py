@@ -1,0 +1,243 @@
+"""Is a picture fit to measure in: exposure, saturation and sharpness, in words."""
+
+from dataclasses import dataclass, replace
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from app.errors import Refusal
+from app.metrology.image import saturation_level
+from app.metrology.transforms import Floats
+
+Image = NDArray[np.uint8] | NDArray[np.uint16]
+
+# Brightest parts below this share of full scale: noise and rounding begin to tell.
+DIM = 0.15
+# Contrast below this share of full scale cannot be told from the noise of one frame.
+DARK = 0.03
+# Share of clipped pixels at which a face, not just a glint or the stripe, is lost.
+CLIPPED = 0.03
+# Width of a step of brightness (standard deviation of the blur) over the longer side.
+# Beyond the second, the two edges of a groove's wall run into one.
+SOFT = 0.0016
+BLURRED = 0.004
+# Noise over the contrast at which the lower steps between faces are lost.
+NOISY = 0.04
+_SMOOTH_PX = 0.7
+# From a tenth to nine tenths of its height, a step is so many standard deviations wide.
+EDGE_WIDTH = 2.56
+
+
+@dataclass(frozen=True)
+class PictureFinding:
+    """Something about a picture that the operator should mend.
+
+    ``value`` and ``limit`` are shares of full scale, of the pixels, or pixels.
+    """
+
+    code: str
+    text: str
+    remedy: str
+    value: float
+    limit: float
+
+
+def grey_picture(image: Image) -> tuple[Floats, NDArray[np.bool_]]:
+    """Grey levels (H, W) on a scale of 0 to 255, and which pixels are clipped.
+
+    Raises:
+        Refusal: not a grey image of 8 to 16 bits.
+    """
+    array = image
+    if array.ndim != 2 or array.dtype not in (np.uint8, np.uint16) or min(array.shape) < 64:
+        raise Refusal(
+            "image-not-grey",
+            f"an image of shape {array.shape} and type {array.dtype}",
+            "the object is looked for in grey images of 8 to 16 bits, at least 64 pixels each way",
+        )
+    clipped = array >= saturation_level(array)
+    if array.dtype == np.uint8:
+        return array.astype(np.float64), clipped
+    # The fewest bits that a sensor of today has and that hold this picture.
+    bits = next(b for b in (8, 10, 12, 14, 16) if int(array.max()) < 2**b)
+    return array.astype(np.float64) * (255.0 / (2**bits - 1)), clipped
+
+
+def noisy(grey: Floats) -> bool:
+    """Whether a picture (H, W) is so noisy, for its contrast, that edges of faces may be lost."""
+    bend = np.abs(grey[1:-1:2, 2::2] - 2 * grey[1:-1:2, 1:-1:2] + grey[1:-1:2, :-2:2])
+    noise = float(np.median(bend)) / (0.6745 * np.sqrt(6.0))
+    low, high = np.percentile(grey[::4, ::4], (2.0, 98.0))
+    return bool(noise > NOISY * float(high - low))
+
+
+def edge_blur_px(grey: NDArray[np.floating]) -> float:
+    """Standard deviation, in px, of the blur at the edges of a picture (H, W).
+
+    A step of height a blurred by s is steepest by a / (s sqrt(2 pi)); height and
+    steepness are taken where the picture is steepest. inf where there are no edges.
+    """
+    shrink = max(1, max(grey.shape) // 2000)
+    blur = float("inf")
+    while shrink <= 16:
+        size = (grey.shape[1] // shrink, grey.shape[0] // shrink)
+        small = np.asarray(grey, np.float32)
+        if shrink > 1:
+            small = np.asarray(cv2.resize(small, size, interpolation=cv2.INTER_AREA), np.float32)
+        found = _blur_of(small)
+        blur = found * shrink if np.isfinite(found) else blur
+        # Beyond this the window that takes the step's height no longer holds it.
+        if found < 3.0:
+            break
+        shrink *= 2
+    return blur
+
+
+def _blur_of(small: NDArray[np.float32]) -> float:
+    smooth = cv2.GaussianBlur(small, (0, 0), _SMOOTH_PX)
+    slope = cv2.magnitude(
+        cv2.Sobel(smooth, cv2.CV_32F, 1, 0, ksize=1) * 0.5,
+        cv2.Sobel(smooth, cv2.CV_32F, 0, 1, ksize=1) * 0.5,
+    )
+    box = np.ones((15, 15), np.uint8)
+    height = cv2.dilate(smooth, box) - cv2.erode(smooth, box)
+    noise = float(np.median(slope[::2, ::2])) / 1.1774
+    low, high = np.percentile(smooth[::4, ::4], (1.0, 99.0))
+    ridge = (slope > 6 * noise + 0.3) & (height > 0.3 * (high - low))
+    ridge &= slope >= cv2.dilate(slope, np.ones((3, 3), np.uint8))
+    # A step within the box is at least as steep as its height over the box's diagonal;
+    # what is less steep is noise beside a step.
+    ridge &= slope * 20.0 > height
+    if int(ridge.sum()) < 50:
+        return float("inf")
+    blur = float(np.median(height[ridge] / slope[ridge])) / np.sqrt(2 * np.pi)
+    return float(np.sqrt(max(blur**2 - _SMOOTH_PX**2, 0.05)))
+
+
+@dataclass(frozen=True)
+class PictureMeasures:
+    """What a picture is worth, in figures.
+
+    ``saturated`` is the share of clipped pixels, ``low`` and ``high`` the levels of the dark
+    and bright parts as shares of full scale, ``blur_px`` the standard deviation of the blur at
+    its edges: None in a dim or clipped picture, where it would mislead, and where there are no
+    edges. ``soft_px`` is what it may be.
+    """
+
+    saturated: float
+    low: float
+    high: float
+    blur_px: float | None
+    soft_px: float
+
+    @property
+    def dark(self) -> bool:
+        """No contrast that could be told from noise."""
+        return self.high - self.low < DARK
+
+    @property
+    def dim(self) -> bool:
+        return self.high < DIM
+
+    @property
+    def overexposed(self) -> bool:
+        return self.saturated > CLIPPED
+
+
+def measured(image: Image) -> PictureMeasures:
+    """The measures of a picture (H, W), grey, 8 to 16 bits; quick enough for live use.
+
+    Raises:
+        Refusal: not a grey image.
+    """
+    step = max(1, min(image.shape) // 500) if image.ndim == 2 else 1
+    thin, clipped = grey_picture(image[::step, ::step])
+    low, high = np.percentile(thin[::2, ::2], (1.0, 99.0)) / 255.0
+    longer = max(image.shape)
+    found = PictureMeasures(float(clipped.mean()), float(low), float(high), None, SOFT * longer)
+    if found.overexposed or found.dark or found.dim:
+        return found
+    return replace(found, blur_px=_blur_px(image))
+
+
+def picture_findings(image: Image) -> list[PictureFinding]:
+    """What is wrong with a picture of the object, most serious first; quick enough for live use.
+
+    Args:
+        image: (H, W) grey, 8 to 16 bits.
+
+    Returns:
+        findings with the codes ``image-dark``, ``image-dim``, ``image-saturated``,
+        ``image-soft`` and ``image-blurred``; none for a good picture.
+
+    Raises:
+        Refusal: not a grey image.
+    """
+    return findings_of(measured(image))
+
+
+def findings_of(picture: PictureMeasures) -> list[PictureFinding]:
+    """What is wrong with a picture by its measures, as ``picture_findings``."""
+    if picture.overexposed:
+        return [
+            PictureFinding(
+                "image-saturated",
+                f"{100 * picture.saturated:.0f} % of the picture is overexposed",
+                "turn down the exposure until the object's faces keep their grey",
+                picture.saturated,
+                CLIPPED,
+            )
+        ]
+    if picture.dark:
+        contrast = picture.high - picture.low
+        return [
+            PictureFinding(
+                "image-dark",
+                f"the picture shows no contrast: {100 * contrast:.1f} % of full scale",
+                "turn up the light or the exposure, and look at the object",
+                contrast,
+                DARK,
+            )
+        ]
+    if picture.dim:
+        return [
+            PictureFinding(
+                "image-dim",
+                f"the picture is dim: its bright parts reach {100 * picture.high:.0f} % of full "
+                "scale",
+                "turn up the light or the exposure",
+                picture.high,
+                DIM,
+            )
+        ]
+    return _sharpness(picture)
+
+
+def _blur_px(array: Image) -> float | None:
+    shrink = min(1.0, 640 / max(array.shape))
+    grey = array.astype(np.float32)
+    if shrink < 1.0:
+        grey = np.asarray(
+            cv2.resize(grey, None, fx=shrink, fy=shrink, interpolation=cv2.INTER_AREA), np.float32
+        )
+    blur = edge_blur_px(grey) / shrink
+    return blur if np.isfinite(blur) else None
+
+
+def _sharpness(picture: PictureMeasures) -> list[PictureFinding]:
+    blur, soft = picture.blur_px, picture.soft_px
+    if blur is None or blur <= soft:
+        return []
+    code, text, limit = "image-soft", "the picture is a little soft", soft
+    if blur > soft * BLURRED / SOFT:
+        code, text, limit = "image-blurred", "the picture is blurred", soft * BLURRED / SOFT
+    return [
+        PictureFinding(
+            code,
+            f"{text}: its edges are {EDGE_WIDTH * blur:.0f} px wide",
+            "focus the camera on the object, bring it into the working distance, and hold it still",
+            blur,
+            limit,
+        )
+    ]

@@ -1,0 +1,149 @@
+"""Where the camera may stand, voted for by bearings: the inner loops of identification."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.transforms import Floats
+from app.native.arguments import F64, I64, Array, Function, Real
+from app.native.product import CRENEL
+
+# So many bearings of each direction vote; so many places are returned for one reading of them.
+_BEARINGS, _READINGS = 12, 12
+
+_merge = Function(
+    CRENEL,
+    "merge_bearings",
+    Array(F64, "n", 3),
+    Array(F64, "n"),
+    Array(I64, "n"),
+    Array(F64, "l", 3, 3),
+    Array(I64, "l", 3),
+    Real(),
+    Array(F64, "l", 3, "b", 2, written=True),
+    Array(F64, "l", 3, "b", written=True),
+    Array(I64, "l", 3, written=True),
+    Array(F64, 2, "n", written=True),
+)
+_vote = Function(
+    CRENEL,
+    "vote_for_centres",
+    Array(F64, 3, "b", 2),
+    Array(F64, 3, "b"),
+    Array(I64, 3),
+    Array(F64, "p", 2),
+    Array(I64, 4),
+    Array(F64, 5, 3),
+    Real(),
+    Real(),
+    Array(F64, "most", 3, written=True),
+    Array(F64, "most", written=True),
+    Array(F64, 4, "b", "p", written=True),
+    returns=int,
+)
+
+
+@dataclass(frozen=True)
+class Bearings:
+    """Bearings in the planes across x, y and z of the object, with what they weigh.
+
+    ``normals`` (3, B, 2): perpendicular to each, of unit length, the coordinates in turn;
+    ``weight`` (3, B), the weightiest first; ``counts`` (3,): how many there are of each.
+    """
+
+    normals: Floats
+    weight: Floats
+    counts: NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class View:
+    """What is known of a camera that has the block before it, object frame, three values each.
+
+    ``middle_mm``: of the block; ``axis``: the camera's; ``low_mm``, ``high_mm``: where a camera
+    before and above the block stands; ``reach``: tangent of half the field of view, least and
+    greatest distance (mm) along the axis.
+    """
+
+    middle_mm: Floats
+    axis: Floats
+    low_mm: Floats
+    high_mm: Floats
+    reach: Floats
+
+
+@dataclass(frozen=True)
+class EndOn:
+    """Edges along x, then y, then z as points (P, 2) in the planes across, the coordinates in turn.
+
+    ``first`` (4,): where those of each axis begin, and their number.
+    """
+
+    points_mm: Floats
+    first: NDArray[np.int64]
+
+
+def merged(
+    normals: Floats,
+    weight: Floats,
+    family: NDArray[np.int64],
+    labellings: Sequence[tuple[Floats, tuple[int, int, int]]],
+    near_rad: float,
+) -> list[Bearings]:
+    """The weightiest bearings of each labelling, those of collinear segments merged.
+
+    Args:
+        normals: (S, 3) of the planes through the camera and each segment, camera frame.
+        weight: (S,) of the segments; family: (S,) which direction each follows, -1 for none.
+        labellings: rotations (3, 3) from the object to the camera, with the number of the
+            direction that is x, y and z.
+        near_rad: bearings nearer to each other than this are one.
+    """
+    count = len(labellings)
+    if not count:
+        return []
+    rotations = np.array([rotation for rotation, _ in labellings])
+    order = np.array([axes for _, axes in labellings], dtype=np.int64)
+    found = np.zeros((count, 3, _BEARINGS, 2))
+    summed, counts = np.zeros((count, 3, _BEARINGS)), np.zeros((count, 3), np.int64)
+    rank = np.argsort(-weight, kind="stable")
+    rows = normals[rank], weight[rank], family[rank]
+    workspace = np.empty((2, len(weight)))
+    _merge(*rows, rotations, order, near_rad, found, summed, counts, workspace)
+    return [Bearings(*one) for one in zip(found, summed, counts, strict=True)]
+
+
+def centres_voted(
+    bearings: Bearings, edges: EndOn, view: View, near_rad: float, best: float
+) -> tuple[Floats, Floats]:
+    """Camera centres (K, 3), object frame, and the weight (K,) of the bearings that agree.
+
+    Two bearings to two edges place the camera in the plane across a direction, the bearings of
+    the other two along it, and all vote; each direction takes its turn as the first.
+
+    Args:
+        near_rad: how far a bearing may pass an edge to count; it counts the more the nearer.
+        best: the votes of the best placing so far; far fewer are of no interest.
+
+    Returns:
+        the most votes first.
+    """
+    centres, votes = np.empty((_READINGS, 3)), np.empty(_READINGS)
+    known = np.array([view.middle_mm, view.axis, view.low_mm, view.high_mm, view.reach])
+    workspace = np.empty((4, _BEARINGS, len(edges.points_mm)))
+    count = _vote(
+        bearings.normals,
+        bearings.weight,
+        bearings.counts,
+        edges.points_mm,
+        edges.first,
+        known,
+        near_rad,
+        best,
+        centres,
+        votes,
+        workspace,
+    )
+    return centres[:count], votes[:count]

@@ -1,0 +1,228 @@
+"""The tries at finding the block: one search of a small picture each, the likeliest placings
+measured in the full one, and how far the picture bears them out."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.detection import acceptance
+from app.metrology.detection.edges.measure_all import Survey, pulled, softened, survey
+from app.metrology.detection.image_quality import edge_blur_px
+from app.metrology.detection.rejection import Objection
+from app.metrology.detection.search.coarse_pose import Located, Search
+from app.metrology.detection.search.pose_hypotheses import mirrored
+from app.metrology.detection.visibility import wireframe
+from app.metrology.sensor.camera import Camera, project
+from app.metrology.targets.crenellated_block import Crenellated
+from app.metrology.targets.crenellated_block import corners as corners_of
+from app.metrology.transforms import Floats
+
+# A placing this much less supported than the best is no rival.
+_RIVAL = 0.85
+_RIVALS = 4
+# Tool marks leave even the right placing little support; with less it is not worth measuring.
+_LEAST_SUPPORT = 0.15
+# Placings that draw the crests alike to so much of the picture's longer side are the same.
+_SAME, _VERY_SAME = 0.01, 0.0005
+# A reading the other way round with this share of the best's support leaves it in doubt.
+_DOUBTFUL = 0.95
+_SURE = 0.8
+_MOST = 0.6
+# Nor is one that explains less than this share of what the best does.
+_MORE = 0.88
+_USUAL_BLUR_PX = 1.5
+
+
+@dataclass(frozen=True)
+class Placed:
+    """A placing: its camera for the full picture, and whether it shows the block mirrored.
+
+    ``shown_px``: length of its edges that the picture shows, where it was measured.
+    """
+
+    camera: Camera
+    mirrored: bool
+    shown_px: float = np.inf
+
+
+@dataclass(frozen=True)
+class Tried:
+    """One attempt: the placings that the picture bears out, best first, or, where there are
+    none, the one that it does most (``nearest``) and what speaks against it.
+
+    ``doubted``: whether the block may as well stand the other way round.
+    """
+
+    found: Search
+    good: list[tuple[Located, Survey]]
+    nearest: Survey | None = None
+    against: Objection | None = None
+    doubted: bool = False
+
+    @property
+    def measured(self) -> Survey | None:
+        """The best placing, borne out or not."""
+        return self.good[0][1] if self.good else self.nearest
+
+    @property
+    def shown_px(self) -> float:
+        """Length of its edges that the picture shows."""
+        return _shown_px(self.measured) if self.measured is not None else 0.0
+
+    @property
+    def borne_out_px(self) -> float:
+        """The same, where the picture bears a placing out."""
+        return _shown_px(self.good[0][1]) if self.good else 0.0
+
+    @property
+    def share_shown(self) -> float:
+        """Of the length of the edges drawn."""
+        if self.measured is None:
+            return 0.0
+        return self.shown_px / max(float(self.measured.at.length_px.sum()), 1e-9)
+
+    @property
+    def sure_of_another(self) -> bool:
+        """Whether the nearest placing is an object very like the block; no other try tells more."""
+        if self.nearest is None or self.against is None or not self.against.edges:
+            return False
+        well_drawn = self.found.found[0].support > _SURE
+        return self.against.definite and well_drawn and self.share_shown > _MOST
+
+    @property
+    def more_than_one_way(self) -> bool:
+        """Whether another placing is as good, or the other way round may be."""
+        return len(self.good) > 1 or self.doubted
+
+    @property
+    def doubtful(self) -> bool:
+        """Whether another look at the picture may tell better which way the block stands."""
+        return self.good[0][0].mirrored or self.more_than_one_way
+
+
+NOT_TRIED = Tried(Search((), 0.0, np.empty((0, 4))), [])
+
+
+def try_placings(
+    grey: Floats,
+    hidden: NDArray[np.bool_],
+    found: Search,
+    scale: float,
+    block: Crenellated,
+    declined: list[Placed],
+) -> Tried:
+    """Measures the likeliest placings but those ``declined`` before, to which it adds."""
+    if not found.found or found.found[0].support < _LEAST_SUPPORT:
+        return Tried(found, [])
+    best = found.found[0].support
+    looks = _Looks(grey, hidden, scale, block, declined)
+    for rank, rival in enumerate(found.found):
+        # The other way round may be drawn as well by one that comes late.
+        if rival.support >= (_RIVAL if rank < _RIVALS else _DOUBTFUL) * best:
+            looks.at(rival)
+    good = sorted(looks.good, key=lambda one: -_shown_px(one[1]))
+    if good:
+        enough_px = _MORE * _shown_px(good[0][1])
+        rivals = [one for one in good if _shown_px(one[1]) >= enough_px]
+        return Tried(found, rivals, doubted=looks.doubted(good[0][0], enough_px))
+    # What hardly looks like the block says nothing against it either.
+    if best < acceptance.LEAST_SUPPORT:
+        return Tried(found, [])
+    nearest = max(looks.rejected, key=lambda one: _shown_px(one[0]), default=(None, None))
+    return Tried(found, [], *nearest)
+
+
+class _Looks:
+    """The placings of one try as the full picture shows them: ``good``, or ``rejected``."""
+
+    def __init__(
+        self,
+        grey: Floats,
+        hidden: NDArray[np.bool_],
+        scale: float,
+        block: Crenellated,
+        declined: list[Placed],
+    ) -> None:
+        self._coarse_px = max(3.0, 2.0 / scale)
+        blur_px = edge_blur_px(grey)
+        # Of a picture with hardly an edge out of its noise it is not known; a start must be.
+        self._blur_px = blur_px if np.isfinite(blur_px) else _USUAL_BLUR_PX
+        self._masked = np.where(hidden, np.nan, grey)
+        self._smooth = softened(grey, self._coarse_px)
+        self._scale, self._block, self._declined = scale, block, declined
+        self._others: list[tuple[Located, float]] = []
+        self.good: list[tuple[Located, Survey]] = []
+        self.rejected: list[tuple[Survey, Objection]] = []
+
+    def at(self, rival: Located) -> None:
+        """Measures a placing, unless it was before."""
+        block, reverse = self._block, rival.mirrored
+        known = [Placed(found.camera, located.mirrored) for located, found in self.good]
+        start = _enlarged(rival.camera, self._scale, self._masked.shape)
+        if _like(start, reverse, known, block, _SAME):
+            return
+        form = wireframe(mirrored(block) if reverse else block)
+        camera = pulled(self._smooth, form, start, self._coarse_px)
+        if camera is None:
+            self._others.append((rival, np.inf))
+            return
+        # Several starts may lead to one placing; it is measured once.
+        before = _like(camera, reverse, self._declined, block, _VERY_SAME)
+        if before is not None:
+            self._others.append((rival, before.shown_px))
+        if before is not None or _like(camera, reverse, known, block, _SAME):
+            return
+        made_mm = block.standard_uncertainty_mm
+        measured = survey(self._masked, form, camera, self._blur_px, made_mm)
+        if measured is None:
+            self._others.append((rival, np.inf))
+            return
+        measured, against = acceptance.judged(self._masked, measured, made_mm)
+        if against is not None:
+            self.rejected.append((measured, against))
+            self._declined.append(Placed(camera, reverse, _shown_px(measured)))
+            self._others.append((rival, _shown_px(measured)))
+        elif not _like(measured.camera, reverse, known, block, _SAME):
+            self.good.append((rival, measured))
+
+    def doubted(self, best: Located, enough_px: float) -> bool:
+        """Whether the other way round is drawn about as well, and the full picture does not
+        show that it explains less: it could not be measured, or as much of it shows."""
+        return any(
+            one.mirrored != best.mirrored
+            and one.support > _DOUBTFUL * best.support
+            and shown_px >= enough_px
+            for one, shown_px in self._others
+        )
+
+
+def _shown_px(measured: Survey) -> float:
+    """Length, px, of the edges that the picture shows where they are drawn."""
+    return float(measured.at.length_px[measured.used].sum())
+
+
+def _like(
+    camera: Camera, reverse: bool, placings: list[Placed], block: Crenellated, share: float
+) -> Placed | None:
+    """The placing that draws the crests where another does, to a share of the longer side."""
+    points = np.array([at for name, at in corners_of(block).items() if name.startswith("crest")])
+    for other in placings:
+        if other.mirrored != reverse:
+            continue
+        apart = project(camera, points) - project(other.camera, points)
+        if np.hypot(*apart.T).max() < share * max(camera.width_px, camera.height_px):
+            return other
+    return None
+
+
+def _enlarged(camera: Camera, scale: float, shape: tuple[int, ...]) -> Camera:
+    """The camera of the small picture for the full one; pixels' centres are whole numbers."""
+    height, width = shape[:2]
+    K = camera.matrix.copy()
+    across, down = width / camera.width_px, height / camera.height_px
+    K[0] *= across
+    K[1] *= down
+    K[0, 2] += 0.5 * (across - 1)
+    K[1, 2] += 0.5 * (down - 1)
+    return replace(camera, matrix=K, width_px=width, height_px=height)

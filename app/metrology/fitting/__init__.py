@@ -1,0 +1,1 @@
+"""Planes, spheres and cylinders through points, with their uncertainty."""

@@ -1,0 +1,177 @@
+"""Cylinders fitted to clouds, with the same robust start and filter as planes and spheres."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+from app.errors import Refusal
+from app.metrology.fitting.plane_sphere import Shape, draws, filtered, finite_points
+from app.metrology.transforms import Floats
+
+NEIGHBOURS = 24
+"""Of the sample's points; their plane tells the surface's normal there."""
+ITERATIONS = 50
+# Two normals nearer to each other than this tell no axis.
+LEAST_CROSS = 0.05
+
+
+@dataclass(frozen=True)
+class CylinderFit:
+    """A least-squares cylinder."""
+
+    point_mm: Floats
+    """(3,) on the axis, nearest to the centroid of the points used."""
+    direction: Floats
+    """(3,) unit length along the axis; the sign is arbitrary."""
+    radius_mm: float
+    rms_mm: float
+    form_mm: float
+    """Largest minus smallest radial distance of the points used."""
+    used: NDArray[np.bool_]
+    """(N,) points that passed the filter."""
+
+
+def fit_cylinder(points_mm: Floats) -> CylinderFit:
+    """Least-squares cylinder (radial distances) after the paper's filter (section 4).
+
+    The start is the best of many cylinders, each through two points with their surface's
+    normals (Schnabel, Wahl and Klein, 2007): the axis is square to both.
+
+    Args:
+        points_mm: (N, 3), N >= 5; NaN points are never used.
+
+    Raises:
+        Refusal: too few points, or points that fix no cylinder.
+    """
+    points, finite = finite_points(points_mm, 5, "cylinder")
+    centre = points.mean(axis=0)
+    local = points - centre
+    (axis, radius_mm), keep = filtered(
+        local, _start(local), cylinder_distances, _least_squares_cylinder
+    )
+    inside = cylinder_distances(local[keep], (axis, radius_mm))
+    used = finite.copy()
+    used[finite] = keep
+    point, direction = axis[:3], axis[3:]
+    middle = local[keep].mean(axis=0)
+    nearest = point + direction * float((middle - point) @ direction)
+    return CylinderFit(
+        point_mm=nearest + centre,
+        direction=direction,
+        radius_mm=radius_mm,
+        rms_mm=float(np.sqrt(np.mean(inside**2))),
+        form_mm=float(np.ptp(inside)),
+        used=used,
+    )
+
+
+def cylinder_distances(points_mm: Floats, cylinder: Shape) -> Floats:
+    """Signed radial distances (N,) in mm of points (N, 3); outside is positive."""
+    axis, radius_mm = cylinder
+    away = points_mm - axis[:3]
+    away = away - np.outer(away @ axis[3:], axis[3:])
+    return np.asarray(np.linalg.norm(away, axis=1) - radius_mm)
+
+
+def across(direction: Floats) -> tuple[Floats, Floats]:
+    """Two unit vectors (3,) square to a direction and to each other."""
+    aside = np.cross(direction, np.eye(3)[np.argmin(np.abs(direction))])
+    aside /= np.linalg.norm(aside)
+    return aside, np.cross(direction, aside)
+
+
+def cylinder_jacobian(points_mm: Floats, axis: Floats) -> Floats:
+    """Change (N, 5) of radial distances with the axis and the radius.
+
+    With a shift of the axis along ``across(direction)``, mm, a turn about its point towards
+    them, rad, and the radius.
+    """
+    point, direction = axis[:3], axis[3:]
+    a, b = across(direction)
+    away = points_mm - point
+    along = away @ direction
+    u, v = away @ a, away @ b
+    distance = np.maximum(np.hypot(u, v), 1e-12)
+    u, v = u / distance, v / distance
+    return np.column_stack([-u, -v, -u * along, -v * along, -np.ones(len(u))])
+
+
+def _start(points: Floats) -> Shape:
+    """The cylinder through two points and their normals with the least median distance."""
+    sample, pairs = draws(points, 2)
+    nearest = cKDTree(sample).query(pairs.reshape(-1, 3), min(NEIGHBOURS, len(sample)))[1]
+    normals = _normals(sample[nearest]).reshape(-1, 2, 3)
+    best: tuple[float, Shape] | None = None
+    for (p, q), (n, m) in zip(pairs, normals, strict=True):
+        cylinder = _through(p, q, n, m)
+        if cylinder is None:
+            continue
+        misfit = float(np.median(np.abs(cylinder_distances(sample, cylinder))))
+        if best is None or misfit < best[0]:
+            best = (misfit, cylinder)
+    if best is None:
+        raise _refused("the surface does not bend")
+    return best[1]
+
+
+def _normals(near: Floats) -> Floats:
+    """Normals (K, 3) of the surface through groups of points (K, k, 3)."""
+    off = near - near.mean(axis=1, keepdims=True)
+    return np.asarray(np.linalg.eigh(np.einsum("kij,kil->kjl", off, off))[1][:, :, 0])
+
+
+def _through(p: Floats, q: Floats, n: Floats, m: Floats) -> Shape | None:
+    """The cylinder through ``p`` and ``q`` with these normals there; None where none is told."""
+    direction = np.cross(n, m)
+    length = float(np.linalg.norm(direction))
+    if length < LEAST_CROSS:
+        return None
+    direction /= length
+    # in the plane across the axis the two normals meet on it: p + s n = q + t m
+    gap = q - p
+    s = float(np.linalg.det(np.array([gap, m, direction]))) / length
+    point = p + s * n
+    away = p - point
+    radius = float(np.linalg.norm(away - direction * (away @ direction)))
+    return np.concatenate([point, direction]), radius
+
+
+def _least_squares_cylinder(points: Floats, start: Shape) -> Shape:
+    """Gauss-Newton on the radial distances."""
+    axis, radius = start
+    largest = 2 * float(np.ptp(points, axis=0).max()) + 1e-9
+    for _ in range(ITERATIONS):
+        # about the points' own middle a turn and a shift of the axis are told apart
+        middle = points.mean(axis=0)
+        axis = np.concatenate(
+            [axis[:3] + axis[3:] * float((middle - axis[:3]) @ axis[3:]), axis[3:]]
+        )
+        J = cylinder_jacobian(points, axis)
+        scale = np.array([1.0, 1.0, 1.0 / largest, 1.0 / largest, 1.0])
+        normal_matrix = (J * scale).T @ (J * scale)
+        if np.linalg.cond(normal_matrix) > 1e12:
+            raise _refused("the points lie on too small a piece of it")
+        off = cylinder_distances(points, (axis, radius))
+        change = -scale * np.linalg.solve(normal_matrix, (J * scale).T @ off)
+        a, b = across(axis[3:])
+        direction = axis[3:] + change[2] * a + change[3] * b
+        axis = np.concatenate(
+            [axis[:3] + change[0] * a + change[1] * b, direction / np.linalg.norm(direction)]
+        )
+        radius += float(change[4])
+        if not np.isfinite(radius) or radius > 1e3 * largest:
+            raise _refused("the points lie on too small a piece of it")
+        if np.max(np.abs(change)) < 1e-10:
+            break
+    return axis, radius
+
+
+def _refused(why: str) -> Refusal:
+    return Refusal(
+        "points-fix-no-cylinder",
+        "the points fix no cylinder",
+        why,
+        "Pick more of its way round, or fit a plane",
+    )

@@ -1,0 +1,220 @@
+"""Planes and spheres fitted to clouds, with the paper's filter on the distances."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.errors import Refusal
+from app.metrology.transforms import Floats
+
+FILTER_SIGMAS = 3.0
+"""Points farther than this many standard deviations from the fit are filtered out."""
+# A plane's normal (3,) and offset, a sphere's centre (3,) and radius, or a cylinder's axis
+# (6,), a point and the direction, and radius; in mm.
+Shape = tuple[Floats, float]
+START_TRIALS = 200
+START_POINTS = 2000
+
+
+@dataclass(frozen=True)
+class PlaneFit:
+    """A least-squares plane, ``normal . x = offset_mm``."""
+
+    normal: Floats
+    """(3,) unit length; the sign is arbitrary."""
+    offset_mm: float
+    centre_mm: Floats
+    """(3,) centroid of the points used."""
+    rms_mm: float
+    form_mm: float
+    """Largest minus smallest distance of the points used."""
+    used: NDArray[np.bool_]
+    """(N,) points that passed the filter."""
+
+
+@dataclass(frozen=True)
+class SphereFit:
+    """A least-squares sphere."""
+
+    centre_mm: Floats
+    """(3,)"""
+    radius_mm: float
+    rms_mm: float
+    form_mm: float
+    """Largest minus smallest radial distance of the points used."""
+    used: NDArray[np.bool_]
+    """(N,) points that passed the filter."""
+
+
+def fit_plane(points_mm: Floats) -> PlaneFit:
+    """Least-squares plane after the paper's filter (section 4).
+
+    A robust start (the sample plane with the least median distance) is refined
+    by least squares; points beyond ``FILTER_SIGMAS`` standard deviations of the
+    distances are left out until the choice no longer changes.
+
+    Args:
+        points_mm: (N, 3), N >= 3; NaN points are never used.
+
+    Raises:
+        Refusal: too few points, or all on one line.
+    """
+    points, finite = finite_points(points_mm, 3, "plane")
+    start = _start_plane(points)
+    (normal, offset_mm), keep = filtered(points, start, _plane_distances, _plane_through)
+    inside = _plane_distances(points, (normal, offset_mm))[keep]
+    used = finite.copy()
+    used[finite] = keep
+    return PlaneFit(
+        normal=normal,
+        offset_mm=offset_mm,
+        centre_mm=points[keep].mean(axis=0),
+        rms_mm=float(np.sqrt(np.mean(inside**2))),
+        form_mm=float(np.ptp(inside)),
+        used=used,
+    )
+
+
+def fit_sphere(points_mm: Floats) -> SphereFit:
+    """Least-squares sphere (radial distances) after the paper's filter (section 4).
+
+    Args:
+        points_mm: (N, 3), N >= 4; NaN points are never used.
+
+    Raises:
+        Refusal: too few points, or points that fix no sphere (all in one plane).
+    """
+    points, finite = finite_points(points_mm, 4, "sphere")
+    start = _start_sphere(points)
+    (centre_mm, radius_mm), keep = filtered(points, start, _sphere_distances, _least_squares_sphere)
+    inside = _sphere_distances(points, (centre_mm, radius_mm))[keep]
+    used = finite.copy()
+    used[finite] = keep
+    return SphereFit(
+        centre_mm=centre_mm,
+        radius_mm=radius_mm,
+        rms_mm=float(np.sqrt(np.mean(inside**2))),
+        form_mm=float(np.ptp(inside)),
+        used=used,
+    )
+
+
+def finite_points(points_mm: Floats, least: int, shape: str) -> tuple[Floats, NDArray[np.bool_]]:
+    """The usable points (N, 3) of a cloud (M, 3), and which they are, (M,).
+
+    Raises:
+        Refusal: fewer than ``least``.
+    """
+    points = np.asarray(points_mm, dtype=np.float64)
+    finite = np.all(np.isfinite(points), axis=1)
+    if finite.sum() < least:
+        raise Refusal(
+            "too-few-points",
+            f"the cloud holds {int(finite.sum())} usable points",
+            f"a {shape} needs at least {least}",
+        )
+    return points[finite], finite
+
+
+def filtered(
+    points: Floats,
+    start: Shape,
+    distances_of: Callable[[Floats, Shape], Floats],
+    least_squares: Callable[[Floats, Shape], Shape],
+) -> tuple[Shape, NDArray[np.bool_]]:
+    """The paper's filter: fits, and leaves out what lies too far off, until nothing changes."""
+    shape, off = start, distances_of(points, start)
+    # to begin with, what is near the start by a scale that outliers do not stretch
+    keep = np.abs(off) <= 5 * max(1.4826 * float(np.median(np.abs(off))), 1e-9)
+    for _ in range(50):
+        shape = least_squares(points[keep], shape)
+        off = distances_of(points, shape)
+        kept = np.abs(off) <= FILTER_SIGMAS * max(float(np.std(off[keep])), 1e-9)
+        if np.array_equal(kept, keep):
+            break
+        keep = kept
+    return shape, keep
+
+
+def _plane_distances(points: Floats, plane: Shape) -> Floats:
+    normal, offset_mm = plane
+    return np.asarray(points @ normal - offset_mm)
+
+
+def _sphere_distances(points: Floats, sphere: Shape) -> Floats:
+    centre_mm, radius_mm = sphere
+    return np.asarray(np.linalg.norm(points - centre_mm, axis=1) - radius_mm)
+
+
+def _plane_through(points: Floats, _: Shape | None = None) -> Shape:
+    """The plane through the centroid, across the direction of least spread."""
+    centre = points.mean(axis=0)
+    values, vectors = np.linalg.eigh((points - centre).T @ (points - centre))
+    if values[1] <= 1e-12 * values[2]:
+        raise Refusal("points-on-a-line", "the points lie on one line", "they fix no plane")
+    normal = vectors[:, 0]
+    return normal, float(normal @ centre)
+
+
+def _start_plane(points: Floats) -> Shape:
+    """The plane through three points that has the least median distance to a sample."""
+    sample, chosen = draws(points, 3)
+    normals = np.cross(chosen[:, 1] - chosen[:, 0], chosen[:, 2] - chosen[:, 0])
+    lengths = np.linalg.norm(normals, axis=1)
+    proper = lengths > 1e-9 * float(np.max(lengths, initial=1e-12))
+    if not proper.any():
+        return _plane_through(points)
+    normals = normals[proper] / lengths[proper, None]
+    offsets = np.einsum("ij,ij->i", normals, chosen[proper, 0])
+    misfit = np.median(np.abs(sample @ normals.T - offsets), axis=0)
+    best = int(np.argmin(misfit))
+    return normals[best], float(offsets[best])
+
+
+def _start_sphere(points: Floats) -> Shape:
+    """The sphere through four points that has the least median distance to a sample."""
+    sample, chosen = draws(points, 4)
+    best: tuple[float, Floats, float] | None = None
+    for four in chosen:
+        system = 2 * (four[1:] - four[0])
+        if np.linalg.cond(system) > 1e8:
+            continue
+        centre = np.linalg.solve(system, np.sum(four[1:] ** 2 - four[0] ** 2, axis=1))
+        radius = float(np.linalg.norm(four[0] - centre))
+        misfit = float(np.median(np.abs(np.linalg.norm(sample - centre, axis=1) - radius)))
+        if best is None or misfit < best[0]:
+            best = (misfit, centre, radius)
+    if best is None:
+        raise Refusal("points-in-a-plane", "the points lie in one plane", "they fix no sphere")
+    return best[1], best[2]
+
+
+def draws(points: Floats, size: int) -> tuple[Floats, Floats]:
+    """A sample of the points, and ``START_TRIALS`` draws of ``size`` of them; repeatable."""
+    rng = np.random.default_rng(0)
+    sample = points[rng.permutation(len(points))[:START_POINTS]]
+    return sample, sample[rng.integers(0, len(sample), (START_TRIALS, size))]
+
+
+def _least_squares_sphere(points: Floats, start: Shape) -> Shape:
+    """Gauss-Newton on the radial distances."""
+    centre_mm, radius_mm = start
+    for _ in range(50):
+        away = points - centre_mm
+        distance = np.linalg.norm(away, axis=1)
+        J = np.column_stack([-away / distance[:, None], -np.ones(len(points))])
+        normal_matrix = J.T @ J
+        if np.linalg.cond(normal_matrix) > 1e12:
+            raise Refusal(
+                "points-fix-no-sphere",
+                "the points lie on too small a piece of the sphere",
+                "centre and radius cannot be told apart",
+                "Scan more of the sphere",
+            )
+        change = np.linalg.solve(normal_matrix, -J.T @ (distance - radius_mm))
+        centre_mm, radius_mm = centre_mm + change[:3], radius_mm + float(change[3])
+        if np.max(np.abs(change)) < 1e-10:
+            break
+    return centre_mm, radius_mm

@@ -1,0 +1,130 @@
+"""Standard uncertainty of a fitted shape's parameters, by the scatter of the scan itself.
+
+Points of one frame share the frame's own error, and neighbouring frames share the arm's;
+taken for independent, a million points would promise nanometres. So the points are taken
+together in runs of consecutive frames, and the covariance is the one of clustered
+residuals (Liang and Zeger, 1986): what one run pulls at the parameters is independent
+only of what another pulls.
+"""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.fitting.cylinder import (
+    CylinderFit,
+    across,
+    cylinder_distances,
+    cylinder_jacobian,
+    fit_cylinder,
+)
+from app.metrology.fitting.plane_sphere import PlaneFit, SphereFit, fit_plane, fit_sphere
+from app.metrology.transforms import Floats
+
+MOST_RUNS = 12
+FEWEST_RUNS = 10
+
+
+def parameter_covariance(
+    jacobian: Floats, residuals: Floats, frame: NDArray[np.int64]
+) -> Floats | None:
+    """Covariance (p, p) of least-squares parameters, k = 1.
+
+    Args:
+        jacobian: (N, p) change of the residuals with the parameters.
+        residuals: (N,) at the least-squares solution.
+        frame: (N,) which frame each point came from, numbered in the order of time.
+
+    Returns:
+        None where too few frames took part to tell.
+    """
+    numbers, of_frame = np.unique(frame, return_inverse=True)
+    parameters = jacobian.shape[1]
+    runs = min(MOST_RUNS, len(numbers))
+    if runs < max(FEWEST_RUNS, parameters + 2):
+        return None
+    # of about equally many points each
+    points_before = np.concatenate([[0], np.cumsum(np.bincount(of_frame))[:-1]])
+    run_of_frame = np.minimum(points_before * runs // len(residuals), runs - 1)
+    run = np.unique(run_of_frame, return_inverse=True)[1][of_frame]
+    runs = int(run.max()) + 1
+    if runs < max(FEWEST_RUNS, parameters + 2):
+        return None
+    pull = np.column_stack([np.bincount(run, column * residuals, runs) for column in jacobian.T])
+    inverse = np.linalg.inv(jacobian.T @ jacobian)
+    # a parameter each makes the scatter of the runs look smaller than it is
+    return np.asarray(runs / (runs - parameters) * (inverse @ (pull.T @ pull) @ inverse))
+
+
+ShapeName = Literal["plane", "sphere", "cylinder"]
+
+
+@dataclass(frozen=True)
+class MeasuredShape:
+    """A fitted shape, with the covariance of its parameters, k = 1.
+
+    In mm and rad; of a plane: the shift along its normal and two tilts; of a sphere: its
+    centre and its radius; of a cylinder: two shifts, two tilts, and its radius.
+    """
+
+    name: ShapeName
+    fit: PlaneFit | SphereFit | CylinderFit
+    largest_mm: float
+    """Of the distances of the points used."""
+    covariance: Floats | None
+    """None where too few frames took part to tell."""
+
+    def distances(self, points_mm: Floats) -> Floats:
+        """Signed distances (N,) in mm of points (N, 3)."""
+        return distances_from(self.fit, points_mm)
+
+
+def measure_shape(name: ShapeName, points_mm: Floats, frame: NDArray[np.int64]) -> MeasuredShape:
+    """Fits a shape to points (N, 3) that came from frames (N,); see ``primitives``.
+
+    Raises:
+        Refusal: too few points, or points that fix no such shape.
+    """
+    fit: PlaneFit | SphereFit | CylinderFit
+    if name == "plane":
+        fit = _facing_up(fit_plane(points_mm))
+    elif name == "sphere":
+        fit = fit_sphere(points_mm)
+    else:
+        fit = fit_cylinder(points_mm)
+    points = points_mm[fit.used]
+    off = distances_from(fit, points)
+    covariance = parameter_covariance(_jacobian(fit, points), off, frame[fit.used])
+    return MeasuredShape(name, fit, float(np.max(np.abs(off))), covariance)
+
+
+def distances_from(fit: PlaneFit | SphereFit | CylinderFit, points_mm: Floats) -> Floats:
+    """Signed distances (N,) in mm; outside, or on the normal's side, is positive."""
+    if isinstance(fit, PlaneFit):
+        return np.asarray(points_mm @ fit.normal - fit.offset_mm)
+    if isinstance(fit, SphereFit):
+        return np.asarray(np.linalg.norm(points_mm - fit.centre_mm, axis=1) - fit.radius_mm)
+    axis = np.concatenate([fit.point_mm, fit.direction])
+    return cylinder_distances(points_mm, (axis, fit.radius_mm))
+
+
+def _jacobian(fit: PlaneFit | SphereFit | CylinderFit, points_mm: Floats) -> Floats:
+    """Change (N, p) of the distances with the parameters."""
+    if isinstance(fit, PlaneFit):
+        a, b = across(fit.normal)
+        away = points_mm - fit.centre_mm
+        return np.column_stack([-np.ones(len(away)), away @ a, away @ b])
+    if isinstance(fit, SphereFit):
+        away = points_mm - fit.centre_mm
+        outward = away / np.linalg.norm(away, axis=1)[:, None]
+        return np.column_stack([-outward, -np.ones(len(away))])
+    return cylinder_jacobian(points_mm, np.concatenate([fit.point_mm, fit.direction]))
+
+
+def _facing_up(fit: PlaneFit) -> PlaneFit:
+    """With the normal's largest part positive, so that the same plane reads the same."""
+    if fit.normal[np.argmax(np.abs(fit.normal))] > 0:
+        return fit
+    return PlaneFit(-fit.normal, -fit.offset_mm, fit.centre_mm, fit.rms_mm, fit.form_mm, fit.used)

@@ -1,0 +1,1 @@
+"""Errors of probed and scanned gauges against their certificates (ISO 14253-1)."""

@@ -1,0 +1,205 @@
+"""Where a gauge stands by the touch probe: the plane or sphere through its contact points.
+
+What a scan of the same gauge is compared with, as ISO 10360-9 compares two probing systems.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.errors import Refusal
+from app.metrology.arm.kinematics import Arm, flange_poses, tip_centres, tip_covariances
+from app.metrology.fitting.cylinder import across
+from app.metrology.gauges.errors import NominalPlane, NominalSphere
+from app.metrology.transforms import Floats
+
+PLANE_LEAST, SPHERE_LEAST = 4, 5
+LEAST_SPREAD_MM = 5.0
+"""Rms of a plane's touches along the shorter side of their field, about their middle."""
+LEAST_FACING = 0.05
+"""Mean square of the sphere's outward directions, at the touches, along any direction."""
+FIXED_RADIUS = 1e-6
+"""Touches that are worse conditioned do not tell the sphere's radius."""
+STEPS = 30
+TWO_SIGMA = 0.97725
+
+
+@dataclass(frozen=True)
+class TouchedPlane:
+    """A plane, outward to where the probe came from, that N contacts fix."""
+
+    nominal: NominalPlane
+    """Its point is in the contacts' middle."""
+    residuals_mm: Floats
+    """(N,) of the contacts, outward."""
+    covariance: Floats
+    """(3, 3) of the height in the middle (mm) and of the tilts (rad) along ``across``."""
+
+    @property
+    def rms_mm(self) -> float:
+        return _rms(self.residuals_mm)
+
+    @property
+    def angle_sd_rad(self) -> float:
+        """Of the normal in its worst direction, k = 1."""
+        return _worst(self.covariance[1:, 1:])
+
+    def height_sd_mm(self, point_mm: Floats) -> float:
+        """Of the plane at a point (3,) of it, k = 1."""
+        a, b = across(self.nominal.normal)
+        away = point_mm - self.nominal.point_mm
+        g = np.array([1.0, away @ a, away @ b])
+        return float(np.sqrt(g @ self.covariance @ g))
+
+
+@dataclass(frozen=True)
+class TouchedSphere:
+    """A sphere of known size that N contacts fix."""
+
+    nominal: NominalSphere
+    residuals_mm: Floats
+    """(N,) of the contacts, outward."""
+    covariance: Floats
+    """(3, 3) of the centre, mm²."""
+    radius_mm: float
+    """As the contacts alone have it, not its paper."""
+    radius_sd_mm: float
+
+    @property
+    def rms_mm(self) -> float:
+        return _rms(self.residuals_mm)
+
+    @property
+    def centre_sd_mm(self) -> float:
+        """In the worst direction, k = 1."""
+        return _worst(self.covariance)
+
+
+def touched_plane(arm: Arm, q_rad: Floats) -> TouchedPlane:
+    """The plane that the tip touched at encoder angles (N, n).
+
+    Raises:
+        Refusal: fewer than ``PLANE_LEAST`` touches, or all about one line.
+    """
+    tips = _tips(arm, q_rad, PLANE_LEAST, "plane")
+    middle = tips.mean(axis=0)
+    values, vectors = np.linalg.eigh((tips - middle).T @ (tips - middle) / len(tips))
+    if np.sqrt(values[1]) < LEAST_SPREAD_MM:
+        raise Refusal(
+            "touches-on-a-line",
+            f"The touches lie within {2 * np.sqrt(values[1]):.1f} mm of one line",
+            "they fix no plane",
+            "Touch it near its corners, too",
+        )
+    normal = vectors[:, 0]
+    if float(np.mean((_flanges(arm, q_rad) - tips) @ normal)) < 0:
+        normal = -normal
+    off = (tips - middle) @ normal
+    a, b = across(normal)
+    J = np.column_stack([np.ones(len(tips)), (tips - middle) @ a, (tips - middle) @ b])
+    sd = _touch_sd(arm, q_rad, off, np.tile(normal, (len(tips), 1)), 3)
+    nominal = NominalPlane(middle - arm.tip.radius_mm * normal, normal)
+    return TouchedPlane(nominal, off, sd**2 * np.linalg.inv(J.T @ J))
+
+
+def touched_sphere(arm: Arm, q_rad: Floats, radius_mm: float) -> TouchedSphere:
+    """The sphere of a known radius that the tip touched at encoder angles (N, n).
+
+    Raises:
+        Refusal: fewer than ``SPHERE_LEAST`` touches, or all about one circle or place.
+    """
+    tips = _tips(arm, q_rad, SPHERE_LEAST, "sphere")
+    reach_mm = radius_mm + arm.tip.radius_mm
+    free, free_mm, J = sphere_through(tips)
+    centre = _centre_of(tips, reach_mm, free)
+    far, outward = _outward(tips, centre)
+    if float(np.linalg.eigvalsh(outward.T @ outward)[0]) < LEAST_FACING * len(tips):
+        raise Refusal(
+            "touches-too-close",
+            "The touches lie too near together, or on one ring about the sphere",
+            "they do not fix its centre",
+            "Touch its top and all around its side",
+        )
+    sd = _touch_sd(arm, q_rad, far - reach_mm, outward, 3)
+    return TouchedSphere(
+        NominalSphere(centre, radius_mm),
+        far - reach_mm,
+        np.asarray(sd**2 * np.linalg.inv(outward.T @ outward)),
+        free_mm - arm.tip.radius_mm,
+        _radius_sd_mm(arm, q_rad, _outward(tips, free)[0] - free_mm, J),
+    )
+
+
+def _radius_sd_mm(arm: Arm, q_rad: Floats, off: Floats, J: Floats) -> float:
+    values, vectors = np.linalg.eigh(J.T @ J)
+    if values[0] < FIXED_RADIUS * values[-1]:
+        return float("inf")
+    cofactor = float(np.sum(vectors[3] ** 2 / values))
+    return _touch_sd(arm, q_rad, off, J[:, :3], 4) * float(np.sqrt(cofactor))
+
+
+def _outward(tips: Floats, centre: Floats) -> tuple[Floats, Floats]:
+    """Distances (N,) from a centre, and directions (N, 3)."""
+    away = tips - centre
+    far = np.linalg.norm(away, axis=1)
+    return far, away / far[:, None]
+
+
+def _tips(arm: Arm, q_rad: Floats, least: int, shape: str) -> Floats:
+    if len(q_rad) < least:
+        raise Refusal(
+            "too-few-touches",
+            f"The {shape} has {len(q_rad)} touches",
+            f"at least {least} are needed",
+            "Touch it in more places",
+        )
+    return tip_centres(arm, q_rad)
+
+
+def _flanges(arm: Arm, q_rad: Floats) -> Floats:
+    return np.asarray(flange_poses(arm, q_rad)[:, :3, 3])
+
+
+def _touch_sd(arm: Arm, q_rad: Floats, off: Floats, outward: Floats, parameters: int) -> float:
+    """Of one touch, k = 1: by how they scatter, allowing for how few there are, and no
+    better than the encoders are."""
+    from scipy.special import stdtrit  # slow to load, and seldom needed
+
+    of_encoders = np.einsum("ni,nij,nj->n", outward, tip_covariances(arm, q_rad), outward)
+    encoders = float(np.sqrt(np.mean(of_encoders)))
+    freedom = len(off) - parameters
+    if freedom < 1:
+        return encoders
+    scatter = float(np.sqrt(off @ off / freedom)) * float(stdtrit(freedom, TWO_SIGMA)) / 2
+    return max(scatter, encoders)
+
+
+def sphere_through(tips: Floats) -> tuple[Floats, float, Floats]:
+    """Centre (3,), radius and the residuals' Jacobian (N, 4), by Gauss-Newton."""
+    system = np.column_stack([2 * tips, np.ones(len(tips))])
+    start = np.linalg.lstsq(system, np.sum(tips**2, axis=1), rcond=None)[0]
+    centre: Floats = start[:3]
+    radius = float(np.sqrt(max(start[3] + centre @ centre, 1e-9)))
+    for _ in range(STEPS):
+        far, outward = _outward(tips, centre)
+        J = np.column_stack([outward, np.ones(len(tips))])
+        change = np.linalg.lstsq(J, far - radius, rcond=None)[0]
+        centre, radius = centre + change[:3], radius + float(change[3])
+    return centre, radius, J
+
+
+def _centre_of(tips: Floats, radius_mm: float, start: Floats) -> Floats:
+    """(3,) of the sphere of a known radius nearest to the tips, by Gauss-Newton."""
+    centre = start
+    for _ in range(STEPS):
+        far, outward = _outward(tips, centre)
+        centre = centre + np.linalg.lstsq(outward, far - radius_mm, rcond=None)[0]
+    return centre
+
+
+def _rms(residuals: Floats) -> float:
+    return float(np.sqrt(np.mean(residuals**2)))
+
+
+def _worst(covariance: Floats) -> float:
+    return float(np.sqrt(np.linalg.eigvalsh(covariance)[-1]))

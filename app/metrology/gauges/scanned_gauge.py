@@ -1,0 +1,206 @@
+"""A scanned cloud of a plane or sphere gauge: the gauge found in it, fitted, and judged whole."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import KDTree
+
+from app.errors import Refusal
+from app.metrology.fitting.plane_sphere import PlaneFit, SphereFit, draws, finite_points
+from app.metrology.fitting.shape import MeasuredShape, measure_shape
+from app.metrology.transforms import Floats
+
+LEAST_POINTS = 500
+LEAST_WIDTH_MM = 8.0
+"""Of a plane's cloud, across its narrower direction (four standard deviations)."""
+LEAST_CAP_RAD = float(np.deg2rad(35.0))
+"""Of a sphere's cloud, from its middle to its rim."""
+ROUGHEST_MM = 0.5
+"""Rms of a cloud about its shape; beyond, it is not of that shape."""
+OTHER_RADIUS_MM, OTHER_RADIUS_SHARE = 0.4, 0.03
+"""A radius so far off is another sphere's."""
+NEAR_MM = 1.0
+SAME_PLACE_MM = 0.05
+SHARE_IN_ZONE = 0.95
+
+
+@dataclass(frozen=True)
+class GaugeCloud:
+    """The gauge's part of a cloud."""
+
+    shape: MeasuredShape
+    points: int
+    """In the cloud, whatever they are of."""
+    used: int
+    form_mm: float
+    """Width of the narrowest zone about the shape that holds 95 % of the points used."""
+    points_mm: Floats
+    """(N, 3) that the fit was made of, arm frame."""
+
+
+def gauge_plane(points_mm: Floats, frame: NDArray[np.int64]) -> GaugeCloud:
+    """The plane gauge in a cloud (N, 3) of frames (N,).
+
+    Raises:
+        Refusal: too few points, too narrow a strip, or no plane.
+    """
+    points, frames = _usable(points_mm, frame)
+    found = measure_shape("plane", points, frames)
+    assert isinstance(found.fit, PlaneFit)
+    _refuse_rough(found.fit.rms_mm, "plane")
+    inside = points[found.fit.used]
+    values = np.linalg.eigvalsh(np.cov(inside.T))
+    width = 4 * float(np.sqrt(values[1]))
+    if width < LEAST_WIDTH_MM:
+        raise Refusal(
+            "cloud-too-small",
+            f"The cloud is a strip {width:.1f} mm wide",
+            f"a plane needs {LEAST_WIDTH_MM:g} mm in both directions",
+            "Pass over more of the gauge",
+        )
+    return _measured(found, points, len(points_mm))
+
+
+def gauge_sphere(points_mm: Floats, frame: NDArray[np.int64], radius_mm: float) -> GaugeCloud:
+    """The sphere gauge of a known radius in a cloud (N, 3) of frames (N,).
+
+    Raises:
+        Refusal: no such sphere, or too small a part of it.
+    """
+    points, frames = _usable(points_mm, frame)
+    near = _near_sphere(points, radius_mm)
+    if int(near.sum()) < LEAST_POINTS:
+        raise _no_such_sphere(radius_mm)
+    points, frames = points[near], frames[near]
+    try:
+        found = measure_shape("sphere", points, frames)
+    except Refusal as refusal:
+        raise _no_such_sphere(radius_mm) from refusal
+    fit = found.fit
+    assert isinstance(fit, SphereFit)
+    off_mm = abs(fit.radius_mm - radius_mm)
+    if off_mm > max(OTHER_RADIUS_MM, OTHER_RADIUS_SHARE * radius_mm):
+        raise Refusal(
+            "another-gauge",
+            f"The scanned sphere has a diameter of {2 * fit.radius_mm:.2f} mm",
+            f"the chosen gauge has {2 * radius_mm:.2f} mm",
+            "Choose the gauge that is scanned",
+        )
+    outward = points[fit.used] - fit.centre_mm
+    outward /= np.linalg.norm(outward, axis=1)[:, None]
+    middle = outward.mean(axis=0)
+    length = float(np.linalg.norm(middle))
+    cap = float(np.quantile(np.arccos(np.clip(outward @ middle / length, -1, 1)), 0.98))
+    if cap < LEAST_CAP_RAD:
+        raise Refusal(
+            "cloud-too-small",
+            f"The cloud shows a cap of {np.rad2deg(cap):.0f}° of the sphere",
+            f"at least {np.rad2deg(LEAST_CAP_RAD):.0f}° from its middle are needed",
+            "Pass over it from several sides",
+        )
+    _refuse_rough(fit.rms_mm, "sphere")
+    return _measured(found, points, len(points_mm))
+
+
+def _measured(found: MeasuredShape, points: Floats, of: int) -> GaugeCloud:
+    off = found.distances(points[found.fit.used])
+    return GaugeCloud(found, of, len(off), zone_mm(off), points)
+
+
+def zone_mm(off_mm: Floats) -> float:
+    """Width of the narrowest zone that holds 95 % of the distances (N,)."""
+    ordered = np.sort(off_mm)
+    held = max(int(np.ceil(SHARE_IN_ZONE * len(ordered))), 1)
+    return float(np.min(ordered[held - 1 :] - ordered[: len(ordered) - held + 1]))
+
+
+def _usable(points_mm: Floats, frame: NDArray[np.int64]) -> tuple[Floats, NDArray[np.int64]]:
+    points, finite = finite_points(points_mm, 4, "gauge")
+    frames = frame[finite]
+    once = _seen_once(points, frames)
+    points, frames = points[once], frames[once]
+    if len(points) < LEAST_POINTS:
+        raise Refusal(
+            "cloud-too-small",
+            f"The cloud has {len(points)} points",
+            f"at least {LEAST_POINTS} are needed",
+            "Pass the stripe slowly over the gauge",
+        )
+    return points, frames
+
+
+def _seen_once(points: Floats, frame: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """(N,) the points of frames that lie where no frame before them lay.
+
+    A hand that rests at the end of a pass would make the one line that it rests on weigh more
+    than all that it passed over. A frame's place is the means of its points' two halves.
+    """
+    order = np.argsort(frame, kind="stable")
+    _, first, of, count = np.unique(
+        frame[order], return_index=True, return_inverse=True, return_counts=True
+    )
+    half = 2 * (np.arange(len(order)) - first[of]) // count[of]
+    group = 2 * of + half
+    held = np.maximum(np.bincount(group, minlength=2 * len(count)), 1)
+    sums = [np.bincount(group, points[order, axis], 2 * len(count)) for axis in range(3)]
+    place = (np.stack(sums, axis=1) / held[:, None]).reshape(len(count), 6)
+    _, kept = np.unique(np.floor(place / SAME_PLACE_MM), axis=0, return_index=True)
+    once = np.zeros(len(frame), dtype=np.bool_)
+    once[order] = np.isin(of, kept)
+    return once
+
+
+def _refuse_rough(rms_mm: float, shape: str) -> None:
+    if rms_mm > ROUGHEST_MM:
+        raise Refusal(
+            "another-gauge",
+            f"The cloud is no {shape}: its points lie {rms_mm:.2f} mm rms off one",
+            f"up to {ROUGHEST_MM:g} mm are taken for one",
+            "Scan the gauge that was chosen, and nothing beside it",
+        )
+
+
+def _near_sphere(points: Floats, radius_mm: float) -> NDArray[np.bool_]:
+    """(N,) the points about the sphere of this radius that most points lie on.
+
+    Every three points have two spheres of a given radius through them. Three that lie within a
+    radius of one another are of the sphere together far more often than any three are.
+    """
+    sample, seeds = draws(points, 1)
+    rng = np.random.default_rng(0)
+    about = KDTree(sample).query_ball_point(seeds[:, 0], radius_mm)
+    threes = sample[[[*rng.choice(near, 3)] for near in about]]
+    a, b, c = threes[:, 0], threes[:, 1], threes[:, 2]
+    u, v = b - a, c - a
+    normal = np.cross(u, v)
+    area = np.sum(normal**2, axis=1)
+    proper = area > 1e-6
+    a, u, v, normal, area = a[proper], u[proper], v[proper], normal[proper], area[proper]
+    to_middle = (
+        np.sum(u**2, axis=1)[:, None] * np.cross(v, normal)
+        - np.sum(v**2, axis=1)[:, None] * np.cross(u, normal)
+    ) / (2 * area[:, None])
+    rise2 = radius_mm**2 - np.sum(to_middle**2, axis=1)
+    fits = rise2 > 0
+    if not fits.any():
+        raise _no_such_sphere(radius_mm)
+    rise = np.sqrt(rise2[fits] / area[fits])[:, None] * normal[fits]
+    middles = a[fits] + to_middle[fits]
+    centres = np.concatenate([middles + rise, middles - rise])
+    tolerance = 0.25 * NEAR_MM
+    within = [
+        int(np.sum(np.abs(np.linalg.norm(sample - one, axis=1) - radius_mm) < tolerance))
+        for one in centres
+    ]
+    best = centres[int(np.argmax(within))]
+    return np.asarray(np.abs(np.linalg.norm(points - best, axis=1) - radius_mm) < NEAR_MM)
+
+
+def _no_such_sphere(radius_mm: float) -> Refusal:
+    return Refusal(
+        "another-gauge",
+        f"There is no sphere of {2 * radius_mm:.2f} mm diameter in this cloud",
+        "its points do not lie on one",
+        "Scan the gauge that was chosen",
+    )

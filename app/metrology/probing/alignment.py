@@ -1,0 +1,211 @@
+"""Where the object lies in the arm: ``T_arm_obj`` from contact points (the paper's M_CAL->CMA).
+
+Every contact gives one equation: the tip's centre lies one tip radius outside the
+face that was touched. All faces are fitted at once by least squares.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.errors import Refusal
+from app.metrology.probing.contact_fit import best_start, fit_without_outliers, jacobian
+from app.metrology.probing.contacts import (
+    BESIDE_FACE_MM,
+    beside_face,
+    contacts_of,
+    refuse_lines,
+    surface_points,
+)
+from app.metrology.targets.crenellated_block import FACES, Crenellated, probing_face
+from app.metrology.transforms import Floats
+
+# Where contacts fit worse than this, and some not at all, no single one is at fault.
+POOR_FIT_MM = 0.3
+CHECK_THE_ARM = (
+    "Check the arm's file: its lengths and angles, the signs and the order of its joints, and the"
+    " tip; then which face each contact was taken on, and the object's certificate"
+)
+
+
+@dataclass(frozen=True)
+class FaceFit:
+    """How well the contacts of one face lie on it; outliers are left out."""
+
+    face: str
+    points: int
+    rms_mm: float
+    form_mm: float
+    """Largest minus smallest residual."""
+
+
+@dataclass(frozen=True)
+class Alignment:
+    """The object's frame in the arm, and how well the contacts agree with it."""
+
+    T_arm_obj: Floats
+    """(4, 4)"""
+    residuals_mm: Floats
+    """(N,) distance of each contact from its face, positive outward."""
+    outliers: NDArray[np.bool_]
+    """(N,) contacts that were left out of the fit."""
+    faces: tuple[FaceFit, ...]
+    sigma_mm: float
+    """A-posteriori standard deviation of one contact."""
+    covariance: Floats
+    """(6, 6) of a left perturbation (rx, ry, rz in rad; tx, ty, tz in mm) about ``centre_mm``."""
+    centre_mm: Floats
+    """(3,) pivot of that perturbation, in the arm frame: the contacts' centroid."""
+    points_obj_mm: Floats
+    """(N, 3) contact points, tip radius taken off, in the object frame."""
+    tips_obj_mm: Floats
+    """(N, 3) tip centres in the object frame."""
+
+    @property
+    def rms_mm(self) -> float:
+        """Of the residuals of all contacts in the fit."""
+        kept = self.residuals_mm[~self.outliers]
+        return float(np.sqrt(np.mean(kept**2)))
+
+
+def align(
+    features: Sequence[str],
+    tip_centres_mm: Floats,
+    tip_radius_mm: float,
+    block: Crenellated,
+    tip_covariances_mm2: Floats | None = None,
+) -> Alignment:
+    """Fits the block's faces to contact points, all at once (paper, section 3.2, Fig. 3).
+
+    Contacts that disagree with all others are left out and named by ``outliers``.
+
+    Args:
+        features: N faces, each one of ``FACES``.
+        tip_centres_mm: (N, 3) centres of the probe's sphere, arm frame.
+        tip_radius_mm: radius of that sphere, taken off along each face's normal.
+        tip_covariances_mm2: (N, 3, 3) noise of each centre by the arm's encoders
+            (``arm.tip_covariances``), which weighs the contacts; None: all alike.
+
+    Raises:
+        Refusal: unknown face, too few contacts, contacts on one line, or contacts
+            that do not fit on the block as they are labelled.
+    """
+    contacts = contacts_of(
+        tuple(features), tip_centres_mm, tip_radius_mm, block, tip_covariances_mm2
+    )
+    refuse_lines(contacts)
+    start = best_start(contacts, tip_radius_mm, block)
+    T_arm_obj, kept = fit_without_outliers(contacts, start)
+    points_obj = surface_points(contacts, T_arm_obj, tip_radius_mm)
+    off_face = beside_face(contacts.features, points_obj, block) & kept
+    if off_face.sum() > max(1, len(kept) // 10):
+        mirrored = points_obj * [-1, 1, 1] + [block.edges_x_mm[0] + block.edges_x_mm[-1], 0, 0]
+        if not (beside_face(contacts.features, mirrored, block) & kept).any():
+            raise _mirrored(int(off_face.sum()), len(kept))
+        raise _mislabelled(contacts.features, off_face)
+    residuals = contacts.residuals_mm(T_arm_obj)
+    J, centre_mm = jacobian(contacts, T_arm_obj)
+    sds_mm = contacts.sds_mm(T_arm_obj)
+    scaled = residuals[kept] / sds_mm[kept]
+    variance_factor = float(scaled @ scaled) / max(int(kept.sum()) - 6, 1)
+    if tip_covariances_mm2 is not None:
+        # few contacts may agree by luck: never claim less than the encoders' noise
+        variance_factor = max(variance_factor, 1.0)
+    J_scaled = J[kept] / sds_mm[kept, None]
+    return Alignment(
+        T_arm_obj=T_arm_obj,
+        residuals_mm=residuals,
+        outliers=~kept,
+        faces=_face_fits(contacts.features, residuals, kept),
+        sigma_mm=float(np.sqrt(variance_factor * np.mean(sds_mm[kept] ** 2))),
+        covariance=np.asarray(variance_factor * np.linalg.inv(J_scaled.T @ J_scaled)),
+        centre_mm=centre_mm,
+        points_obj_mm=points_obj,
+        tips_obj_mm=points_obj + tip_radius_mm * contacts.normals,
+    )
+
+
+def refuse_wrong_faces(alignment: Alignment, features: Sequence[str], block: Crenellated) -> None:
+    """Refuses contacts that were labelled with one face and lie on another.
+
+    A contact that merely slipped is an outlier and stays one; a contact that
+    misses its own face by millimetres and lies on another is a mistake in the
+    data that the operator must know of. Where the others do not agree either, no
+    single contact is at fault.
+
+    Raises:
+        Refusal: names the first such contact and the face that it lies on.
+    """
+    far = alignment.outliers & (np.abs(alignment.residuals_mm) >= BESIDE_FACE_MM)
+    count = int(far.sum())
+    if count and alignment.rms_mm > POOR_FIT_MM:
+        raise Refusal(
+            "contacts-do-not-fit",
+            f"the contacts fit the block to {alignment.rms_mm:.2f} mm rms only, and "
+            f"{count} of {len(far)} not at all",
+            "no single contact is at fault",
+            CHECK_THE_ARM,
+        )
+    for i in map(int, np.flatnonzero(far)):
+        found = other_face(alignment, i, features[i], block)
+        place = f"it lies on the {found} face" if found else "it lies on no face at all"
+        raise Refusal(
+            "contact-on-wrong-face",
+            f"contact {i + 1} is labelled {features[i]}, but misses that face by "
+            f"{abs(alignment.residuals_mm[i]):.1f} mm",
+            place,
+            "Take it out, or label it with the face that was touched",
+        )
+
+
+def _face_fits(
+    features: Sequence[str], residuals_mm: Floats, kept: NDArray[np.bool_]
+) -> tuple[FaceFit, ...]:
+    labels = np.array(features)
+    fits = []
+    for face in FACES:
+        own = residuals_mm[(labels == face) & kept]
+        if len(own):
+            rms = float(np.sqrt(np.mean(own**2)))
+            fits.append(FaceFit(face, len(own), rms, float(np.ptp(own))))
+    return tuple(fits)
+
+
+def other_face(alignment: Alignment, contact: int, labelled: str, block: Crenellated) -> str:
+    """The face beside the labelled one that a contact's tip touches; empty where there is none."""
+    tip = alignment.tips_obj_mm[contact]
+    radius_mm = float(np.linalg.norm(tip - alignment.points_obj_mm[contact]))
+    found = (face for face in FACES if _touches(tip, radius_mm, face, block))
+    return next((face for face in found if face != labelled), "")
+
+
+def _touches(tip_mm: Floats, radius_mm: float, face: str, block: Crenellated) -> bool:
+    normal, offset_mm = probing_face(block, face)
+    point = tip_mm - radius_mm * normal
+    near = abs(float(normal @ point) - offset_mm) < BESIDE_FACE_MM
+    return near and not bool(beside_face([face], point[None], block)[0])
+
+
+def _mirrored(off_face: int, contacts: int) -> Refusal:
+    return Refusal(
+        "contacts-mirrored",
+        f"{off_face} of {contacts} contacts lie beside the crests or floors that were touched",
+        "the merlons stand in the mirrored order",
+        "Check the object's certificate, and which of its sides is the front",
+    )
+
+
+def _mislabelled(features: Sequence[str], off_face: NDArray[np.bool_]) -> Refusal:
+    faces = sorted({features[int(i)] for i in np.flatnonzero(off_face)})
+    remedy = "Check which face each contact was taken on, the tip, and the object's certificate"
+    if 2 * off_face.sum() > len(features):
+        remedy = CHECK_THE_ARM
+    return Refusal(
+        "contacts-do-not-fit",
+        f"{int(off_face.sum())} of {len(features)} contacts lie beside the face they are labelled "
+        f"with ({', '.join(faces)})",
+        "no position of this block brings them onto it",
+        remedy,
+    )

@@ -1,0 +1,176 @@
+"""Contact points on the crenellated object, and whether they fix its position."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.errors import Refusal
+from app.metrology.targets.crenellated_block import FACES, Crenellated, probing_face
+from app.metrology.transforms import Floats, apply, inverse
+
+DIRECTIONS = (("crest", "floor"), ("front", "back"), ("left", "right"))
+MIN_CONTACTS = 3
+"""On each of three non-parallel faces: fewer leave no residual to judge by."""
+MIN_SPREAD_MM = 0.5
+"""Contacts whose rms distance from their best line is less count as lying on it."""
+CONTACT_SD_MM = 0.001
+"""Repeatability of the touch itself, beside the encoders' noise."""
+BESIDE_FACE_MM = 1.5
+"""How far beside its face a contact may seem to lie before it counts as off it."""
+BESIDE_MERLON_MM = 0.5
+"""The same across a crest or floor: the tip meets the edge before it passes it."""
+
+
+@dataclass(frozen=True)
+class Contacts:
+    """Contact points with the planes that they touch."""
+
+    features: tuple[str, ...]
+    tips_mm: Floats  # (N, 3) tip centres in the arm frame
+    normals: Floats  # (N, 3) outward normal of each contact's face, object frame
+    reach_mm: Floats  # (N,) face offset plus tip radius
+    tip_covariances_mm2: Floats  # (N, 3, 3) of the tip centres; equal where nothing is known
+
+    def residuals_mm(self, T_arm_obj: Floats) -> Floats:
+        """(N,) distance of each contact from its face, positive outward."""
+        in_obj = apply(inverse(T_arm_obj), self.tips_mm)
+        return np.asarray(np.einsum("ij,ij->i", self.normals, in_obj) - self.reach_mm)
+
+    def sds_mm(self, T_arm_obj: Floats) -> Floats:
+        """(N,) expected standard deviation of each contact along its face's normal."""
+        normals_arm = self.normals @ T_arm_obj[:3, :3].T
+        variances = np.einsum("ij,ijk,ik->i", normals_arm, self.tip_covariances_mm2, normals_arm)
+        return np.asarray(np.sqrt(variances + CONTACT_SD_MM**2))
+
+
+def what_is_missing(features: Sequence[str]) -> str:
+    """What must still be probed before an alignment is possible; empty when nothing is.
+
+    Args:
+        features: the face of each contact taken so far.
+    """
+    wanted = []
+    for faces in DIRECTIONS:
+        taken = sum(features.count(face) for face in faces)
+        if taken < MIN_CONTACTS:
+            names = f"the {faces[0]} or the {faces[1]} face"
+            wanted.append(f"{MIN_CONTACTS - taken} more on {names}")
+    return "Touch " + ", ".join(wanted) if wanted else ""
+
+
+def contacts_of(
+    features: tuple[str, ...],
+    tip_centres_mm: Floats,
+    tip_radius_mm: float,
+    block: Crenellated,
+    tip_covariances_mm2: Floats | None,
+) -> Contacts:
+    tips = np.asarray(tip_centres_mm, dtype=np.float64)
+    for i, face in enumerate(features):
+        if face not in FACES:
+            raise Refusal(
+                "unknown-face",
+                f"contact {i + 1} is on an unknown face '{face}'",
+                f"the faces are {', '.join(FACES)}",
+            )
+    if tips.shape != (len(features), 3) or not np.all(np.isfinite(tips)):
+        raise Refusal(
+            "bad-contacts", f"{len(features)} contacts were given with positions {tips.shape}"
+        )
+    missing = what_is_missing(features)
+    if missing:
+        raise Refusal(
+            "too-few-contacts",
+            f"{len(features)} contacts do not fix the object's position",
+            f"at least {MIN_CONTACTS} are needed on each of three non-parallel faces",
+            missing,
+        )
+    planes = [probing_face(block, face) for face in features]
+    return Contacts(
+        features=features,
+        tips_mm=tips,
+        normals=np.array([normal for normal, _ in planes]),
+        reach_mm=np.array([offset for _, offset in planes]) + tip_radius_mm,
+        tip_covariances_mm2=(
+            np.zeros((len(features), 3, 3)) if tip_covariances_mm2 is None else tip_covariances_mm2
+        ),
+    )
+
+
+def refuse_lines(contacts: Contacts) -> None:
+    labels = np.array(contacts.features)
+    for faces in DIRECTIONS:
+        own = [face for face in faces if face in contacts.features]
+        spreads = {face: in_plane_spread(contacts.tips_mm[labels == face]) for face in own}
+        if max(spread for spread, _ in spreads.values()) < MIN_SPREAD_MM:
+            face = max(own, key=lambda name: spreads[name][0])
+            raise Refusal(
+                "contacts-on-a-line",
+                f"the {int((labels == face).sum())} contacts on the {face} face lie on one line",
+                "the face can turn about that line",
+                f"Touch the {face} face also beside that line",
+            )
+
+
+def in_plane_spread(points_mm: Floats) -> tuple[float, Floats]:
+    """Rms distance of points (N, 3) from their best line, and their plane's normal (3,).
+
+    The plane is that of most of the points (least median of squares over triples),
+    so that a contact on a wrong face does not tilt it.
+    """
+    if len(points_mm) < 3:
+        return 0.0, np.zeros(3)
+    triples = np.array(list(combinations(range(len(points_mm)), 3)))
+    corners = points_mm[triples[:: max(1, len(triples) // 500)]]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    lengths = np.linalg.norm(normals, axis=1)
+    proper = lengths > 1e-9 * np.max(lengths, initial=1e-9)
+    if not proper.any():
+        return 0.0, np.zeros(3)
+    normals, corners = normals[proper] / lengths[proper, None], corners[proper]
+    offsets = np.einsum("ij,ij->i", normals, corners[:, 0])
+    distances = np.abs(points_mm @ normals.T - offsets)
+    best = int(np.argmin(np.median(distances, axis=0)))
+    near = distances[:, best] <= np.maximum(3 * np.median(distances[:, best]), 0.1)
+    _, s, Vt = np.linalg.svd(points_mm[near] - points_mm[near].mean(axis=0))
+    return float(s[1] / np.sqrt(near.sum())), Vt[2]
+
+
+def surface_points(contacts: Contacts, T_arm_obj: Floats, tip_radius_mm: float) -> Floats:
+    return np.asarray(
+        apply(inverse(T_arm_obj), contacts.tips_mm) - tip_radius_mm * contacts.normals
+    )
+
+
+def beside_face(
+    features: Sequence[str], points_obj_mm: Floats, block: Crenellated
+) -> NDArray[np.bool_]:
+    """(N,) which contact points (N, 3) lie beside the bounds of the face they belong to.
+
+    A crest ends at its groove and a floor at its walls, so that contacts on the crests
+    tell a block from the same block turned half round.
+    """
+    x, y, z = points_obj_mm.T
+    edges = np.array(block.edges_x_mm)
+    slack = BESIDE_FACE_MM
+    in_x = (x > edges[0] - slack) & (x < edges[-1] + slack)
+    in_y = (y > block.front_y_mm - slack) & (y < block.back_y_mm + slack)
+    in_z = (z > block.base_z_mm - slack) & (z < block.crest_z_mm + slack)
+    within = {
+        "crest": _in_a_span(x, edges[0::2], edges[1::2]) & in_y,
+        "floor": _in_a_span(x, edges[1:-1:2], edges[2::2]) & in_y,
+        "front": in_x & in_z,
+        "back": in_x & in_z,
+        "left": in_y & in_z,
+        "right": in_y & in_z,
+    }
+    return np.array([not within[face][i] for i, face in enumerate(features)], dtype=bool)
+
+
+def _in_a_span(x_mm: Floats, left_mm: Floats, right_mm: Floats) -> NDArray[np.bool_]:
+    """(N,) which places lie on one of the merlons, or grooves, of these edges."""
+    after = x_mm[:, None] > left_mm - BESIDE_MERLON_MM
+    return np.asarray((after & (x_mm[:, None] < right_mm + BESIDE_MERLON_MM)).any(axis=1))

@@ -1,0 +1,1 @@
+"""The stripe sensor: camera, light plane, and points from pixels (Eq. 9)."""

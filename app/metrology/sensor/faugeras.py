@@ -1,0 +1,197 @@
+"""The camera's perspective matrix by Faugeras and Toscani: the paper's intrinsic calibration.
+
+The twelve numbers of the matrix follow linearly from points known in the object
+frame and in the image, under ``|m3| = 1`` (m3: the first three elements of the
+third row). That constraint neither turns nor moves with the object frame, and it
+has no trouble with an origin in the camera's own plane, unlike ``m34 = 1``.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.errors import Refusal
+from app.metrology.sensor.camera import Camera
+from app.metrology.transforms import Floats, nearest_rotation
+
+# Condition of the normalised system: 4 to 9 for a good object, 87 for a step of 0.5 mm.
+LARGEST_CONDITION = 50.0
+# Share of the largest extent below which a set of points counts as flat.
+FLAT = 1e-6
+
+
+@dataclass(frozen=True)
+class FaugerasSolution:
+    """What the linear step yields.
+
+    ``projection_matrix`` (3, 4) has ``|m3| = 1`` and maps the object frame in mm to
+    pixels; ``camera`` holds the intrinsics and the pose read from it, without skew
+    and distortion; ``orthogonality_defect`` is ``|R R' - I|`` before ``R`` was made
+    a rotation, 0 for perfect data; ``condition_number`` that of the normalised
+    system.
+    """
+
+    projection_matrix: Floats
+    camera: Camera
+    orthogonality_defect: float
+    condition_number: float
+
+
+def solve_faugeras(
+    points_mm: Floats, uv_px: Floats, width_px: int, height_px: int
+) -> FaugerasSolution:
+    """Perspective matrix, intrinsics and pose from known points.
+
+    Args:
+        points_mm: (N, 3) in the object frame, N >= 6, on more than one plane.
+        uv_px: (N, 2) where the camera sees them.
+        width_px, height_px: the image's size.
+
+    Raises:
+        Refusal: too few points, or points on which the matrix does not depend
+            uniquely (``degenerate-...``), or a mirror image.
+    """
+    points = np.asarray(points_mm, dtype=np.float64)
+    uv = np.asarray(uv_px, dtype=np.float64)
+    _require_points(points, uv)
+    T_object = _normalising(points)
+    T_image = _normalising(uv)
+    x = points @ T_object[:3, :3].T + T_object[:3, 3]
+    y = uv @ T_image[:2, :2].T + T_image[:2, 2]
+    system = _system(x, y)
+    condition = _condition(system, points)
+    # T_object is a similarity, so |m3| = 1 here and |m3| = 1 in mm differ by a factor only.
+    matrix = np.linalg.inv(T_image) @ _least_under_unit_m3(system) @ T_object
+    matrix = _in_front(matrix / np.linalg.norm(matrix[2, :3]), points)
+    camera, defect = _decompose(matrix, width_px, height_px)
+    return FaugerasSolution(matrix, camera, defect, condition)
+
+
+def _require_points(points: Floats, uv: Floats) -> None:
+    if points.ndim != 2 or points.shape[1] != 3 or uv.shape != (len(points), 2):
+        raise Refusal(
+            "points-malformed",
+            f"object points of shape {points.shape} and pixels of shape {uv.shape}",
+            "each point needs three coordinates and one pixel (u, v)",
+        )
+    if not (np.isfinite(points).all() and np.isfinite(uv).all()):
+        raise Refusal("points-not-finite", "an object point or a pixel is not a number")
+    if len(points) < 6:
+        raise Refusal(
+            "degenerate-too-few-points",
+            f"{len(points)} corners were found in the picture",
+            "the camera's matrix needs at least six, on crests and floors",
+            "bring more of the object into the picture",
+        )
+    _refuse_flat(points)
+
+
+def _refuse_flat(points: Floats) -> None:
+    """Names why points in one plane (or on one line) do not fix the camera."""
+    _, extent, axes = np.linalg.svd(points - points.mean(axis=0))
+    if extent[2] > FLAT * extent[0]:
+        return
+    if np.ptp(points[:, 2]) <= FLAT * extent[0]:
+        raise Refusal(
+            "degenerate-one-level",
+            f"all {len(points)} corners lie on one level, z = {points[0, 2]:.3f} mm",
+            "one plane does not fix focal length, stand-off and the laser plane together",
+            "place the sensor so that both crests and floors are in the picture",
+        )
+    normal = ", ".join(f"{value:.2f}" for value in axes[2])
+    raise Refusal(
+        "degenerate-one-row",
+        f"all {len(points)} corners lie in one plane with normal ({normal})",
+        "with only one row of corners on each level, the camera is not fixed",
+        "bring the front and the back edge of a level into the picture",
+    )
+
+
+def _normalising(points: Floats) -> Floats:
+    """Hartley's similarity: centroid to 0, rms distance to the square root of the dimension."""
+    n = points.shape[1]
+    centre = points.mean(axis=0)
+    rms = float(np.sqrt(np.mean(np.sum((points - centre) ** 2, axis=1))))
+    if rms == 0.0:
+        raise Refusal("degenerate-one-pixel", "all corners were given the same pixel")
+    T = np.eye(n + 1)
+    T[:n, :n] *= np.sqrt(n) / rms
+    T[:n, n] = -centre * np.sqrt(n) / rms
+    return T
+
+
+def _system(x: Floats, y: Floats) -> Floats:
+    """(2N, 12): the columns of m1, m14, m2, m24, m34 (nine), then those of m3 (three)."""
+    n = len(x)
+    rows = np.zeros((2 * n, 12))
+    rows[:n, 0:3], rows[:n, 3] = x, 1.0
+    rows[n:, 4:7], rows[n:, 7] = x, 1.0
+    rows[:n, 8], rows[n:, 8] = -y[:, 0], -y[:, 1]
+    rows[:n, 9:] = -y[:, :1] * x
+    rows[n:, 9:] = -y[:, 1:] * x
+    return rows
+
+
+def _condition(system: Floats, points: Floats) -> float:
+    """Largest over smallest singular value, but for the one that belongs to the solution."""
+    values = np.linalg.svd(system, compute_uv=False)
+    condition = float(values[0] / max(values[10], 1e-300))
+    if condition > LARGEST_CONDITION:
+        raise Refusal(
+            "degenerate-flat",
+            f"the {len(points)} corners fix the camera badly "
+            f"(condition number {condition:.3g}, limit {LARGEST_CONDITION:.0f})",
+            "they lie almost on one plane, or almost in one row on each level",
+            "use an object with a higher step, and show it crests and floors, front and back",
+        )
+    return condition
+
+
+def _least_under_unit_m3(system: Floats) -> Floats:
+    """The (3, 4) matrix of least algebraic error with ``|m3| = 1``.
+
+    With ``B v1 + C v2 = 0`` (v2 = m3), v2 is the least singular vector of what is
+    left of C outside the columns of B, and ``v1 = -B^+ C v2``.
+    """
+    B, C = system[:, :9], system[:, 9:]
+    Q, R = np.linalg.qr(B)
+    outside = C - Q @ (Q.T @ C)
+    v2 = np.linalg.svd(outside)[2][-1]
+    v1 = -np.linalg.solve(R, Q.T @ (C @ v2))
+    return np.array([v1[0:4], v1[4:8], [*v2, v1[8]]])
+
+
+def _in_front(matrix: Floats, points: Floats) -> Floats:
+    """The matrix with the sign that puts the points in front of the camera."""
+    depths = points @ matrix[2, :3] + matrix[2, 3]
+    if np.all(depths < 0):
+        return -matrix
+    if np.all(depths > 0):
+        return matrix
+    raise Refusal(
+        "degenerate-behind-the-camera",
+        f"{int(min((depths > 0).sum(), (depths < 0).sum()))} of {len(points)} corners would lie "
+        "behind the camera",
+        "the corners were taken for others, or do not belong to this object",
+    )
+
+
+def _decompose(matrix: Floats, width_px: int, height_px: int) -> tuple[Camera, float]:
+    """Intrinsics and pose of a matrix with ``|m3| = 1``, and the orthogonality defect."""
+    m1, m2, m3 = matrix[:, :3]
+    u0, v0 = float(m1 @ m3), float(m2 @ m3)
+    fx = float(np.linalg.norm(np.cross(m1, m3)))
+    fy = float(np.linalg.norm(np.cross(m2, m3)))
+    R = np.array([(m1 - u0 * m3) / fx, (m2 - v0 * m3) / fy, m3])
+    if np.linalg.det(R) < 0:
+        raise Refusal(
+            "object-mirrored",
+            "the picture shows the object's mirror image",
+            "left and right corners were exchanged, or the image is flipped",
+            "check the object's certificate and the camera's flip setting",
+        )
+    defect = float(np.linalg.norm(R @ R.T - np.eye(3)))
+    m14, m24, m34 = matrix[:, 3]
+    translation = np.array([(m14 - u0 * m34) / fx, (m24 - v0 * m34) / fy, m34])
+    K = np.array([[fx, 0.0, u0], [0.0, fy, v0], [0.0, 0.0, 1.0]])
+    return Camera(K, nearest_rotation(R), translation, width_px, height_px), defect

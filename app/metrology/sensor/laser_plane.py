@@ -1,0 +1,81 @@
+"""The plane of the laser's light, in the sensor frame, from its stripe on crests and floors."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from app.errors import Refusal
+from app.metrology.sensor.camera import Camera, rays
+from app.metrology.transforms import Floats
+
+LEAST_ANGLE_DEG = 3.0
+
+
+@dataclass(frozen=True)
+class LaserPlane:
+    """``normal . x = offset_mm`` in the sensor frame, the normal (3,) of unit length."""
+
+    normal: Floats
+    offset_mm: float
+
+    def in_frame(self, T_new_old: Floats) -> "LaserPlane":
+        """The same plane in another frame."""
+        normal = T_new_old[:3, :3] @ self.normal
+        return LaserPlane(normal, float(self.offset_mm + normal @ T_new_old[:3, 3]))
+
+    def stepped(self, step: Floats) -> "LaserPlane":
+        """After a step (3,): tilts along ``tangents(normal)`` (rad), then the offset (mm)."""
+        normal = self.normal + step[:2] @ tangents(self.normal)
+        length = float(np.linalg.norm(normal))
+        return LaserPlane(normal / length, (self.offset_mm + float(step[2])) / length)
+
+
+def in_frame(camera: Camera, plane: LaserPlane, T_new_old: Floats) -> tuple[Camera, LaserPlane]:
+    """The same camera and laser plane in another sensor frame."""
+    rotation = camera.rotation @ T_new_old[:3, :3].T
+    shift_mm = camera.translation_mm - rotation @ T_new_old[:3, 3]
+    moved = replace(camera, rotation=rotation, translation_mm=shift_mm)
+    return moved, plane.in_frame(T_new_old)
+
+
+def tangents(normal: Floats) -> Floats:
+    """(2, 3): two unit vectors across a unit normal (3,) and across one another."""
+    least = int(np.argmin(np.abs(normal)))
+    axis = [float(k == least) for k in range(3)]
+    x, y, z = _cross([float(value) for value in normal], axis)
+    length = math.sqrt(x * x + y * y + z * z)
+    first = [x / length, y / length, z / length]
+    return np.array([first, _cross([float(value) for value in normal], first)])
+
+
+def _cross(a: Sequence[float], b: Sequence[float]) -> list[float]:
+    """Of two single vectors, where the library's way costs twenty times as much."""
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+def meet_levels(camera: Camera, uv_px: Floats, z_mm: Floats | float) -> Floats:
+    """Where the rays of pixels (N, 2) meet the height(s) ``z_mm``: (N, 3)."""
+    origin, along = rays(camera, uv_px)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        depth = (z_mm - origin[2]) / along[:, 2]
+    return np.asarray(origin + depth[:, None] * along)
+
+
+def refuse_edge_on(plane: LaserPlane, sight: Floats) -> None:
+    """Refuses a plane that the camera looks along, by its lines of sight (M, 3) to the stripe.
+
+    Raises:
+        Refusal: ``laser-through-camera``.
+    """
+    sine = np.abs(sight @ plane.normal) / np.linalg.norm(sight, axis=1)
+    angle = float(np.degrees(np.arcsin(np.median(sine))))
+    if angle < LEAST_ANGLE_DEG:
+        raise Refusal(
+            "laser-through-camera",
+            f"the camera looks along the laser plane, {angle:.1f} deg off it "
+            f"(limit {LEAST_ANGLE_DEG:.0f} deg)",
+            "a plane through the camera's centre gives no depth",
+            "the camera must look at the stripe from the side: check how the sensor is built",
+        )

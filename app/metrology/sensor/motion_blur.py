@@ -1,0 +1,64 @@
+"""How fast the sensor passes over a surface, in what it does to the points."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.metrology.transforms import Floats
+
+BLUR_SPACINGS, BLUR_UNCERTAINTIES = 4.0, 10.0
+"""A stripe that smears over less than this many of its points' spacings, or of their own
+standard uncertainties, loses nothing that could be told."""
+
+
+@dataclass(frozen=True)
+class PassSpeed:
+    """Of one frame."""
+
+    blur_mm: float
+    """The way of a point of the surface under the stripe during the exposure."""
+    step_mm: float
+    """The way across the stripe from one frame to the next: the spacing along the pass."""
+    spacing_mm: float
+    """Of neighbouring points along the stripe."""
+
+    def limit_mm(self, uncertainty_mm: float) -> float:
+        """The blur from which on it is worth a warning, for points known to this (k = 1)."""
+        return max(BLUR_SPACINGS * self.spacing_mm, BLUR_UNCERTAINTIES * uncertainty_mm)
+
+
+def pass_speed(
+    stripe_mm: Floats,
+    T_before: Floats,
+    T_after: Floats,
+    between_s: float,
+    exposure_s: float,
+    period_s: float,
+) -> PassSpeed | None:
+    """From the stripe and the sensor's poses shortly before and after.
+
+    Args:
+        stripe_mm: (N, 3) the frame's points in their order, sensor frame.
+        T_before, T_after: (4, 4) ``T_arm_sensor``, ``between_s`` apart.
+        period_s: from the frame before to this one.
+
+    Returns:
+        None where fewer than two points are known.
+    """
+    points = stripe_mm[np.isfinite(stripe_mm).all(axis=1)]
+    if len(points) < 2 or between_s <= 0:
+        return None
+    line = points[-1] - points[0]
+    length = float(np.linalg.norm(line))
+    if length == 0:
+        return None
+    rate = (T_after - T_before) / between_s
+    velocity = points.mean(axis=0) @ rate[:3, :3].T + rate[:3, 3]
+    along = T_after[:3, :3] @ (line / length)
+    across = velocity - float(velocity @ along) * along
+    spacing = float(np.median(np.linalg.norm(np.diff(points, axis=0), axis=1)))
+    return PassSpeed(
+        blur_mm=float(np.linalg.norm(velocity)) * exposure_s,
+        step_mm=float(np.linalg.norm(across)) * period_s,
+        spacing_mm=spacing,
+    )

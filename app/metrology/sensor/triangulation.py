@@ -1,0 +1,186 @@
+"""From stripe pixels to points: the camera's ray meets the laser plane (Eq. 9).
+
+And how well each point is known by the fit of its stripe alone.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.sensor.camera import Camera
+from app.metrology.sensor.laser_plane import LaserPlane
+from app.metrology.transforms import Floats, apply
+from app.native.arguments import F64, I64, Array, Function
+from app.native.product import CRENEL
+
+Counts = NDArray[np.int64]
+
+_frame_points = Function(
+    CRENEL,
+    "frame_points",
+    Array(F64, "n"),
+    Array(F64, "n"),
+    Array(F64, "n", optional=True),
+    Array(I64, "frames"),
+    Array(F64, "frames", 4, 4),
+    Array(F64, 32),
+    Array(F64, "n", 3, written=True),
+    Array(F64, "n", written=True, optional=True),
+    returns=int,
+)
+
+
+def sensor_points(camera: Camera, plane: LaserPlane, uv_px: Floats) -> Floats:
+    """Points of the stripe in the sensor frame: the ``X_LSS`` of Eq. 9.
+
+    Args:
+        uv_px: (N, 2) distorted pixels, as extracted from the image.
+
+    Returns:
+        (N, 3) mm; NaN where the pixel's ray does not meet the laser plane in
+        front of the camera.
+    """
+    return _in_one_pose(camera, plane, uv_px, np.eye(4))
+
+
+def arm_points(
+    camera: Camera,
+    plane: LaserPlane,
+    T_flange_sensor: Floats,
+    uv_px: Floats,
+    T_arm_flange: Floats,
+) -> Floats:
+    """Points of the stripe in the arm frame (Eq. 9).
+
+    Args:
+        T_flange_sensor: (4, 4), the paper's probe matrix (Eq. 8).
+        uv_px: (N, 2) distorted pixels.
+        T_arm_flange: (4, 4) the arm's pose at mid-exposure, or (N, 4, 4) one a pixel.
+
+    Returns:
+        (N, 3) mm; NaN as in ``sensor_points``.
+    """
+    if np.ndim(T_arm_flange) == 2:
+        return _in_one_pose(camera, plane, uv_px, np.asarray(T_arm_flange @ T_flange_sensor))
+    in_flange = apply(T_flange_sensor, sensor_points(camera, plane, uv_px))
+    return apply(T_arm_flange, in_flange)
+
+
+def frame_points(
+    camera: Camera,
+    plane: LaserPlane,
+    u_px: Floats,
+    v_px: Floats,
+    count: Counts,
+    T_arm_sensor: Floats,
+    points_mm: Floats | None = None,
+) -> Floats:
+    """Points of frames that follow one another in the arm frame (Eq. 9), each in its pose.
+
+    Args:
+        u_px, v_px: (N,) distorted pixels of all frames, frame after frame.
+        count: (F,) pixels of each frame; N in all.
+        T_arm_sensor: (F, 4, 4) ``T_arm_flange @ T_flange_sensor`` at mid-exposure.
+        points_mm: (N, 3) to be filled; None makes a new one.
+
+    Returns:
+        (N, 3) mm; NaN as in ``sensor_points``.
+
+    Raises:
+        ValueError: the frames have not N pixels.
+    """
+    filled = np.empty((len(u_px), 3)) if points_mm is None else points_mm
+    _fill(camera, plane, u_px, v_px, count, T_arm_sensor, filled)
+    return filled
+
+
+def scan_points(
+    camera: Camera,
+    plane: LaserPlane,
+    u_px: Floats,
+    v_px: Floats,
+    sigma_px: Floats,
+    axis: str,
+    count: Counts,
+    T_arm_sensor: Floats,
+) -> tuple[Floats, Floats]:
+    """Points of some frames in the arm frame (Eq. 9), and their standard uncertainty (k = 1).
+
+    The uncertainty is that of the stripe's fit, in the laser plane: what differs from point
+    to point. Calibration and arm move whole frames together; their part stands in the
+    calibration. It is Eq. 9 differentiated by the pixel, the lens' distortion being the same
+    for neighbouring pixels.
+
+    Args:
+        sigma_px: (N,) standard deviation across the stripe.
+        axis: ``u`` where there is one point a column, so that ``v`` was fitted.
+        u_px, v_px, count, T_arm_sensor: as of ``frame_points``.
+
+    Returns:
+        (N, 3) mm, NaN as in ``sensor_points``; (N,) µm.
+
+    Raises:
+        ValueError: the frames have not N pixels.
+    """
+    points_mm, spread_um = np.empty((len(u_px), 3)), np.empty(len(u_px))
+    fit = (_contiguous(sigma_px), axis, spread_um)
+    _fill(camera, plane, u_px, v_px, count, T_arm_sensor, points_mm, *fit)
+    return points_mm, spread_um
+
+
+def _in_one_pose(camera: Camera, plane: LaserPlane, uv_px: Floats, T: Floats) -> Floats:
+    uv = np.asarray(uv_px, dtype=np.float64).reshape(-1, 2)
+    return frame_points(camera, plane, uv[:, 0], uv[:, 1], np.array([len(uv)]), T[None])
+
+
+def _fill(
+    camera: Camera,
+    plane: LaserPlane,
+    u_px: Floats,
+    v_px: Floats,
+    count: Counts,
+    T_arm_sensor: Floats,
+    points_mm: Floats,
+    sigma_px: Floats | None = None,
+    axis: str = "u",
+    spread_um: Floats | None = None,
+) -> None:
+    """Fills points, and their uncertainty where it is asked for."""
+    found = _frame_points(
+        _contiguous(u_px),
+        _contiguous(v_px),
+        sigma_px,
+        np.ascontiguousarray(count, dtype=np.int64),
+        _contiguous(T_arm_sensor),
+        _constants(camera, plane, axis),
+        points_mm,
+        spread_um,
+    )
+    if found != len(u_px):
+        raise ValueError(f"the frames have not {len(u_px)} pixels together, as there are")
+
+
+def _constants(camera: Camera, plane: LaserPlane, axis: str) -> Floats:
+    """What the loop needs of camera and plane (32,), in the order of its structure ``Sensor``.
+
+    The ray of direction p in the camera's frame meets the plane, of normal h there, at
+    ``distance / (h p)`` times p.
+    """
+    K, centre_mm = camera.matrix, camera.centre_mm
+    # by what a pixel across the stripe turns the ray (x, y, 1)
+    across = [1 / K[0, 0], 0.0]
+    if axis == "u":
+        across = [-K[0, 1] / (K[0, 0] * K[1, 1]), 1 / K[1, 1]]
+    distance_mm = plane.offset_mm - plane.normal @ centre_mm
+    parts = (
+        K.ravel(),
+        camera.distortion,
+        camera.rotation.ravel(),
+        centre_mm,
+        camera.rotation @ plane.normal,
+        [distance_mm, *across],
+    )
+    return np.concatenate(parts, dtype=np.float64)
+
+
+def _contiguous(array: Floats) -> Floats:
+    return np.ascontiguousarray(array, dtype=np.float64)

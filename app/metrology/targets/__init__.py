@@ -1,0 +1,1 @@
+"""Calibration targets: the crenellated block and the chessboard."""

@@ -1,0 +1,66 @@
+"""The flat chessboard by its certificate.
+
+Its frame lies at the first inner corner, X along the rows, Z out of the board towards the
+camera. First is the corner whose outermost square is black; where the colours leave a
+choice (``ways_to_number``), every choice is as good as long as all pictures share it.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.transforms import Floats
+
+
+@dataclass(frozen=True)
+class Chessboard:
+    """A board whose inner corners (where four squares meet) stand in columns and rows.
+
+    ``standard_uncertainty_mm`` is that of the pattern's width and of its height, between
+    the outermost inner corners; ``flatness_mm`` is by how much the sheet typically bends
+    over the pattern.
+    """
+
+    name: str
+    serial_number: str
+    inner_corners: tuple[int, int]  # columns, rows
+    square_mm: float
+    standard_uncertainty_mm: float
+    flatness_mm: float = 0.3
+
+    @property
+    def extent_mm(self) -> Floats:
+        """(2,) between the outermost inner corners, along X and along Y."""
+        return self.square_mm * (np.array(self.inner_corners, dtype=np.float64) - 1)
+
+    @property
+    def size_mm(self) -> float:
+        """The pattern's diagonal between its outermost inner corners."""
+        return float(np.linalg.norm(self.extent_mm))
+
+
+def grid(board: Chessboard) -> NDArray[np.int64]:
+    """(N, 2) column and row of every inner corner: along the first row, then the next."""
+    columns, rows = board.inner_corners
+    row, column = np.divmod(np.arange(columns * rows), columns)
+    return np.column_stack([column, row]).astype(np.int64)
+
+
+def corner_points(board: Chessboard) -> Floats:
+    """(N, 3) every inner corner in mm, in the board's frame, in the order of ``grid``."""
+    flat = grid(board) * board.square_mm
+    return np.column_stack([flat, np.zeros(len(flat))])
+
+
+def middle_of(board: Chessboard) -> Floats:
+    """(3,) the middle of the pattern."""
+    return np.array([*(board.extent_mm / 2), 0.0])
+
+
+def ways_to_number(board: Chessboard) -> int:
+    """In how many ways (1, 2 or 4) the board can lie so that its colours look the same."""
+    columns, rows = board.inner_corners
+    if (columns + rows) % 2:
+        return 1
+    return 4 if columns == rows and columns % 2 == 0 else 2

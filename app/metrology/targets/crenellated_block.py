@@ -1,0 +1,120 @@
+"""The crenellated object: a comb-shaped block known from its certificate.
+
+X runs across the merlons (the teeth), Y along the grooves, Z upward. The sensor's
+camera looks at it from the front (-Y) and above.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.metrology.transforms import Floats
+
+FACES = ("crest", "floor", "front", "back", "left", "right")
+
+
+@dataclass(frozen=True)
+class Crenellated:
+    """A block by its certificate, in the object frame.
+
+    ``edges_x_mm`` holds the left and right edge of each merlon, ascending; the
+    first and the last are the block's end faces.
+    """
+
+    name: str
+    serial_number: str
+    edges_x_mm: tuple[float, ...]
+    front_y_mm: float
+    back_y_mm: float
+    crest_z_mm: float
+    floor_z_mm: float
+    base_z_mm: float
+    standard_uncertainty_mm: float
+
+    @property
+    def merlon_count(self) -> int:
+        return len(self.edges_x_mm) // 2
+
+
+@dataclass(frozen=True)
+class Edge:
+    """A straight edge of the block between two of its corners (3,), in the object frame."""
+
+    name: str
+    start_mm: Floats
+    end_mm: Floats
+
+
+def corners(block: Crenellated) -> dict[str, Floats]:
+    """Every corner (3,) of the block by name.
+
+    ``crest:I:L|R:front|back`` for merlon I, ``floor:J:L|R:front|back`` for the
+    groove J to the right of merlon J, ``base:L|R:front|back`` for the bottom.
+    """
+    named: dict[str, Floats] = {}
+    x = block.edges_x_mm
+    levels = [
+        (f"crest:{i}", x[2 * i], x[2 * i + 1], block.crest_z_mm) for i in range(block.merlon_count)
+    ]
+    levels += [
+        (f"floor:{j}", x[2 * j + 1], x[2 * j + 2], block.floor_z_mm)
+        for j in range(block.merlon_count - 1)
+    ]
+    levels += [("base", x[0], x[-1], block.base_z_mm)]
+    for level, left, right, z in levels:
+        for side, at_x in (("L", left), ("R", right)):
+            for end, at_y in (("front", block.front_y_mm), ("back", block.back_y_mm)):
+                named[f"{level}:{side}:{end}"] = np.array([at_x, at_y, z])
+    return named
+
+
+def edges(block: Crenellated) -> list[Edge]:
+    """Every straight edge of the block.
+
+    Along X ``crest:I:front|back``, ``floor:J:front|back``, ``base:front|back``;
+    along Y ``crest:I:L|R``, ``floor:J:L|R``, ``base:L|R``; along Z
+    ``wall:I:L|R:front|back``, from merlon I's crest down to the floor beside it
+    (to the base at the block's two ends).
+    """
+    at = corners(block)
+    found: list[Edge] = []
+    levels = [f"crest:{i}" for i in range(block.merlon_count)]
+    levels += [f"floor:{j}" for j in range(block.merlon_count - 1)] + ["base"]
+    for level in levels:
+        for end in ("front", "back"):
+            found.append(Edge(f"{level}:{end}", at[f"{level}:L:{end}"], at[f"{level}:R:{end}"]))
+        for side in ("L", "R"):
+            found.append(
+                Edge(f"{level}:{side}", at[f"{level}:{side}:front"], at[f"{level}:{side}:back"])
+            )
+    last = block.merlon_count - 1
+    for i in range(block.merlon_count):
+        feet = {
+            "L": "base:L" if i == 0 else f"floor:{i - 1}:R",
+            "R": "base:R" if i == last else f"floor:{i}:L",
+        }
+        for side, foot in feet.items():
+            for end in ("front", "back"):
+                found.append(
+                    Edge(
+                        f"wall:{i}:{side}:{end}", at[f"crest:{i}:{side}:{end}"], at[f"{foot}:{end}"]
+                    )
+                )
+    return found
+
+
+def probing_face(block: Crenellated, face: str) -> tuple[Floats, float]:
+    """Outward unit normal (3,) and offset in mm of a face that the operator touches.
+
+    ``face`` is one of ``FACES``; its points satisfy ``normal . x = offset``.
+    """
+    planes = {
+        "crest": ((0.0, 0.0, 1.0), block.crest_z_mm),
+        "floor": ((0.0, 0.0, 1.0), block.floor_z_mm),
+        "front": ((0.0, -1.0, 0.0), -block.front_y_mm),
+        "back": ((0.0, 1.0, 0.0), block.back_y_mm),
+        "left": ((-1.0, 0.0, 0.0), -block.edges_x_mm[0]),
+        "right": ((1.0, 0.0, 0.0), block.edges_x_mm[-1]),
+    }
+    normal, offset_mm = planes[face]
+    return np.array(normal), offset_mm

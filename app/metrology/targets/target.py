@@ -1,0 +1,72 @@
+"""The objects that a sensor is calibrated on: a crenellated block, or a flat chessboard."""
+
+import numpy as np
+
+from app.metrology.sensor.camera import Camera, project
+from app.metrology.targets import chessboard as boards
+from app.metrology.targets.chessboard import Chessboard
+from app.metrology.targets.crenellated_block import Crenellated, edges
+from app.metrology.transforms import Floats
+
+CalibrationObject = Crenellated | Chessboard
+
+Line = tuple[tuple[float, float], tuple[float, float]]
+"""Of a drawing: the pixels of its two ends."""
+
+
+def middle_of(item: CalibrationObject) -> Floats:
+    """(3,) about which the sensor is held, object frame: of a block, the middle between its
+    floors and crests; of a board, that of its pattern."""
+    if isinstance(item, Chessboard):
+        return boards.middle_of(item)
+    x = item.edges_x_mm
+    return np.array(
+        [
+            (x[0] + x[-1]) / 2,
+            (item.front_y_mm + item.back_y_mm) / 2,
+            (item.floor_z_mm + item.crest_z_mm) / 2,
+        ]
+    )
+
+
+def width_mm(item: CalibrationObject) -> float:
+    """Along X: of a block across its merlons, of a board along its pattern's rows."""
+    if isinstance(item, Chessboard):
+        return float(item.square_mm * (item.inner_corners[0] + 1))
+    return float(item.edges_x_mm[-1] - item.edges_x_mm[0])
+
+
+def outline(camera: Camera, item: CalibrationObject) -> tuple[Line, ...]:
+    """What of the object is drawn for the eye, as pairs of pixels: the edges of a block's
+    crests and floors; of a board, its pattern's border and two lines across."""
+    if isinstance(item, Chessboard):
+        ends_mm = board_lines(item)
+    else:
+        ends_mm = np.array(
+            [
+                (edge.start_mm, edge.end_mm)
+                for edge in edges(item)
+                if not edge.name.startswith("base")
+            ]
+        )
+    return tuple(
+        ((float(u0), float(v0)), (float(u1), float(v1)))
+        for u0, v0, u1, v1 in project(camera, ends_mm.reshape(-1, 3)).reshape(-1, 4)
+    )
+
+
+def board_lines(board: Chessboard) -> Floats:
+    """(6, 2, 3) ends of the pattern's border and of the lines through its middle, mm."""
+    low = np.full(2, -board.square_mm)
+    high = board.square_mm * np.array(board.inner_corners, dtype=np.float64)
+    middle = boards.middle_of(board)[:2]
+    (x0, y0), (x1, y1), (xm, ym) = low, high, middle
+    lines = [
+        ((x0, y0), (x1, y0)),
+        ((x1, y0), (x1, y1)),
+        ((x1, y1), (x0, y1)),
+        ((x0, y1), (x0, y0)),
+        ((x0, ym), (x1, ym)),
+        ((xm, y0), (xm, y1)),
+    ]
+    return np.array([[(*a, 0.0), (*b, 0.0)] for a, b in lines])

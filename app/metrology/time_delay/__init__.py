@@ -1,0 +1,1 @@
+"""The constant delay between arm and camera."""

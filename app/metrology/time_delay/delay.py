@@ -1,0 +1,187 @@
+"""The constant delay between arm and camera, from a back-and-forth pass over a plane.
+
+A frame's pose is the arm's at the frame's stamp plus the delay. A wrong delay moves a
+frame's points by the way that the sensor goes meanwhile: off the plane to one side while
+it goes nearer, to the other while it goes away. The delay is the one that brings both
+together.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.errors import Refusal
+from app.metrology.fitting.plane_sphere import fit_plane
+from app.metrology.time_delay.delay_fit import Fit, Fitted, fitted, reversals_of
+from app.metrology.time_delay.plane_pass import LEAST_POINTS, PlanePass, lines_of
+from app.metrology.transforms import Floats
+
+SEARCH_NS, SEARCH_STEP_NS = 250_000_000, 5_000_000
+"""Delays that are tried before the fit."""
+SEARCH_FRAMES, SEARCH_POINTS = 200, 10
+GATE_MM = 1.0
+"""Points farther from the plane than this are another surface's, to begin with: half a
+step of the search at 300 mm/s."""
+GATE_SCALES, LEAST_GATE_MM = 4.0, 0.02
+LEAST_FRAMES = 30
+LEAST_SHARE = 0.5
+"""Of the points that lie on a plane."""
+MOST_SPREAD_MM = 0.3
+"""Of the points about a plane, whatever the delay; an arm does better over one plate."""
+MOST_UNCERTAINTY_MS = 1.0
+"""Known no better than this, a delay does more harm than good."""
+SLOW_MM_S = 10.0
+ONE_WAY = 0.2
+"""The way back, as a share of the way forth, across the plane."""
+
+
+@dataclass(frozen=True)
+class ClockDelay:
+    """By how much the arm's stamps are later than the camera's, and how well it is known."""
+
+    delay_ms: float
+    """To be added to a frame's stamp before the arm is asked where it was."""
+    standard_uncertainty_ms: float
+    """k = 1"""
+    frames: int
+    reversals: int
+    seconds: float
+    speed_mm_s: float
+    """Rms, of the sensor across the plane: what the delay is told by."""
+    rms_without_um: float
+    """Of the points about their plane, with no delay applied."""
+    rms_um: float
+    """The same with the delay."""
+
+
+def clock_delay(passed: PlanePass) -> ClockDelay:
+    """Estimates the delay between arm and camera, in maximum likelihood.
+
+    Unknown are the delay and the plane. What calibration and arm do wrong depends on where
+    the sensor is, not on which way it goes: terms in its height over the plane take it up.
+    The spread of the frames about the plane, which holds the encoders' noise, is taken from
+    the frames themselves.
+
+    Raises:
+        Refusal: too few frames, not a plane, no reversal, too slow, or only along the
+            plane, so that the delay cannot be told.
+    """
+    usable = np.flatnonzero(np.diff(passed.first) >= LEAST_POINTS)
+    _check_frames(len(usable))
+    even = np.linspace(0, len(usable) - 1, min(SEARCH_FRAMES, len(usable))).astype(np.int64)
+    fit, gate_mm = _searched(passed.thinned(usable[even], SEARCH_POINTS)), GATE_MM
+    off_mm = _distances(passed, fit)
+    for _ in range(3):
+        lines = lines_of(passed, off_mm < gate_mm)
+        _check_plane(off_mm, gate_mm, len(lines.stamps_ns))
+        found = fitted(lines, passed.poses_at, fit)
+        fit, off_mm = found, _distances(passed, found)
+        near = off_mm[off_mm < gate_mm]
+        gate_mm = max(GATE_SCALES * 1.4826 * float(np.median(near)), LEAST_GATE_MM)
+    _check_delay(found)
+    on_plane = off_mm < gate_mm
+    return ClockDelay(
+        delay_ms=found.delay_ns / 1e6,
+        standard_uncertainty_ms=found.uncertainty_ns / 1e6,
+        frames=len(lines.stamps_ns),
+        reversals=reversals_of(found.across_mm_s),
+        seconds=float(np.ptp(lines.stamps_ns)) / 1e9,
+        speed_mm_s=float(np.sqrt(np.mean(found.across_mm_s**2))),
+        rms_without_um=_rms_um(passed, on_plane, 0.0),
+        rms_um=_rms_um(passed, on_plane, found.delay_ns),
+    )
+
+
+def _distances(passed: PlanePass, fit: Fit) -> Floats:
+    """(N,) of the points from the plane, mm; infinite where the arm's place is not known."""
+    off = np.abs(passed.placed(fit.delay_ns) @ fit.normal - fit.offset_mm)
+    return np.where(np.isfinite(off), off, np.inf)
+
+
+def _rms_um(passed: PlanePass, on_plane: NDArray[np.bool_], delay_ns: float) -> float:
+    """Of the points about the plane that fits them best."""
+    points = passed.placed(delay_ns)[on_plane]
+    points = points[np.isfinite(points).all(axis=1)]
+    centred = points - points.mean(axis=0)
+    least = float(np.linalg.eigvalsh(centred.T @ centred)[0])
+    return 1e3 * float(np.sqrt(max(least, 0.0) / len(points)))
+
+
+def _searched(sample: PlanePass) -> Fit:
+    """The delay of a grid that brings the points nearest to one plane; the least of equals."""
+    best: tuple[float, Fit] | None = None
+    for delay_ns in sorted(range(-SEARCH_NS, SEARCH_NS + 1, SEARCH_STEP_NS), key=abs):
+        points = sample.placed(delay_ns)
+        known = np.isfinite(points).all(axis=1)
+        if known.mean() < 0.7:
+            continue
+        plane = fit_plane(points[known])
+        off_mm = float(np.median(np.abs(points[known] @ plane.normal - plane.offset_mm)))
+        if best is None or off_mm < 0.95 * best[0]:
+            best = off_mm, Fit(float(delay_ns), plane.normal, plane.offset_mm)
+    if best is None:
+        raise Refusal(
+            "no-joints-around-frames",
+            "the arm's position is not known around most of the pictures",
+            "the arm sent too little, or arm and camera are not on one clock",
+            "Take the pass again",
+        )
+    return best[1]
+
+
+def _check_frames(count: int) -> None:
+    if count < LEAST_FRAMES:
+        raise Refusal(
+            "pass-too-short",
+            f"the pass has {count} pictures with the laser's line on the plane",
+            f"{LEAST_FRAMES} are needed",
+            "Take a longer pass, five seconds or more",
+        )
+
+
+def _check_plane(off_mm: Floats, gate_mm: float, frames: int) -> None:
+    near = off_mm[off_mm < gate_mm]
+    share = len(near) / len(off_mm)
+    spread_mm = 1.4826 * float(np.median(near)) if len(near) else np.inf
+    if share < LEAST_SHARE or spread_mm > MOST_SPREAD_MM:
+        seen = f"{100 * share:.0f} % of the points lie within {gate_mm:.2g} mm of one plane"
+        if share >= LEAST_SHARE:
+            seen = f"the points lie {spread_mm:.2f} mm (k = 1) about the nearest plane"
+        raise Refusal(
+            "not-a-plane",
+            "what was passed over is not a plane",
+            f"{seen}, whatever the delay",
+            "Pass over a flat plate that fills the laser's line",
+        )
+    _check_frames(frames)
+
+
+def _check_delay(found: Fitted) -> None:
+    """Refuses a pass that cannot tell the delay, in words that say what to do otherwise."""
+    across, u_ms = found.across_mm_s, found.uncertainty_ns / 1e6
+    speed = float(np.sqrt(np.mean(across**2)))
+    known = f"the delay would be known to {u_ms:.1f} ms (k = 1)"
+    if not np.isfinite(u_ms):
+        known = "the delay would not be known at all"
+    again = "Move the sensor nearer and away again, several times, as you go over the plate"
+    to, fro = float(across.clip(min=0).sum()), float((-across).clip(min=0).sum())
+    if found.speed_mm_s < SLOW_MM_S and u_ms > MOST_UNCERTAINTY_MS:
+        code, why = "pass-too-slow", f"the sensor went at {found.speed_mm_s:.0f} mm/s; {known}"
+        again = "Go faster, 50 mm/s or more"
+    elif speed < found.speed_mm_s / 10 and u_ms > MOST_UNCERTAINTY_MS / 10:
+        code = "pass-along-the-plane"
+        why = (
+            f"the sensor went at {found.speed_mm_s:.0f} mm/s along the plane and at "
+            f"{speed:.1f} mm/s across it; along it a delay changes nothing"
+        )
+    elif min(to, fro) < ONE_WAY * max(to, fro):
+        code = "pass-without-reversal"
+        why = "the sensor only went one way; a delay then looks like another place of the plane"
+    elif u_ms > MOST_UNCERTAINTY_MS:
+        code = "pass-tells-too-little"
+        why = f"{known}; {MOST_UNCERTAINTY_MS:g} ms is the limit"
+        again = "Go faster and farther over the plate, nearer and away again several times"
+    else:
+        return
+    raise Refusal(code, "this pass does not tell the delay", why, again)

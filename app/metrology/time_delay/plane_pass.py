@@ -1,0 +1,94 @@
+"""A pass of the sensor over a plane: its frames, and the line that each saw of it."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.arm.joint_interpolation import Stamps
+from app.metrology.transforms import Floats
+
+LEAST_POINTS = 20
+"""On the plane, of a frame that counts."""
+
+
+@dataclass(frozen=True)
+class PlanePass:
+    """What was seen of a plane, and how to ask where the arm was."""
+
+    stamps_ns: Stamps
+    """(F,) of the frames, rising."""
+    first: NDArray[np.int64]
+    """(F + 1,) where each frame's points begin, and at last N."""
+    points_mm: Floats
+    """(N, 3) in the sensor frame."""
+    sigma_mm: Floats
+    """(N,) standard uncertainty of a point (k = 1) by its own fit."""
+    poses_at: Callable[[Stamps], Floats]
+    """``T_arm_sensor`` (F, 4, 4) at the arm's stamps (F,); NaN where it is not known."""
+
+    @property
+    def frame(self) -> NDArray[np.int64]:
+        """(N,) each point's frame."""
+        return np.repeat(np.arange(len(self.stamps_ns)), np.diff(self.first))
+
+    def placed(self, delay_ns: float) -> Floats:
+        """(N, 3) the points in the arm frame; NaN where the arm's place is not known."""
+        T = self.poses_at(self.stamps_ns + round(delay_ns))[self.frame]
+        return np.asarray(np.einsum("nij,nj->ni", T[:, :3, :3], self.points_mm) + T[:, :3, 3])
+
+    def thinned(self, frames: NDArray[np.int64], most: int) -> "PlanePass":
+        """Some of the frames (rising), with at most so many points of each, evenly spread."""
+        rows = []
+        for first, last in zip(self.first[frames], self.first[frames + 1], strict=True):
+            rows.append(np.arange(first, last, max(1, -(-int(last - first) // most))))
+        at = np.concatenate([*rows, np.zeros(0, dtype=np.int64)])
+        return PlanePass(
+            self.stamps_ns[frames],
+            np.concatenate([[0], np.cumsum([len(row) for row in rows])]),
+            self.points_mm[at],
+            self.sigma_mm[at],
+            self.poses_at,
+        )
+
+
+@dataclass(frozen=True)
+class Lines:
+    """The stripe of each frame as a line."""
+
+    stamps_ns: Stamps
+    """(F,)"""
+    centre_mm: Floats
+    """(F, 3) in the sensor frame."""
+    half_mm: Floats
+    """(F, 3) along the line, as long as the rms of its points from the centre."""
+    variance: Floats
+    """(F,) mm², of how far centre and end are off the plane, by the points alone."""
+
+    @property
+    def height(self) -> Floats:
+        """(F,) where in its range the sensor saw the plane, in units of the spread."""
+        off = self.centre_mm - self.centre_mm.mean(axis=0)
+        along = off @ np.linalg.svd(off, full_matrices=False)[2][0]
+        return np.asarray(along / max(float(np.std(along)), 1e-9))
+
+
+def lines_of(passed: PlanePass, on_plane: NDArray[np.bool_]) -> Lines:
+    """The line through each frame's points on the plane (N,), weighed by their uncertainty."""
+    frame, count = passed.frame[on_plane], len(passed.stamps_ns)
+    points, weight = passed.points_mm[on_plane], passed.sigma_mm[on_plane] ** -2.0
+
+    def summed(values: Floats) -> Floats:
+        return np.asarray(np.bincount(frame, weights=values, minlength=count))
+
+    enough = np.bincount(frame, minlength=count) >= LEAST_POINTS
+    total = np.where(enough, summed(weight), 1.0)
+    centre = np.column_stack([summed(weight * points[:, i]) for i in range(3)]) / total[:, None]
+    off = points - centre[frame]
+    moments = np.empty((count, 3, 3))
+    for i, j in np.ndindex(3, 3):
+        moments[:, i, j] = summed(weight * off[:, i] * off[:, j]) / total
+    spread, axes = np.linalg.eigh(moments[enough])
+    half = axes[:, :, 2] * np.sqrt(spread[:, 2])[:, None]
+    return Lines(passed.stamps_ns[enough], centre[enough], half, 1.0 / total[enough])

@@ -1,0 +1,117 @@
+"""Watches the event loop: how often, how long and by what it was held up."""
+
+import asyncio
+import logging
+import sys
+import threading
+import time
+import traceback
+from dataclasses import dataclass, replace
+
+from app.timestamps import utc_now
+
+log = logging.getLogger(__name__)
+LIMIT_S = 0.25
+"""Held up for longer than this, live numbers are seen to stand."""
+PERIOD_S = 0.1
+FRAMES = 16
+"""Of the stack, the innermost."""
+PAUSE_S = 0.75
+"""The watching thread itself woke up so late: the whole program stood, not only the loop."""
+
+
+@dataclass(frozen=True)
+class Stalls:
+    """What was seen since the start."""
+
+    count: int = 0
+    longest_s: float = 0.0
+    last_s: float = 0.0
+    last_at: str = ""
+    last_stack: str = ""
+    pauses: int = 0
+    """Times that the whole program stood: the machine was busy, suspended or short of memory."""
+    longest_pause_s: float = 0.0
+
+
+class LoopWatchdog:
+    """A thread that asks the loop for an answer ten times a second.
+
+    Where none comes within ``limit_s`` it counts a stall, and logs what the loop's thread was
+    doing then, with its stack.
+    """
+
+    def __init__(self, limit_s: float = LIMIT_S) -> None:
+        self._limit_s = limit_s
+        self._stalls = Stalls()
+        self._stopping = threading.Event()
+        self._thread: threading.Thread | None = None
+
+    @property
+    def stalls(self) -> Stalls:
+        return self._stalls
+
+    @property
+    def limit_s(self) -> float:
+        return self._limit_s
+
+    def start(self, loop: asyncio.AbstractEventLoop) -> None:
+        """Watches the loop of the calling thread."""
+        self._stopping.clear()
+        watched = threading.get_ident()
+        self._thread = threading.Thread(
+            target=self._watch, args=(loop, watched), name="loop-watchdog", daemon=True
+        )
+        self._thread.start()
+
+    def stop(self) -> None:
+        self._stopping.set()
+        if self._thread is not None:
+            self._thread.join(2.0)
+            self._thread = None
+
+    def _watch(self, loop: asyncio.AbstractEventLoop, watched: int) -> None:
+        while not self._stopping.is_set():
+            answered = threading.Event()
+            asked_s = time.monotonic()
+            try:
+                loop.call_soon_threadsafe(answered.set)
+            except RuntimeError:  # the loop was closed
+                return
+            if not answered.wait(self._limit_s):
+                self._held_up(asked_s, answered, watched)
+            woke_s = time.monotonic()
+            self._stopping.wait(PERIOD_S)
+            self._note_pause(time.monotonic() - woke_s - PERIOD_S)
+
+    def _held_up(self, asked_s: float, answered: threading.Event, watched: int) -> None:
+        late_s = time.monotonic() - asked_s - self._limit_s
+        if late_s > PAUSE_S:
+            self._note_pause(late_s)
+            return
+        frame = sys._current_frames().get(watched)
+        stack = "".join(traceback.format_stack(frame, FRAMES)) if frame is not None else ""
+        limit_s, more = self._limit_s, {"trace": stack}
+        log.warning("the event loop is held up for more than %.2f s", limit_s, extra=more)
+        while not answered.wait(PERIOD_S) and not self._stopping.is_set():
+            continue
+        lasted_s = time.monotonic() - asked_s
+        log.warning("the event loop goes on after %.2f s", lasted_s)
+        self._stalls = replace(
+            self._stalls,
+            count=self._stalls.count + 1,
+            longest_s=max(self._stalls.longest_s, lasted_s),
+            last_s=lasted_s,
+            last_at=utc_now(),
+            last_stack=stack,
+        )
+
+    def _note_pause(self, late_s: float) -> None:
+        if late_s <= PAUSE_S:
+            return
+        log.warning("the whole program stood still for %.2f s", late_s)
+        self._stalls = replace(
+            self._stalls,
+            pauses=self._stalls.pauses + 1,
+            longest_pause_s=max(self._stalls.longest_pause_s, late_s),
+        )

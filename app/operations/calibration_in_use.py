@@ -1,0 +1,79 @@
+"""The calibration in use: read from its files, and looked after while it is in use."""
+
+from functools import lru_cache
+from pathlib import Path
+
+from app.errors import Refusal
+from app.formats.datasheets.arm import read_arm
+from app.formats.file_names import shown_path
+from app.formats.results.calibration import CalibrationFile, calibration_in
+from app.formats.session.calibration_session import ARM
+from app.station.scan.pipeline import ScanCalibration
+from app.store.calibrations import CalibrationRecord
+from app.workflows.compatibility import check_serials
+
+Stamp = tuple[int, int, int] | None
+"""Of a file as it is: device, size and when it was written; None where there is none."""
+REMEMBERED = 16
+
+
+def cannot_use(why: str) -> Refusal:
+    """What Home and a scan say of a calibration whose files cannot be read."""
+    return Refusal(
+        "calibration-unreadable",
+        "The calibration in use cannot be read",
+        why,
+        "Put its file back from the last backup and restart the station, or calibrate again",
+    )
+
+
+def scan_calibration(record: CalibrationRecord) -> ScanCalibration:
+    """An accepted calibration with the arm that it was made on.
+
+    Raises:
+        Refusal: a file of it cannot be read, or they do not belong together.
+    """
+    sheet = CalibrationFile.read(record.file)
+    found = calibration_in(sheet)
+    uncertainty = sheet.uncertainty
+    if uncertainty is None:
+        raise Refusal("field-missing", f"{shown_path(record.file)}: uncertainty is missing")
+    arm = read_arm(record.file.parent / ARM)
+    check_serials(found, arm)
+    return ScanCalibration(
+        id=record.id,
+        name=record.name,
+        arm=arm,
+        camera=found.camera,
+        plane=found.plane,
+        T_flange_sensor=found.T_flange_sensor,
+        stripe_axis=found.stripe_axis,
+        arm_serial=record.figures.arm_serial,
+        sensor_serial=record.figures.sensor_serial,
+        depth_range_mm=uncertainty.depth_range_mm,
+    )
+
+
+def trouble_now(record: CalibrationRecord) -> Refusal | None:
+    """Why the files of a calibration cannot be read any more; None where they can.
+
+    They are read again only where they changed: this is asked every time that Home is shown.
+    """
+    return _trouble(record, _stamp(record.file), _stamp(record.file.parent / ARM))
+
+
+@lru_cache(maxsize=REMEMBERED)
+def _trouble(record: CalibrationRecord, *stamps: Stamp) -> Refusal | None:
+    try:
+        scan_calibration(record)
+    except Refusal as refusal:
+        return cannot_use(refusal.line)
+    return None
+
+
+def _stamp(path: Path) -> Stamp:
+    try:
+        there = path.stat()
+    except OSError:
+        return None
+    return there.st_dev, there.st_size, there.st_mtime_ns

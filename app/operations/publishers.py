@@ -1,0 +1,154 @@
+"""Keeps what is told of the station fresh, and passes on what happens."""
+
+import asyncio
+import logging
+from collections.abc import Coroutine
+
+from app.errors import Refusal
+from app.operations.context import Context
+from app.operations.health_checks import Examiner
+from app.operations.status_report import report_of
+from app.station.bus import Event
+from app.supervision.messages import StationEvent
+from app.supervision.notifications import kind_of
+from app.timestamps import utc_now
+from app.wire.schema import Home
+
+log = logging.getLogger(__name__)
+REPORT_S = 0.5
+STATIONS_S = 1.0
+HEALTH_S = 3.0
+TEMPERATURE_S = 5.0
+END_S = 1.5
+
+
+async def observe(context: Context) -> None:
+    """Runs until cancelled; then other stations are told that this one has ended."""
+    watch = context.watch
+    watch.watchdog.start(asyncio.get_running_loop())
+    works: list[Coroutine[object, object, None]] = [
+        _reports(context),
+        _stations(context),
+        _events(context),
+        _health(context),
+        _temperature(context),
+        watch.webhook.run(),
+    ]
+    if watch.broker is not None:
+        works.append(watch.broker.run())
+    tasks = [asyncio.create_task(_told(work)) for work in works]
+    try:
+        await asyncio.wait(tasks)
+    finally:  # each is cancelled once: the broker's last words are spoken after that
+        for task in tasks:
+            task.cancel()
+        await asyncio.wait(tasks, timeout=END_S)
+
+
+async def _told(work: Coroutine[object, object, None]) -> None:
+    """One of these works failing ends none of the others."""
+    try:
+        await work
+    except Exception:
+        log.exception("a part of the station's supervision has ended")
+
+
+async def _reports(context: Context) -> None:
+    due: set[tuple[str, str | None]] = set()
+    while True:
+        try:
+            report = await asyncio.to_thread(report_of, context)
+            context.bus.publish("report", report)
+            if context.watch.broker is not None:
+                context.watch.broker.report(report)
+            due = _tell_due(context, due)
+        except Refusal as refusal:  # of a damaged database or its disk; Health tells of it
+            log.warning("the station's report could not be made: %s", refusal.line)
+        except Exception:  # the station lives on, and the next may succeed
+            log.exception("the station's report could not be made")
+        await asyncio.sleep(REPORT_S)
+
+
+def _tell_due(context: Context, told: set[tuple[str, str | None]]) -> set[tuple[str, str | None]]:
+    """Tells once of each thing that has come due; what is due now."""
+    home = context.bus.latest("home")
+    if not isinstance(home, Home):
+        return told
+    due = {(line.id, line.at): line for line in home.checks if line.state == "due"}
+    for key in due.keys() - told:
+        line = due[key]
+        text = f"{line.title}: {line.text[:1].lower()}{line.text[1:]} {line.action}."
+        context.watch.tell("due", text[:400])
+    return set(due)
+
+
+async def _stations(context: Context) -> None:
+    """The other stations, when something of them has changed; how long one is silent is no news."""
+    told: object = None
+    while True:
+        shown = context.watch.fleet.shown()
+        news = [one.model_copy(update={"silent_s": None}) for one in shown]
+        if news != told:
+            told = news
+            context.bus.publish("stations", shown)
+        await asyncio.sleep(STATIONS_S)
+
+
+async def _events(context: Context) -> None:
+    with context.bus.subscribe(without=_topics(context)) as subscription:
+        while True:
+            updates = await subscription.next()
+            for topic in updates.topics:
+                subscription.want(topic, False)
+            for event in updates.events:
+                _pass_on(context, event)
+
+
+def _topics(context: Context) -> set[str]:
+    return {"devices", "report", "stations", "flow", "scan", "preview", "view", "home", "arm"}
+
+
+def _pass_on(context: Context, event: Event) -> None:
+    watch = context.watch
+    watch.events += 1
+    # an error is a fault of the program; a lost device and a refusal are none
+    told = logging.WARNING if event.quality in ("bad", "attention") else logging.INFO
+    log.log(told, "%s: %s", event.kind, event.text)
+    if watch.broker is not None:
+        watch.broker.event(
+            StationEvent(
+                station=watch.station,
+                instance=watch.instance,
+                number=event.id,
+                at=utc_now(),
+                kind=event.kind[:80],
+                quality=event.quality,
+                text=event.text[:400],
+            )
+        )
+    kind = kind_of(event)
+    if kind is not None:
+        watch.tell(kind, event.text[:400])
+
+
+async def _health(context: Context) -> None:
+    examiner = Examiner(context)
+    while True:
+        try:
+            context.watch.health = await asyncio.to_thread(examiner.look)
+        except Refusal as refusal:
+            log.warning("the station's health could not be looked at: %s", refusal.line)
+        except Exception:
+            log.exception("the station's health could not be looked at")
+        await asyncio.sleep(HEALTH_S)
+
+
+async def _temperature(context: Context) -> None:
+    while context.watch.temperature.there:
+        try:
+            await asyncio.to_thread(context.watch.temperature.read)
+        except Refusal as refusal:
+            log.warning("the temperature could not be kept: %s", refusal.line)
+        except Exception:
+            log.exception("the temperature could not be read")
+        await asyncio.sleep(TEMPERATURE_S)

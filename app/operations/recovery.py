@@ -1,0 +1,257 @@
+"""What a killed process or a full disk left: scans listed, their clouds made, leftovers removed."""
+
+import json
+import logging
+import shutil
+import threading
+import time
+from collections.abc import Callable, Iterator
+from datetime import UTC, datetime
+from pathlib import Path
+
+from app.errors import Refusal
+from app.formats.atomic_write import sync_file, sync_folder
+from app.formats.datasheets.arm import read_arm
+from app.formats.io_errors import files_refused
+from app.formats.json_document import read_text, sha256_of
+from app.formats.recording.reader import (
+    SCAN_CALIBRATION,
+    SCAN_NAME,
+    SCAN_STARTED,
+    damage_of,
+    open_recording,
+)
+from app.formats.results.calibration import read_calibration
+from app.formats.session.calibration_session import ARM
+from app.station.bus import Bus
+from app.station.jobs import Jobs
+from app.station.scan.scanner import Scanner
+from app.station.scan.storage import CLOUD, RECORDING, ScanFolders
+from app.store.scans import ScanRecord
+from app.store.store import Store
+from app.workflows.reconstruct import rebuild
+
+log = logging.getLogger(__name__)
+DELETED = ".deleted-"
+"""Folders of scans that are being deleted are called so."""
+KILLED = "The station ended during this scan."
+AGAIN_S = 10.0
+END_S = 5.0
+RECORD = "verification.json"
+
+
+class _EndedError(Exception):
+    """The cloud is made later: a scan begins, or the program ends."""
+
+
+class Recovery:
+    """Lists recordings that nobody lists, and makes the clouds that are missing.
+
+    Clouds are made one after the other on a thread of their own, while no scan and no other
+    job runs.
+    """
+
+    def __init__(
+        self,
+        store: Store,
+        scanner: Scanner,
+        jobs: Jobs,
+        bus: Bus,
+        note_records: Callable[[], None],
+    ) -> None:
+        self._store, self._scanner, self._jobs, self._bus = store, scanner, jobs, bus
+        self._note_records = note_records
+        self._scans = store.folder / "scans"
+        self._folders = ScanFolders(self._scans)
+        self._refused: dict[str, Refusal] = {}
+        self._hashed: dict[tuple[Path, int], str] = {}
+        self._not_before_s = 0.0
+        self._ending = threading.Event()
+        self._thread: threading.Thread | None = None
+
+    # -- at the start --------------------------------------------------------
+
+    def list_unlisted(self) -> None:
+        """Lists every recording among the scans that has no row, as interrupted."""
+        scans = self._store.scans.all()
+        listed = {scan.folder for scan in scans} | {self._scans / scan.id for scan in scans}
+        try:
+            found = sorted(self._scans.iterdir())
+        except OSError as error:
+            log.warning("scans are not looked through: %s", error)
+            return
+        for folder in found:
+            try:
+                self._settle(folder, folder in listed)
+            except (OSError, Refusal) as error:
+                text = error.line if isinstance(error, Refusal) else str(error)
+                log.warning("%s is left as it is: %s", folder, text)
+
+    def _settle(self, folder: Path, listed: bool) -> None:
+        if folder.is_symlink() or not folder.is_dir():
+            return
+        if folder.name.startswith(DELETED):
+            shutil.rmtree(folder)
+            return
+        for part in folder.glob(".*.part"):
+            part.unlink()
+        recording = folder / RECORDING
+        if listed or not recording.is_file():
+            return
+        if not recording.stat().st_size:
+            _remove_empty(folder)
+            return
+        scan = _found(folder, open_recording(recording).told())
+        for path in (recording, folder / CLOUD):
+            if path.is_file():
+                sync_file(path)
+        sync_folder(folder)
+        sync_folder(self._scans)
+        self._store.scans.add(scan)
+        self._bus.event("scan-found", f"{scan.name}: the recording was kept.", "attention")
+
+    # -- while the station runs ----------------------------------------------
+
+    def step(self) -> None:
+        """Lists what waited for the disk, and begins to make a cloud that is missing."""
+        now_s = time.monotonic()
+        busy = self._thread is not None and self._thread.is_alive()
+        if busy or now_s < self._not_before_s or self._is_busy():
+            return
+        try:
+            self._store.scans.add_waiting()
+        except Refusal:
+            self._not_before_s = now_s + AGAIN_S
+            return
+        scan = next(iter(self._without_cloud()), None)
+        if scan is None or self._folders.no_room_to_start() is not None:
+            self._not_before_s = now_s + AGAIN_S / 4
+            return
+        self._thread = threading.Thread(
+            target=self._make_cloud, args=(scan,), name="recovery", daemon=True
+        )
+        self._thread.start()
+
+    def close(self) -> None:
+        """Leaves a cloud that is being made; the next start begins it again."""
+        self._ending.set()
+        if self._thread is not None:
+            self._thread.join(END_S)
+
+    def _is_busy(self) -> bool:
+        return self._scanner.recording() is not None or self._jobs.current is not None
+
+    def _without_cloud(self) -> Iterator[ScanRecord]:
+        for scan in self._store.scans.interrupted():
+            if scan.id not in self._refused and not (scan.folder / CLOUD).exists():
+                yield scan
+
+    def _make_cloud(self, scan: ScanRecord) -> None:
+        try:
+            points = self._rebuild(scan)
+            self._bus.event("scan-rebuilt", f"{scan.name}: {points} points made.", "good")
+        except _EndedError:
+            return
+        except Refusal as refusal:
+            if refusal.code in ("disk-full", "not-kept"):
+                self._not_before_s = time.monotonic() + AGAIN_S
+                return
+            self._refused[scan.id] = refusal
+            log.warning("no cloud for scan %s: %s", scan.id, refusal.line)
+        except Exception as error:  # the station lives on
+            log.exception("the cloud of scan %s cannot be made", scan.id)
+            self._refused[scan.id] = Refusal("failed", "the program failed at it", f"{error}")
+        self._note_records()
+
+    def _rebuild(self, scan: ScanRecord) -> int:
+        """Makes a scan's cloud as it would have been made live; how many points it has."""
+        record = self._store.calibrations.get(scan.calibration_id)
+        if record is None:
+            raise Refusal("no-calibration", "its calibration is not known here")
+        made = rebuild(
+            scan.folder / RECORDING,
+            read_calibration(record.file),
+            read_arm(record.file.parent / ARM),
+            scan.folder / CLOUD,
+            self._progress,
+        )
+        self._store.scans.complete(scan.id, made.points, made.all_frames, made.seconds)
+        return made.points
+
+    def _progress(self, share: float, text: str) -> None:
+        if self._ending.is_set() or self._is_busy():
+            raise _EndedError
+
+    # -- what is told --------------------------------------------------------
+
+    def note_of(self, scan: ScanRecord) -> str:
+        """What is wrong with a scan's recording, or why it ended early; mostly empty."""
+        damage = damage_of(scan.folder / RECORDING, scan.recording_bytes)
+        if damage:
+            return f"{damage[:1].upper()}{damage[1:]}."
+        if not scan.interrupted:
+            return ""
+        if (scan.folder / CLOUD).exists():
+            return f"{scan.interrupted} What was recorded is kept."
+        refusal = self._refused.get(scan.id)
+        if refusal is None:
+            return f"{scan.interrupted} Its points are made when there is room and no scan runs."
+        why = refusal.what if refusal.why == "" else refusal.why
+        return f"{scan.interrupted} No points can be made of it: {why}."
+
+    def damaged(self) -> list[str]:
+        """The recordings of scans and verifications that are not what they were, in words."""
+        found = []
+        for scan in self._store.scans.all():
+            if damage := damage_of(scan.folder / RECORDING, scan.recording_bytes):
+                found.append(f"{scan.name}: {damage}")
+        for verification in self._store.verifications.all():
+            for name, sha256 in _recordings_of(verification.folder):
+                path = verification.folder / name
+                if (damage := damage_of(path)) and not self._is_as_hashed(path, sha256):
+                    found.append(f"{verification.id}, {name}: {damage}")
+        return found
+
+    def _is_as_hashed(self, path: Path, sha256: str) -> bool:
+        """Whether a recording that has no end was accepted so, as after a killed process."""
+        try:
+            key = path, path.stat().st_size
+            if key not in self._hashed:
+                self._hashed[key] = sha256_of(path)
+        except OSError:
+            return False
+        return self._hashed[key] == sha256
+
+
+def _found(folder: Path, told: dict[str, str]) -> ScanRecord:
+    """The record of a scan, by what its recording and its folder say of it."""
+    began = datetime.fromtimestamp(folder.stat().st_mtime, UTC).isoformat(timespec="seconds")
+    return ScanRecord(
+        id=folder.name,
+        name=told.get(SCAN_NAME) or folder.name,
+        folder=folder,
+        started_at=told.get(SCAN_STARTED) or began,
+        points=0,
+        frames=0,
+        seconds=0.0,
+        calibration_id=told.get(SCAN_CALIBRATION, ""),
+        interrupted=KILLED,
+        recording_bytes=(folder / RECORDING).stat().st_size,
+    )
+
+
+def _remove_empty(folder: Path) -> None:
+    """Of a scan that recorded nothing; whatever else somebody put there stays."""
+    (folder / RECORDING).unlink()
+    if not any(folder.iterdir()):
+        folder.rmdir()
+
+
+def _recordings_of(folder: Path) -> list[tuple[str, str]]:
+    """Names and hashes of the recordings that a verification's record has."""
+    try:
+        with files_refused(folder):
+            inputs = json.loads(read_text(folder / RECORD))["inputs"]
+        return [(one["file"], one["sha256"]) for one in inputs if one["file"].endswith(RECORDING)]
+    except (Refusal, ValueError, KeyError, TypeError, AttributeError):
+        return []

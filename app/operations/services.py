@@ -1,0 +1,182 @@
+"""What watches over the station, and tells of it: the parts beside the machine room."""
+
+import threading
+import time
+from collections import defaultdict
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from app.errors import Refusal
+from app.formats.file_names import name_from, name_whole
+from app.monitoring.health import Health
+from app.monitoring.log_store import LogBook
+from app.monitoring.loop_watchdog import LoopWatchdog
+from app.monitoring.network import Network
+from app.monitoring.system_info import WallClock
+from app.station.bus import Bus
+from app.station.devices.link_state import LossWindow
+from app.station.devices.temperature import TemperatureWatch, Thermometer
+from app.station.jobs import Jobs
+from app.station.scan.state import ScanResult
+from app.store.backup import BackupMade, backup, last_backup, shown_backup, stamped_name
+from app.store.store import Store
+from app.supervision.broker_settings import BrokerSettings
+from app.supervision.messages import new_instance, station_id
+from app.supervision.notifications import Notice, NoticeKind, Repeats
+from app.supervision.remote_stations import Fleet
+from app.supervision.webhook import Webhook, WebhookStore
+from app.timestamps import utc_now
+
+if TYPE_CHECKING:
+    from app.supervision.broker import Broker
+
+BUCKETS_S = (0.5, 1.0, 2.0, 5.0, 10.0, 30.0, 60.0, 120.0, 300.0)
+
+
+@dataclass(frozen=True)
+class Watching:
+    """What ``station.toml`` has of it."""
+
+    address: str = ""
+    """Of the station's pages, for other stations' links."""
+    backups: Path | None = None
+    mqtt: BrokerSettings | None = None
+    thermometer: Thermometer | None = None
+    network: Network = "here"
+    told: Mapping[str, object] = field(default_factory=dict)
+    """The settings as they are in use, for the support bundle."""
+
+
+@dataclass
+class JobTimes:
+    """How long jobs of one title took."""
+
+    buckets: list[int] = field(default_factory=lambda: [0] * (len(BUCKETS_S) + 1))
+    total_s: float = 0.0
+
+    def add(self, seconds: float) -> None:
+        self.total_s += seconds
+        self.buckets[sum(seconds > bound for bound in BUCKETS_S)] += 1
+
+
+class Backups:
+    """Makes one backup at a time, on a thread of its own."""
+
+    def __init__(self, bus: Bus, data: Path, folder: Path | None) -> None:
+        self._bus, self._data = bus, data
+        self.folder = folder or data / "backups"
+        self.same_disk = _disk(self.folder) == _disk(data)
+        self.share: float | None = None
+        """Done of the running one; null while none runs."""
+        self.trouble = ""
+        self._lock = threading.Lock()
+        self._thread: threading.Thread | None = None
+        self.last: BackupMade | None = last_backup(data)
+
+    def look(self) -> None:
+        """Whether one was made, or taken away, by somebody else."""
+        self.last = last_backup(self._data)
+
+    def start(self) -> None:
+        """Raises ``Refusal`` while one is being made."""
+        with self._lock:
+            if self.share is not None:
+                raise Refusal("busy", "A backup is being made already", remedy="Wait for it")
+            self.share, self.trouble = 0.0, ""
+        self._thread = threading.Thread(target=self._run, name="backup", daemon=True)
+        self._thread.start()
+
+    def _run(self) -> None:
+        name_from(self.folder.parent)
+        try:
+            self.last = backup(self._data, self.folder / stamped_name(), self._progress)
+            self._bus.event("backup", f"The backup is in {shown_backup(self.last.folder)}.", "good")
+        except Refusal as refusal:
+            self.trouble = refusal.line
+            self._bus.event("backup", f"No backup was made: {refusal.line}", "bad")
+        finally:
+            name_whole(self.folder.parent)
+            self.share = None
+
+    def _progress(self, share: float, text: str) -> None:
+        self.share = share
+
+
+def _disk(folder: Path) -> int | None:
+    for place in (folder, *folder.parents):
+        if place.exists():
+            return place.stat().st_dev
+    return None
+
+
+class Watch:
+    """The parts that watch over one station."""
+
+    def __init__(self, settings: Watching, name: str, bus: Bus, store: Store, jobs: Jobs) -> None:
+        self.settings = settings
+        self.instance = new_instance()
+        mqtt = settings.mqtt
+        self.station = (mqtt.station if mqtt else None) or station_id(name)
+        self.name = name
+        self.started_s = time.monotonic()
+        self.logs = LogBook(store.folder)
+        self.watchdog = LoopWatchdog()
+        self.clock = WallClock()
+        self.temperature = TemperatureWatch(
+            settings.thermometer, lambda celsius: store.temperatures.add(celsius, "thermometer")
+        )
+        self.losses = {"arm": LossWindow(), "sensor": LossWindow()}
+        self.fleet = Fleet()
+        self.broker = None if mqtt is None else self._broker_of(mqtt)
+        self.webhooks = WebhookStore(store.folder)
+        self.webhook = Webhook(self.webhooks.read())
+        self.backups = Backups(bus, store.folder, settings.backups)
+        self.health: Health | None = None
+        self.job_times: dict[str, JobTimes] = defaultdict(JobTimes)
+        jobs.on_ended = lambda title, seconds: self.job_times[title].add(seconds)
+        self.scans = self.points = self.frames = self.frames_lost = 0
+        """Of all scans that ended since the start."""
+        self.events = 0
+        self.tabs = 0
+        """Live connections that are open."""
+        self._bus = bus
+        self._numbers = 0
+        self._repeats = Repeats()
+
+    def _broker_of(self, settings: BrokerSettings) -> "Broker":
+        # most stations have none, and need not load its protocol
+        from app.supervision.broker import Broker
+
+        return Broker(settings, self.station, self.name, self.instance, self.fleet)
+
+    def note_scan(self, result: ScanResult) -> None:
+        """A scan has ended."""
+        self.scans += 1
+        self.points += result.points
+        self.frames += result.frames
+        self.frames_lost += result.lost_frames
+
+    def tell(self, kind: NoticeKind, text: str) -> None:
+        """Tells whoever is away, and the browsers that asked for it."""
+        if kind != "test" and not self._repeats.is_new(kind, text):
+            return
+        self._numbers += 1
+        notice = Notice(
+            number=self._numbers,
+            station=self.station,
+            instance=self.instance,
+            name=self.name,
+            kind=kind,
+            at=utc_now(),
+            text=text,
+        )
+        self.webhook.offer(notice)
+        if kind != "test":
+            self._bus.publish("told", notice)
+
+    def close(self) -> None:
+        """The log last of all."""
+        self.watchdog.stop()
+        self.logs.close()

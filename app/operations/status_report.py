@@ -1,0 +1,170 @@
+"""What the station tells of itself: to its own wall screen, and over MQTT to other stations."""
+
+import time
+
+from app.findings import Quality
+from app.guide.arm.view import ArmView
+from app.guide.common.validity import Validity
+from app.guide.common.view import FlowView
+from app.guide.verify.view import VerifyView
+from app.operations.context import Context
+from app.station.devices.link_state import DeviceState
+from app.supervision.messages import (
+    MOST_ALARMS,
+    ActivityReport,
+    Alarm,
+    CalibrationReport,
+    DeviceReport,
+    StationReport,
+    VerificationReport,
+)
+from app.timestamps import utc_now
+from app.wire.schema import CalibrationSummary, Home
+
+LONGEST = 400
+
+
+def report_of(context: Context) -> StationReport:
+    """Everything of this station as of now."""
+    watch, home = context.watch, context.bus.latest("home")
+    devices = context.rig.devices()
+    holder = context.lease.control.holder
+    known = home if isinstance(home, Home) else None
+    return StationReport(
+        station=watch.station,
+        instance=watch.instance,
+        name=context.station.name,
+        version=context.station.version,
+        simulated=context.station.simulated,
+        address=watch.settings.address,
+        at=utc_now(),
+        up_s=round(time.monotonic() - watch.started_s, 1),
+        devices=(_device("arm", devices.arm), _device("camera", devices.sensor)),
+        laser_on=devices.laser_on,
+        activity=_activity(context),
+        calibration=_calibration(known, context.due.calibration_days),
+        verification=_verification(known, context),
+        alarms=_alarms(context, known),
+        temperature_c=_celsius(context, known),
+        disk_free_gb=round(devices.disk_free_gb, 1),
+        control=holder.name[:80] if holder else None,
+    )
+
+
+def _device(name: str, state: DeviceState) -> DeviceReport:
+    return DeviceReport.model_validate(
+        {
+            "name": name,
+            "state": state.state,
+            "text": state.text[:LONGEST],
+            "age_s": None if state.age_s is None else round(max(state.age_s, 0.0), 3),
+            "rate_hz": None if state.rate_hz is None else round(state.rate_hz, 1),
+            "received": state.received,
+            "lost": state.lost,
+            "corrupt": state.corrupt,
+        }
+    )
+
+
+def _activity(context: Context) -> ActivityReport:
+    """What runs: a scan before a guided flow before a job."""
+    scan = context.scanner.state()
+    numbers = {
+        "points": scan.points,
+        "rate_points_s": round(scan.rate_points_s),
+        "lost_frames": scan.lost_frames,
+    }
+
+    def activity(
+        kind: str, title: str, step: int = 0, steps: int = 0, progress: str = ""
+    ) -> ActivityReport:
+        told = {"title": title[:LONGEST], "step": step, "steps": steps, "progress": progress}
+        return ActivityReport.model_validate({"kind": kind, **told, **numbers})
+
+    if scan.state in ("running", "stopping"):
+        return activity("scanning", "Scanning" if scan.state == "running" else "Writing the scan")
+    for topic, kind in (
+        ("flow", "calibrating"),
+        ("verify", "verifying"),
+        ("arm", "checking_arm"),
+    ):
+        view = context.bus.latest(topic)
+        if isinstance(view, (FlowView, VerifyView, ArmView)) and view.running:
+            step = next((i for i, one in enumerate(view.steps, 1) if one.id == view.step), 0)
+            progress = view.progress.text if view.progress else ""
+            if view.busy is not None:
+                progress = view.busy.text
+            return activity(kind, view.title, step, len(view.steps), progress[:LONGEST])
+    job = context.jobs.current
+    if job is not None:
+        return activity("working", job.title, progress=job.text[:LONGEST])
+    return activity("idle", "Nothing runs")
+
+
+def _celsius(context: Context, home: Home | None) -> float | None:
+    """What the thermometer reads, or what somebody told lately."""
+    if context.watch.temperature.there:
+        return context.watch.temperature.now.celsius
+    return home.temperature_c if home else None
+
+
+def _line(home: Home | None, name: str) -> Validity | None:
+    """One of Home's lines."""
+    return next((line for line in home.checks if line.id == name), None) if home else None
+
+
+def _verification(home: Home | None, context: Context) -> VerificationReport | None:
+    """The newest of the calibration in use."""
+    calibration, line = home.calibration if home else None, _line(home, "verification")
+    record = context.store.verifications.newest_of(calibration.id) if calibration else None
+    if record is None or line is None:
+        return None
+    return VerificationReport(
+        title=record.figures.gauge[:LONGEST],
+        at=record.accepted_at,
+        quality=line.quality,
+        text=record.figures.text[:LONGEST],
+    )
+
+
+def _calibration(home: Home | None, due_days: float) -> CalibrationReport | None:
+    summary: CalibrationSummary | None = home.calibration if home else None
+    line = _line(home, "calibration")
+    if summary is None or line is None:
+        return None
+    return CalibrationReport(
+        name=summary.name[:LONGEST],
+        accepted_at=summary.accepted_at,
+        age_days=summary.age_days,
+        total_um=round(summary.total_um, 3),
+        quality=summary.verdict,
+        due=line.state == "due",
+        due_in_days=round(due_days - summary.age_days, 2),
+    )
+
+
+def _alarms(context: Context, home: Home | None) -> tuple[Alarm, ...]:
+    """What is wrong now, the worst first; each sentence once."""
+    found: dict[str, tuple[Quality, str]] = {}
+    for finding in home.findings if home else ():
+        if finding.quality in ("bad", "attention"):
+            found[finding.text] = (finding.quality, finding.remedy)
+    for line in home.checks if home else ():
+        if line.quality in ("bad", "attention"):
+            text = f"{line.title}: {line.text[:1].lower()}{line.text[1:]}"
+            found[text] = (line.quality, f"{line.action}.")
+    scan = context.scanner.state()
+    if scan.state == "running":
+        for finding in scan.findings:
+            if finding.quality in ("bad", "attention"):
+                found.setdefault(finding.text, (finding.quality, finding.remedy))
+    health = context.watch.health
+    for item in health.items if health else ():
+        # a device that is lost is told by Home, and a missing backup is no alarm
+        if item.quality == "bad" and not item.id.startswith("device-"):
+            found.setdefault(f"{item.title}: {item.what}", (item.quality, item.remedy))
+    ordered = sorted(found.items(), key=lambda pair: pair[1][0] != "bad")
+    return tuple(
+        Alarm(quality=quality, text=text[:LONGEST], remedy=remedy[:LONGEST])
+        for text, (quality, remedy) in ordered[:MOST_ALARMS]
+    )

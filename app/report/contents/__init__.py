@@ -1,0 +1,1 @@
+"""What each kind of report contains; ``html`` and ``pdf`` render it."""

@@ -1,0 +1,38 @@
+"""How a cloud lies about the shape that was fitted to it."""
+
+import numpy as np
+
+from app.report.figure import FAINT, GROUND, SOFT, Figure
+from app.workflows.measure_gauge import MapFile
+
+INSIDE = ("#fbe3cd", "#f4bd8b", "#e8904a", "#b45309")
+OUTSIDE = ("#d6e8fb", "#a9cff6", "#5a9be4", "#1d5bd0")
+# The scale ends where all but so few of the cells lie within.
+WITHIN = 0.98
+
+
+def deviations(name: str, found: MapFile) -> tuple[Figure, str]:
+    """The cells of a cloud's map, blue outside the shape and orange inside it."""
+    x, y = np.array(found.x_mm), np.array(found.y_mm)
+    off = np.array(found.deviation_um)
+    end = max(float(np.quantile(np.abs(off), WITHIN)), 0.1)
+    figure = Figure(165, 165, f"Residuals of {name} on the gauge")
+    wide = max(float(np.ptp(x)), float(np.ptp(y))) + found.cell_mm
+    scale = 140 / wide
+    figure.box((0, 0), 165, 140, GROUND)
+    left = (165 - (float(np.ptp(x)) + found.cell_mm) * scale) / 2
+    top = (140 - (float(np.ptp(y)) + found.cell_mm) * scale) / 2
+    size = found.cell_mm * scale
+    for across, up, value in zip(x - x.min(), y.max() - y, off, strict=True):
+        figure.box((left + across * scale, top + up * scale), size, size, _colour(value, end))
+    for i, colour in enumerate((*reversed(INSIDE), *OUTSIDE)):
+        figure.box((42 + 10 * i, 147), 10, 8, colour)
+    figure.words((38, 154), f"-{end:.0f} µm", 7, SOFT, "end")
+    figure.words((126, 154), f"+{end:.0f} µm", 7, SOFT)
+    figure.words((2, 137), f"{wide:.0f} mm wide", 6.5, FAINT)
+    return figure, f"{name}: distance from its fitted shape, blue outside, orange inside."
+
+
+def _colour(value: float, end: float) -> str:
+    scale = OUTSIDE if value >= 0 else INSIDE
+    return scale[min(len(scale) - 1, int(abs(value) / end * len(scale)))]

@@ -1,0 +1,194 @@
+"""A report as one page of HTML that needs nothing else and runs no script."""
+
+import base64
+import html
+from collections.abc import Sequence
+from functools import cache
+
+from app.formats.software import SOFTWARE
+from app.report.content import (
+    Block,
+    Facts,
+    Findings,
+    Pictures,
+    Report,
+    Section,
+    Signatures,
+    Table,
+    Text,
+)
+from app.report.fonts import REGULAR, SEMIBOLD
+from app.report.formatting import tied
+from app.report.html_policy import POLICY
+from app.report.svg import svg
+from app.report.translation import Say
+from app.strings.isolated import with_isolated
+from app.strings.sentences import sentences_of
+
+MARKS = {"good": "Good", "attention": "Attention", "bad": "Bad", "neutral": "Note"}
+
+STYLE = """
+@page { size: A4; margin: 16mm 15mm; }
+* { box-sizing: border-box; }
+html { color-scheme: only light; background: #eef0f3; }
+body { max-width: 190mm; margin: 0 auto; padding: 14mm 12mm; background: #fff; color: #12161b;
+  font: 10pt/1.45 "Report", system-ui, "Segoe UI", "Liberation Sans", sans-serif;
+  font-variant-numeric: tabular-nums; }
+header { display: flex; justify-content: space-between; gap: 8mm; padding-bottom: 4mm;
+  border-bottom: 2px solid #12161b; }
+h1 { margin: 0; font-size: 20pt; line-height: 1.15; letter-spacing: -0.015em; }
+h2 { margin: 8mm 0 2.5mm; font-size: 11.5pt; break-after: avoid; }
+.of { text-align: right; color: #434d59; font-size: 9pt; overflow-wrap: anywhere; }
+.of b { color: #12161b; }
+p { margin: 0 0 2.5mm; overflow-wrap: anywhere; }
+.small { font-size: 8.5pt; color: #434d59; }
+.note { margin: 4mm 0 0; padding: 2mm 4mm; border: 1px solid #b9c1cc; font-weight: 600; }
+.verdict { margin: 5mm 0 0; padding: 4mm 5mm; border-left: 2mm solid; }
+.verdict b { display: block; font-size: 14pt; }
+.verdict.good { background: #e4f4ec; border-color: #17794a; }
+.verdict.attention { background: #fdf1da; border-color: #d38b0b; }
+.verdict.bad { background: #fdeaea; border-color: #bf2329; }
+.verdict.neutral { background: #f2f4f7; border-color: #7c8794; }
+.facts { display: grid; grid-template-columns: repeat(auto-fit, minmax(75mm, 1fr)); column-gap: 8mm;
+  margin: 0; }
+.facts div { display: grid; grid-template-columns: 32mm 1fr; gap: 3mm; padding: 1.2mm 0;
+  border-bottom: 1px solid #dde1e7; break-inside: avoid; }
+dt { color: #434d59; }
+dd { margin: 0; font-weight: 500; overflow-wrap: anywhere; }
+table { width: 100%; margin: 0 0 3mm; border-collapse: collapse; }
+th, td { padding: 1.2mm 2mm 1.2mm 0; border-bottom: 1px solid #dde1e7; text-align: left;
+  vertical-align: top; overflow-wrap: break-word; }
+th { border-bottom: 1px solid #12161b; font-size: 8.5pt; font-weight: 600; color: #434d59; }
+tr { break-inside: avoid; }
+.n { text-align: right; padding: 1.2mm 0 1.2mm 3mm; }
+.tight { font-size: 8pt; }
+.tight td:nth-child(2) { word-break: break-all; }
+.findings { list-style: none; margin: 0; padding: 0; }
+.findings li { display: grid; grid-template-columns: 22mm 1fr; gap: 3mm; padding: 1.2mm 0;
+  border-bottom: 1px solid #dde1e7; break-inside: avoid; }
+.findings b.good { color: #17794a; }
+.findings b.attention { color: #8f5b00; }
+.findings b.bad { color: #bf2329; }
+.pictures { display: grid; gap: 4mm 6mm; }
+figure { margin: 0; break-inside: avoid; }
+figure svg { display: block; width: 100%; height: auto; font-family: inherit; }
+figcaption { margin-top: 1.5mm; font-size: 8.5pt; color: #434d59; }
+.signatures { display: grid; grid-template-columns: repeat(auto-fit, minmax(48mm, 1fr)); gap: 10mm;
+  margin-top: 14mm; break-inside: avoid; }
+.signatures div { border-top: 1px solid #12161b; padding-top: 1.5mm; font-size: 9pt; }
+footer { margin-top: 10mm; padding-top: 2mm; border-top: 1px solid #dde1e7; font-size: 8pt;
+  color: #5f6b79; }
+@media (max-width: 700px) {
+  body { padding: 6mm 5mm; }
+  header { display: block; } .of { text-align: left; margin-top: 2mm; }
+  .pictures { grid-template-columns: 1fr !important; }
+  .wide { overflow-x: auto; }
+  .wide table { min-width: 34rem; }
+}
+@media print { html { background: #fff; } body { max-width: none; padding: 0; } }
+"""
+
+
+@cache
+def _faces() -> str:
+    """The same face as on paper, within the page."""
+    rules = (
+        f"@font-face {{ font-family: Report; font-weight: {weight}; "
+        f"src: url(data:font/ttf;base64,{base64.b64encode(path.read_bytes()).decode()}); }}\n"
+        for weight, path in ((400, REGULAR), (600, SEMIBOLD))
+    )
+    return "".join(rules)
+
+
+def page(report: Report) -> bytes:
+    """The whole file, UTF-8."""
+    notes = "".join(f'<p class="note">{escape(note)}</p>' for note in report.notes)
+    verdict, say = report.verdict, sentences_of(report.language).said
+    of = f"<b>{escape(report.station)}</b><br>{escape(report.number)}<br>{escape(report.date)}"
+    text = f"""<!doctype html>
+<html lang="{report.language}">
+<head>
+<meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="{POLICY}">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>{escape(report.title)} {escape(report.number)}</title>
+<style>{_faces()}{STYLE}</style>
+</head>
+<body>
+<header>
+<h1>{escape(report.title)}</h1>
+<div class="of">{of}</div>
+</header>
+{notes}
+<div class="verdict {verdict.quality}"><b>{escape(verdict.word)}</b>{escape(verdict.text)}</div>
+{"".join(_section(section, say) for section in report.sections)}
+<footer>{escape(say(made_by()))}</footer>
+</body>
+</html>
+"""
+    return text.encode()
+
+
+def escape(text: str) -> str:
+    """A text as it may stand in the page."""
+    return html.escape(with_isolated(tied(text)))
+
+
+def made_by() -> str:
+    """What made the report."""
+    return f"Report made by Crenel {SOFTWARE.version} from the files of the session alone."
+
+
+def _section(section: Section, say: Say) -> str:
+    blocks = "".join(_block(block, say) for block in section.blocks)
+    return f"<section><h2>{escape(section.title)}</h2>{blocks}</section>\n"
+
+
+def _block(block: Block, say: Say) -> str:
+    match block:
+        case Facts():
+            rows = "".join(
+                f"<div><dt>{escape(name)}</dt><dd>{escape(value)}</dd></div>"
+                for name, value in block.rows
+            )
+            return f'<dl class="facts">{rows}</dl>'
+        case Table():
+            return _table(block)
+        case Text():
+            kind = ' class="small"' if block.small else ""
+            return f"<p{kind}>{escape(block.text)}</p>"
+        case Findings():
+            rows = "".join(
+                f'<li><b class="{row.quality}">{say(MARKS[row.quality])}</b>'
+                f'<span>{escape(row.text)} <span class="small">{escape(row.remedy)}</span></span>'
+                "</li>"
+                for row in block.rows
+            )
+            return f'<ul class="findings">{rows}</ul>'
+        case Pictures():
+            figures = "".join(
+                f"<figure>{svg(figure)}<figcaption>{escape(caption)}</figcaption></figure>"
+                for figure, caption in block.figures
+            )
+            columns = f"grid-template-columns: repeat({block.across}, minmax(0, 1fr))"
+            return f'<div class="pictures" style="{columns}">{figures}</div>'
+        case Signatures():
+            lines = "".join(
+                f"<div>{escape(role)}{': ' if name else ''}{escape(name)}</div>"
+                for role, name in block.lines
+            )
+            return f'<div class="signatures">{lines}</div>'
+
+
+def _table(table: Table) -> str:
+    def cells(row: Sequence[str], tag: str) -> str:
+        kinds = ["" if i < table.numbers else ' class="n"' for i in range(len(row))]
+        texts = zip(kinds, row, strict=True)
+        return "".join(f"<{tag}{kind}>{escape(text)}</{tag}>" for kind, text in texts)
+
+    total = sum(table.widths)
+    shares = "".join(f'<col style="width:{100 * w / total:.1f}%">' for w in table.widths)
+    head = f"<colgroup>{shares}</colgroup><thead><tr>{cells(table.columns, 'th')}</tr></thead>"
+    body = "".join(f"<tr>{cells(row, 'td')}</tr>" for row in table.rows)
+    kind = ' class="tight"' if table.small else ""
+    return f'<div class="wide"><table{kind}>{head}<tbody>{body}</tbody></table></div>'

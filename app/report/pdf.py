@@ -1,0 +1,303 @@
+"""A report as PDF on A4, the same bytes for the same report."""
+
+import io
+from collections.abc import Sequence
+from functools import cache
+from html import escape
+
+from reportlab.lib.colors import Color, HexColor
+from reportlab.lib.enums import TA_LEFT, TA_RIGHT
+from reportlab.lib.pagesizes import A4
+from reportlab.lib.styles import ParagraphStyle
+from reportlab.lib.units import mm
+from reportlab.pdfbase import pdfmetrics
+from reportlab.pdfbase.ttfonts import TTFont
+from reportlab.pdfgen.canvas import Canvas
+from reportlab.platypus import (
+    CondPageBreak,
+    Flowable,
+    KeepTogether,
+    Paragraph,
+    SimpleDocTemplate,
+    Spacer,
+    TableStyle,
+)
+from reportlab.platypus import Table as Grid
+
+from app.report.content import (
+    Block,
+    Facts,
+    Findings,
+    Pictures,
+    Report,
+    Section,
+    Signatures,
+    Table,
+    Text,
+)
+from app.report.figure import FAINT, INK, SOFT
+from app.report.fonts import REGULAR, SEMIBOLD
+from app.report.formatting import tied
+from app.report.html import MARKS, made_by
+from app.report.pdf_figure import BOLD, PLAIN, Drawing
+from app.report.translation import Say
+from app.strings.isolated import TURNING
+from app.strings.sentences import sentences_of
+
+MARGIN = 16 * mm
+WIDTH = A4[0] - 2 * MARGIN
+FRAME = 6.0
+"""What the layout leaves on each side by itself."""
+RULE = HexColor("#dde1e7")
+COLOURS = {
+    "good": ("#17794a", "#e4f4ec"),
+    "attention": ("#8f5b00", "#fdf1da"),
+    "bad": ("#bf2329", "#fdeaea"),
+    "neutral": ("#5f6b79", "#f2f4f7"),
+}
+LEAST_ROOM = 45 * mm
+"""Where less than this is left of a sheet, the next section begins on another."""
+
+
+def paper(report: Report) -> bytes:
+    """The whole file."""
+    _fonts()
+    # how many sheets there are is said on each, and known once they are laid out
+    _, sheets = _laid_out(report, 0)
+    return _laid_out(report, sheets)[0]
+
+
+def _laid_out(report: Report, sheets: int) -> tuple[bytes, int]:
+    """The file, each sheet saying that there are so many, and how many there are."""
+    whole, say = io.BytesIO(), sentences_of(report.language).said
+    document = SimpleDocTemplate(
+        whole,
+        pagesize=A4,
+        leftMargin=MARGIN - FRAME,
+        rightMargin=MARGIN - FRAME,
+        topMargin=15 * mm,
+        bottomMargin=18 * mm,
+        title=f"{report.title} {report.number}",
+        author=report.station,
+        creator="Crenel",
+        lang=report.language,
+        invariant=1,
+    )
+    foot = _shown(f"{report.title} {report.number}")
+
+    def footer(canvas: Canvas, own: SimpleDocTemplate) -> None:
+        canvas.setFont(PLAIN, 7)
+        canvas.setFillColor(HexColor(FAINT))
+        canvas.drawString(MARGIN, 9 * mm, foot[:90])
+        canvas.drawRightString(A4[0] - MARGIN, 9 * mm, say(f"{own.page} of {sheets}"))
+        canvas.drawCentredString(A4[0] / 2, 5.5 * mm, say(made_by()))
+
+    story = [
+        *_head(report),
+        *[part for section in report.sections for part in _section(section, say)],
+    ]
+    document.build(story, onFirstPage=footer, onLaterPages=footer)
+    return whole.getvalue(), document.page
+
+
+@cache
+def _fonts() -> frozenset[int]:
+    """Registers the faces once; the characters that they have."""
+    regular = TTFont(PLAIN, REGULAR)
+    pdfmetrics.registerFont(regular)
+    pdfmetrics.registerFont(TTFont(BOLD, SEMIBOLD))
+    pdfmetrics.registerFontFamily(PLAIN, normal=PLAIN, bold=BOLD, italic=PLAIN, boldItalic=BOLD)
+    return frozenset(regular.face.charToGlyph)
+
+
+def _shown(text: str) -> str:
+    """The text with a box for each character that the face does not have, or that turns it."""
+    known = _fonts()
+    shown = TURNING.sub("□", text)
+    return "".join(c if ord(c) in known else " " if c.isspace() else "□" for c in shown)
+
+
+def _style(size: float, colour: str, bold: bool, right: bool) -> ParagraphStyle:
+    return ParagraphStyle(
+        "own",
+        fontName=BOLD if bold else PLAIN,
+        fontSize=size,
+        leading=1.4 * size,
+        textColor=HexColor(colour),
+        alignment=TA_RIGHT if right else TA_LEFT,
+    )
+
+
+def _words(
+    text: str, size: float = 8.5, colour: str = INK, bold: bool = False, right: bool = False
+) -> Paragraph:
+    return Paragraph(escape(_shown(tied(text)), quote=False), _style(size, colour, bold, right))
+
+
+def _head(report: Report) -> list[Flowable]:
+    of = [
+        _words(report.station, 8.5, INK, True, True),
+        _words(report.number, 8, SOFT, False, True),
+        _words(report.date, 8, SOFT, False, True),
+    ]
+    head = Grid([[_words(report.title, 18, INK, True), of]], colWidths=[0.58 * WIDTH, 0.42 * WIDTH])
+    head.setStyle(
+        TableStyle(
+            [
+                ("LINEBELOW", (0, 0), (-1, -1), 1.2, HexColor(INK)),
+                ("VALIGN", (0, 0), (-1, -1), "TOP"),
+                *_padding(0, 0, 0, 8),
+            ]
+        )
+    )
+    notes = [
+        _boxed([_words(note, 8.5, INK, True)], HexColor("#ffffff"), HexColor("#b9c1cc"))
+        for note in report.notes
+    ]
+    strong, soft = COLOURS[report.verdict.quality]
+    verdict = _boxed(
+        [_words(report.verdict.word, 13, strong, True), _words(report.verdict.text, 9)],
+        HexColor(soft),
+        None,
+        HexColor(strong),
+    )
+    return [head, *[part for note in notes for part in (Spacer(1, 8), note)], Spacer(1, 8), verdict]
+
+
+def _boxed(
+    inner: list[Paragraph], ground: Color, border: Color | None, bar: Color | None = None
+) -> Grid:
+    grid = Grid([[inner]], colWidths=[WIDTH])
+    style = [("BACKGROUND", (0, 0), (-1, -1), ground), *_padding(10, 7, 10, 9)]
+    if border is not None:
+        style.append(("BOX", (0, 0), (-1, -1), 0.75, border))
+    if bar is not None:
+        style.append(("LINEBEFORE", (0, 0), (0, -1), 4, bar))
+    grid.setStyle(TableStyle(style))
+    return grid
+
+
+def _padding(left: float, top: float, right: float, bottom: float) -> list[tuple[object, ...]]:
+    sides = (("LEFT", left), ("TOP", top), ("RIGHT", right), ("BOTTOM", bottom))
+    return [(f"{name}PADDING", (0, 0), (-1, -1), value) for name, value in sides]
+
+
+def _section(section: Section, say: Say) -> list[Flowable]:
+    title = _words(section.title, 11, INK, True)
+    parts: list[Flowable] = []
+    for block in section.blocks:
+        parts += _block(block, say)
+    headed = [Spacer(1, 14), title, Spacer(1, 4)]
+    if section.together:
+        return [KeepTogether([*headed, *parts])]
+    if section.blocks and isinstance(section.blocks[0], Pictures):
+        # a row of pictures is higher than the least room, and a title stays with what it names
+        return [KeepTogether([*headed, *parts[:1]]), *parts[1:]]
+    return [CondPageBreak(LEAST_ROOM), *headed, *parts]
+
+
+def _block(block: Block, say: Say) -> list[Flowable]:
+    match block:
+        case Facts():
+            return [_facts(block)]
+        case Table():
+            return [_table(block), Spacer(1, 6)]
+        case Text():
+            size, colour = (7.5, SOFT) if block.small else (8.5, INK)
+            return [_words(block.text, size, colour), Spacer(1, 4)]
+        case Findings():
+            return [_findings(block, say)]
+        case Pictures():
+            return _pictures(block)
+        case Signatures():
+            return [Spacer(1, 44), _signatures(block)]
+
+
+def _facts(facts: Facts) -> Grid:
+    rows = list(facts.rows)
+    half = -(-len(rows) // 2)
+    left, right = rows[:half], [*rows[half:], *[("", "")] * (2 * half - len(rows))]
+    cells = [
+        [_words(a, colour=SOFT), _words(b), "", _words(c, colour=SOFT), _words(d)]
+        for (a, b), (c, d) in zip(left, right, strict=True)
+    ]
+    label, gap = 0.16 * WIDTH, 0.03 * WIDTH
+    value = (WIDTH - 2 * label - gap) / 2
+    grid = Grid(cells, colWidths=[label, value, gap, label, value])
+    lines = [("LINEBELOW", (a, 0), (b, -1), 0.5, RULE) for a, b in ((0, 1), (3, 4))]
+    grid.setStyle(TableStyle([*lines, ("VALIGN", (0, 0), (-1, -1), "TOP"), *_padding(0, 2, 4, 3)]))
+    return grid
+
+
+def _table(table: Table) -> Grid:
+    size = 7.0 if table.small else 8.5
+
+    def cells(row: Sequence[str], head: bool) -> list[Paragraph]:
+        look = (7.0 if table.small else 7.5, SOFT, True) if head else (size, INK, False)
+        return [_words(cell, *look, i >= table.numbers) for i, cell in enumerate(row)]
+
+    total = sum(table.widths)
+    grid = Grid(
+        [cells(table.columns, True), *(cells(row, False) for row in table.rows)],
+        colWidths=[WIDTH * width / total for width in table.widths],
+        repeatRows=1,
+    )
+    grid.setStyle(
+        TableStyle(
+            [
+                ("LINEBELOW", (0, 0), (-1, -1), 0.5, RULE),
+                ("LINEBELOW", (0, 0), (-1, 0), 0.75, HexColor(INK)),
+                ("VALIGN", (0, 0), (-1, -1), "TOP"),
+                *_padding(0, 2, 3, 3 if not table.small else 2),
+            ]
+        )
+    )
+    return grid
+
+
+def _findings(findings: Findings, say: Say) -> Grid:
+    rows = [
+        [
+            _words(say(MARKS[row.quality]), 8.5, COLOURS[row.quality][0], True),
+            [_words(row.text), *([_words(row.remedy, 7.5, SOFT)] if row.remedy else [])],
+        ]
+        for row in findings.rows
+    ]
+    grid = Grid(rows, colWidths=[0.11 * WIDTH, 0.89 * WIDTH])
+    grid.setStyle(
+        TableStyle(
+            [
+                ("LINEBELOW", (0, 0), (-1, -1), 0.5, RULE),
+                ("VALIGN", (0, 0), (-1, -1), "TOP"),
+                *_padding(0, 2, 3, 3),
+            ]
+        )
+    )
+    return grid
+
+
+def _pictures(pictures: Pictures) -> list[Flowable]:
+    gap = 12.0
+    each = (WIDTH - gap * (pictures.across - 1)) / pictures.across
+    parts: list[Flowable] = []
+    for first in range(0, len(pictures.figures), pictures.across):
+        row = pictures.figures[first : first + pictures.across]
+        cells: list[object] = []
+        for figure, caption in row:
+            cells += [[Drawing(figure, each), Spacer(1, 3), _words(caption, 7.5, SOFT)], ""]
+        grid = Grid([cells[:-1]], colWidths=[each, *[gap, each] * (len(row) - 1)], hAlign="LEFT")
+        grid.setStyle(TableStyle([("VALIGN", (0, 0), (-1, -1), "TOP"), *_padding(0, 0, 0, 8)]))
+        parts.append(grid)
+    return parts
+
+
+def _signatures(signatures: Signatures) -> Grid:
+    count, gap = len(signatures.lines), 24.0
+    each = (WIDTH - gap * (count - 1)) / count
+    cells: list[object] = []
+    for role, name in signatures.lines:
+        cells += [_words(f"{role}: {name}" if name else role, 8, SOFT), ""]
+    grid = Grid([cells[:-1]], colWidths=[each, *[gap, each] * (count - 1)])
+    lines = [("LINEABOVE", (2 * i, 0), (2 * i, 0), 0.75, HexColor(INK)) for i in range(count)]
+    grid.setStyle(TableStyle([*lines, *_padding(0, 3, 0, 0)]))
+    return grid

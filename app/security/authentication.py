@@ -1,0 +1,132 @@
+"""The ways to sign in: by name and password, by the console's code, and by a wall link."""
+
+import threading
+from hmac import compare_digest
+
+from app.errors import Refusal
+from app.security.errors import TooManyTries
+from app.security.login_throttle import Throttle, counted_address
+from app.store.accounts import Account, AccountStore, Role, plain_name
+from app.store.api_tokens import ScraperStore
+from app.store.login_sessions import SignInStore, Visitor
+
+
+class Entrance:
+    """Who may come in; any thread may call, one at a time is looked at.
+
+    On the first start, while nobody can administer the station, a code on the console
+    makes the first administrator, once. A demonstration has a guest instead, whom its
+    code lets in as long as it runs.
+    """
+
+    def __init__(
+        self,
+        accounts: AccountStore,
+        sign_ins: SignInStore,
+        scrapers: ScraperStore,
+        guest: str | None,
+        code: str,
+    ) -> None:
+        self._accounts, self._sign_ins, self._guest = accounts, sign_ins, guest
+        self._scrapers = scrapers
+        self._throttle = Throttle()
+        self._lock = threading.Lock()
+        self._code = code
+        if guest is not None and accounts.get(guest) is None:
+            accounts.add(guest, Role.admin, None)
+
+    @property
+    def first_start(self) -> bool:
+        """Whether the code makes the first administrator."""
+        return self._guest is None and not self._accounts.has_admin()
+
+    @property
+    def by_code(self) -> bool:
+        """Whether the code lets a guest in."""
+        return self._guest is not None
+
+    @property
+    def code(self) -> str | None:
+        """What the console is to show; None where no code is good for anything."""
+        return self._code if self.by_code or self.first_start else None
+
+    def sign_in(self, name: str, password: str, address: str, browser: str = "") -> Account | None:
+        """The account; None where name and password do not belong together.
+
+        Args:
+            browser: the token by which it is known, if it is. Tries there count by
+                themselves, so that whoever guesses elsewhere keeps nobody out.
+
+        Raises:
+            TooManyTries: of this name, from this address, or at this browser.
+        """
+        plain = plain_name(name).lower()
+        with self._lock:
+            if self._sign_ins.knows(browser, plain):
+                keys: tuple[str, ...] = (f"browser {browser}",)
+            else:
+                keys = (f"name {plain}", counted_address(address))
+            self._let_try(*keys)
+            account = self._accounts.matching(name, password)
+            self._note(account is not None, *keys)
+        return account
+
+    def enter(self, code: str, address: str) -> str | None:
+        """The guest's account by the console's code; None for a wrong one."""
+        with self._lock:
+            return self._guest if self.by_code and self._matches(code, address) else None
+
+    def make_admin(self, code: str, name: str, password: str, address: str) -> Account | None:
+        """The first administrator, by the console's code; None for a wrong one.
+
+        Raises:
+            Refusal: there is one already, or name or password will not do.
+        """
+        with self._lock:
+            if not self.first_start:
+                raise Refusal(
+                    "not-first-start",
+                    "The station has an administrator already",
+                    remedy="Sign in, or ask the administrator for an account",
+                )
+            if not self._matches(code, address):
+                return None
+            return self._accounts.add(name, Role.admin, password)
+
+    def wall(self, token: str, address: str) -> Visitor | None:
+        """The wall screen whose link this is."""
+        key = counted_address(address)
+        with self._lock:
+            self._let_try(key)
+            visitor = self._sign_ins.visitor(token)
+            found = visitor if visitor is not None and visitor.wall else None
+            self._note(found is not None, key)
+        return found
+
+    def scraper(self, token: str, address: str) -> bool:
+        """Whether a program may read the metrics by this token."""
+        key = f"scraper {counted_address(address)}"
+        with self._lock:
+            self._let_try(key)
+            good = self._scrapers.good(token)
+            self._note(good, key)
+        return good
+
+    def _matches(self, code: str, address: str) -> bool:
+        key = counted_address(address)
+        self._let_try(key)
+        plain = "".join(code.upper().replace("-", "").split())
+        good = compare_digest(plain.encode(), self._code.encode())
+        self._note(good, key)
+        return good
+
+    def _let_try(self, *keys: str) -> None:
+        wait_s = self._throttle.wait_s(*keys)
+        if wait_s > 0:
+            raise TooManyTries(wait_s)
+
+    def _note(self, good: bool, *keys: str) -> None:
+        if good:
+            self._throttle.succeeded(*keys)
+        else:
+            self._throttle.failed(*keys)

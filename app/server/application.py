@@ -1,0 +1,99 @@
+"""The station as an application: everything wired together, opened and closed in order."""
+
+import asyncio
+import gc
+from collections.abc import AsyncIterator, Callable
+from contextlib import AbstractAsyncContextManager, asynccontextmanager
+
+from fastapi import Depends, FastAPI
+
+from app.api import accounts as people
+from app.api import auth as session
+from app.api import calibrations, health, live, metrics, problems, records, reports, settings
+from app.api import notifications as telling
+from app.api import scan as machine
+from app.api import scene as view
+from app.api.authorization import authorise
+from app.api.files import client
+from app.api.sessions import arm
+from app.api.sessions import calibration as flow
+from app.api.sessions import verification as verify
+from app.api.viewer import proxy as viewer
+from app.formats.software import SOFTWARE
+from app.operations.context import Context
+from app.operations.publishers import observe
+from app.operations.ticker import tick
+from app.security.anonymous_queue import Strangers
+from app.server.composition import Parts, close_context, open_context
+from app.server.middleware import Guard
+
+
+def build_app(parts: Parts) -> FastAPI:
+    """The application; devices are opened when it starts and closed when it ends.
+
+    Raises:
+        Refusal: the data folder cannot be used, or is in use by another server.
+    """
+    context = open_context(parts)
+    app = FastAPI(
+        title="Crenel",
+        version=SOFTWARE.version,
+        lifespan=_lifespan(context),
+        docs_url=None,
+        redoc_url=None,
+        openapi_url=None,
+        # what was done stands in the audit log before it is answered
+        dependencies=[Depends(authorise, scope="function")],
+    )
+    app.state.context = context
+    problems.install(app)
+    for room in (
+        session,
+        people,
+        flow,
+        arm,
+        verify,
+        calibrations,
+        machine,
+        settings,
+        records,
+        reports,
+        health,
+        telling,
+        metrics,
+        view,
+        live,
+        viewer,
+        client,
+    ):
+        app.include_router(room.router)
+    app.add_middleware(Guard, hosts=parts.hosts)
+    app.add_middleware(Strangers)
+    return app
+
+
+def _lifespan(context: Context) -> Callable[[FastAPI], AbstractAsyncContextManager[None]]:
+    @asynccontextmanager
+    async def lifespan(app: FastAPI) -> AsyncIterator[None]:
+        context.bus.attach(asyncio.get_running_loop())
+        context.rig.start()
+        context.preview.start()
+        # what stands now stays: looking through all of it would hold up the sensor for 0.1 s
+        gc.collect()
+        gc.freeze()
+        ticking = asyncio.create_task(tick(context))
+        observing = asyncio.create_task(observe(context))
+        try:
+            yield
+        finally:
+            ticking.cancel()
+            observing.cancel()
+            await asyncio.wait([observing])
+            await asyncio.to_thread(close_context, context)
+            # callbacks of what has just ended are waiting on this loop
+            await asyncio.sleep(0)
+            context.bus.detach()
+            context.store.close()
+            context.watch.close()
+
+    return lifespan

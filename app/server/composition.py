@@ -1,0 +1,258 @@
+"""Puts the station's parts together, and takes them apart in order."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from app.api.scan import stop_everything
+from app.errors import Refusal
+from app.formats.datasheets.gauge import DEFAULT_LIMITS, VerificationLimits
+from app.formats.software import SOFTWARE
+from app.guide.arm.commands import press as press_arm
+from app.guide.arm.guide import ArmGuide, ArmStation
+from app.guide.calibration.commands import press
+from app.guide.calibration.guide import Guide
+from app.guide.calibration.guide import Station as GuidedStation
+from app.guide.common.buttons import Buttons, Press
+from app.guide.common.provenance import Signing
+from app.guide.common.simulated_operator import Hand
+from app.guide.common.simulated_scan import ScanHand
+from app.guide.common.validity import DUE, DueLimits
+from app.guide.verify.commands import press as press_verify
+from app.guide.verify.guide import VerifyGuide, VerifyStation
+from app.metrology.limits import LIMITS, Limits
+from app.operations.calibration_in_use import cannot_use, scan_calibration, trouble_now
+from app.operations.context import Context
+from app.operations.home import tip_of
+from app.operations.recovery import Recovery
+from app.operations.services import Watch, Watching
+from app.security.authentication import Entrance
+from app.security.console_code import new_code
+from app.station.bus import Bus
+from app.station.control_lease import Lease
+from app.station.devices.rig import Rig
+from app.station.jobs import Jobs
+from app.station.operator_settings import OperatorSettings
+from app.station.preview.preview import Preview
+from app.station.scan.scanner import Scanner
+from app.station.scan.state import ScanResult
+from app.station.view3d.scene import Scene
+from app.station.view3d.view_controller import Viewing
+from app.station.working_distance import DistanceWatch
+from app.store.calibrations import CalibrationRecord
+from app.store.scans import ScanRecord
+from app.store.store import Store
+from app.wire.schema import Station
+from hardware.interfaces import ArmDriver, SensorDriver
+
+JOB_END_S = 3.0
+
+
+@dataclass(frozen=True)
+class Parts:
+    """What distinguishes one station from another."""
+
+    name: str
+    data: Path
+    arm: Callable[[], ArmDriver]
+    sensor: Callable[[], SensorDriver]
+    hosts: tuple[str, ...] = ()
+    hand: Hand | None = None
+    """Of the simulated station."""
+    limits: Limits = LIMITS
+    """What the verdict on a calibration goes by."""
+    verification: VerificationLimits = DEFAULT_LIMITS
+    """What a verification is judged by, where its gauge's paper has no limits."""
+    due: DueLimits = DUE
+    """When what is to be done again."""
+    guest: str | None = None
+    """The account that a link on the console enters, of a demonstration or a replay."""
+    code: str = field(default_factory=new_code)
+    """What the console shows."""
+    watching: Watching = field(default_factory=Watching)
+    """Who is told of the station, and what else is looked at."""
+
+
+def open_context(parts: Parts) -> Context:
+    """Opens the data folder and wires the parts; devices are not touched yet.
+
+    Raises:
+        Refusal: the data folder cannot be used, or is in use by another server.
+    """
+    store = Store(parts.data)
+    try:
+        return _wired(parts, store)
+    except BaseException:
+        store.close()
+        raise
+
+
+def _wired(parts: Parts, store: Store) -> Context:
+    bus = Bus()
+    rig = Rig(bus, parts.arm, parts.sensor, store.folder)
+    scene = Scene()
+    scanner = Scanner(bus, rig, scene, store.folder / "scans")
+    viewing = Viewing(bus, scene, store.folder / "scans", scanner.distance)
+    preview = Preview(bus, rig.arm, rig.sensor)
+    jobs = Jobs(bus)
+    watch = Watch(parts.watching, parts.name, bus, store, jobs)
+    settings = OperatorSettings(
+        bus, rig, scanner, preview, store.settings.read(), store.settings.keep
+    )
+    if store.settings.trouble is not None:
+        bus.event("refused", f"The settings are lost: {store.settings.trouble.line}", "attention")
+
+    lease = Lease(bus)
+    simulated = parts.hand is not None
+
+    def celsius_now() -> float | None:
+        reading = store.temperatures.newest()
+        return reading.celsius if reading else None
+
+    signing = Signing(parts.name, simulated, lambda: lease.last_name, celsius_now)
+
+    def use_active() -> None:
+        _use(store.calibrations.active(), store, rig, preview, scanner, bus)
+
+    use_active()  # an open session then puts its own choice over it
+    guide = Guide(
+        GuidedStation(bus, rig, preview, scene, jobs, parts.hand),
+        store.journal,
+        store.calibrations,
+        store.folder,
+        use_active,
+        parts.limits,
+        signing,
+    )
+    recovery = Recovery(store, scanner, jobs, bus, viewing.note_records)
+    recovery.list_unlisted()
+    scan_hand = ScanHand(parts.hand, jobs, bus, lambda: bus.publish("scan", scanner.state()))
+    scanner.on_finished = lambda result: _finished(result, store, watch)
+    arm_station = ArmStation(bus, rig, jobs, parts.hand)
+    arm_guide = ArmGuide(arm_station, store.journal, store.folder, signing)
+    guide.tip = lambda: tip_of(arm_guide, parts.due)
+    verify_guide = VerifyGuide(
+        VerifyStation(bus, rig, jobs, scanner, scene, parts.hand),
+        store.journal,
+        store.calibrations,
+        store.verifications,
+        store.folder,
+        parts.verification,
+        signing,
+    )
+    rig.arm.on_button = Buttons(
+        _pressed(guide, arm_guide, verify_guide),
+        there=lambda: rig.arm.link().state == "connected",
+    ).edge
+    station = Station(parts.name, SOFTWARE.version, has_hand=simulated, simulated=simulated)
+    return Context(
+        station,
+        bus,
+        rig,
+        preview,
+        scene,
+        scanner,
+        viewing,
+        jobs,
+        store,
+        guide,
+        scan_hand,
+        arm_guide,
+        verify_guide,
+        settings,
+        lease,
+        Entrance(store.accounts, store.sign_ins, store.scrapers, parts.guest, parts.code),
+        watch,
+        recovery,
+        parts.due,
+    )
+
+
+def close_context(context: Context) -> None:
+    """Laser off, hand and scan stopped and saved, devices closed. The store stays open."""
+    stop_everything(context)
+    context.jobs.wait(JOB_END_S)
+    context.recovery.close()
+    context.scanner.close()
+    context.preview.stop()
+    context.rig.stop()
+    context.viewing.close()
+    context.scene.close()
+
+
+def _pressed(
+    guide: Guide, arm_guide: ArmGuide, verify_guide: VerifyGuide
+) -> Callable[[Press], None]:
+    """A press belongs to whichever of the open sessions waits for it and was last gone on with."""
+
+    def pressed(event: Press) -> None:
+        sessions: list[tuple[int, Callable[[], bool]]] = [
+            (guide.state.rev, lambda: press(guide, event)),
+            (verify_guide.state.rev, lambda: press_verify(verify_guide, event)),
+            (arm_guide.state.rev, lambda: press_arm(arm_guide, event)),
+        ]
+        for _, takes in sorted(sessions, key=lambda one: one[0], reverse=True):
+            if takes():
+                return
+
+    return pressed
+
+
+def _finished(result: ScanResult, store: Store, watch: Watch) -> None:
+    """A scan of its own is listed; a cloud of a verification belongs to that."""
+    if result.folder.parent == store.folder / "scans":
+        store.scans.add(_record(result))
+        watch.note_scan(result)
+
+
+def _record(result: ScanResult) -> ScanRecord:
+    return ScanRecord(
+        id=result.id,
+        name=result.name,
+        folder=result.folder,
+        started_at=result.started_at,
+        points=result.points,
+        frames=result.frames,
+        seconds=result.seconds,
+        calibration_id=result.calibration_id,
+        interrupted=result.interrupted,
+        recording_bytes=result.recording_bytes,
+    )
+
+
+def _use(
+    record: CalibrationRecord | None,
+    store: Store,
+    rig: Rig,
+    preview: Preview,
+    scanner: Scanner,
+    bus: Bus,
+) -> None:
+    """Makes the active calibration the one to scan with."""
+    preview.set_calibration(None)
+    if record is None:
+        scanner.set_calibration(None, _unreadable(store))
+        return
+    try:
+        calibration = scan_calibration(record)
+    except Refusal as refusal:
+        bus.event("refused", f"The calibration in use cannot be read: {refusal.line}", "bad")
+        scanner.set_calibration(None, cannot_use(refusal.line))
+        return
+    rig.arm.set_model(calibration.arm)
+    preview.set_stripe_axis(calibration.stripe_axis)
+    scanner.set_calibration(calibration, look=lambda: trouble_now(record))
+    preview.set_calibration(
+        DistanceWatch(
+            calibration.camera,
+            calibration.plane,
+            calibration.depth_range_mm,
+            calibration.stripe_axis,
+        )
+    )
+
+
+def _unreadable(store: Store) -> Refusal | None:
+    """Why there is none although one was accepted."""
+    active = next((one for one in store.calibrations.unreadable() if one.active), None)
+    return None if active is None else cannot_use(f"{active.name} has no readable figures.")

@@ -1,0 +1,206 @@
+"""The connections that the server keeps, and what one may send before anybody reads it.
+
+uvicorn bounds neither the header of a request nor the connections themselves, and takes as many
+requests ahead of their answers as come.
+"""
+
+import asyncio
+import ipaddress
+import time
+from collections.abc import Collection
+from functools import lru_cache
+from typing import Any
+
+from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol
+from uvicorn.protocols.websockets.websockets_sansio_impl import WebSocketsSansIOProtocol
+
+from app.security.anonymous_queue import IS_CONNECTED
+from app.security.login_throttle import counted_address
+
+LARGEST_HEAD = 1 << 15
+"""Of a request: its first line with all its headers, or what follows its body."""
+LONGEST_URL = 1 << 13
+MOST_HEADERS = 200
+"""Each costs a call; browsers send twenty."""
+MOST = 192
+MOST_OF_ONE = 128
+"""Of one address: some twenty tabs, with what they load."""
+MOST_AT_ONCE = 320
+"""Until the next look at them."""
+GRACE_S = 0.2
+"""So long a connection may take to its request before others need its place more."""
+MOST_AHEAD = 2
+"""Requests sent before the answer to the first of them; browsers send none."""
+SLICE_BYTES = 4096
+DONE = 6
+"""The claim of a request that changes something."""
+TOO_LARGE = (
+    b"HTTP/1.1 431 Request Header Fields Too Large\r\n"
+    b"content-type: text/plain; charset=utf-8\r\ncontent-length: 33\r\nconnection: close\r\n\r\n"
+    b"The request's headers are > 32 kB"
+)
+
+
+Network = ipaddress.IPv4Network | ipaddress.IPv6Network
+
+
+class BoundedHttp(HttpToolsProtocol):
+    """A connection that is closed where its headers, or the requests on it, are too many."""
+
+    proxies: Collection[Network] = ()
+    """Whose addresses stand for many browsers, and have no bound of their own."""
+
+    def __init__(self, *args: Any, **kwargs: Any) -> None:
+        super().__init__(*args, **kwargs)
+        self._unread_bytes = 0
+        """Of a head, or of what follows a body; since the last that the application may read."""
+        self._headers = 0
+        """Of the present request, or of what follows its body."""
+        self.url = b""
+        self.since_s = time.monotonic()
+        """Since when nothing whole was asked."""
+        self.app_state = {**self.app_state, IS_CONNECTED: self._is_connected}
+
+    def _is_connected(self) -> bool:
+        return not self.transport.is_closing()
+
+    def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
+        super().connection_made(transport)
+        if len(self.connections) > MOST_AT_ONCE:
+            make_space(self.connections, grace_s=0.0)
+            if len(self.connections) > MOST_AT_ONCE:
+                transport.abort()
+
+    def data_received(self, data: bytes) -> None:
+        for start in range(0, len(data), SLICE_BYTES):
+            piece = data[start : start + SLICE_BYTES]
+            if self.transport.is_closing():
+                return
+            if self.transport.get_protocol() is not self:  # a live connection from here on
+                self.transport.get_protocol().data_received(piece)  # type: ignore[attr-defined]
+                continue
+            self._unread_bytes += len(piece)
+            super().data_received(piece)
+            if self._is_too_large():
+                self.transport.write(TOO_LARGE)
+                self.transport.close()
+            elif len(self.pipeline) > MOST_AHEAD:
+                self.transport.close()
+
+    def _is_too_large(self) -> bool:
+        too_many = self._headers > MOST_HEADERS or len(self.url) > LONGEST_URL
+        return too_many or self._unread_bytes > LARGEST_HEAD
+
+    def on_message_begin(self) -> None:
+        self._headers = 0
+        super().on_message_begin()
+
+    def on_header(self, name: bytes, value: bytes) -> None:
+        self._headers += 1
+        super().on_header(name, value)
+
+    def on_headers_complete(self) -> None:
+        self._unread_bytes = 0
+        super().on_headers_complete()
+
+    def handle_websocket_upgrade(self) -> None:
+        """As uvicorn, which fails at its own headers where they are no ASCII."""
+        others = (value for name, value in self.scope["headers"] if name.lower() != b"cookie")
+        if all(value.isascii() for value in others):
+            super().handle_websocket_upgrade()
+        else:
+            self.send_400_response("A header of this handshake is not ASCII.")
+
+    def on_body(self, body: bytes) -> None:
+        self._unread_bytes = 0
+        super().on_body(body)
+
+    def on_message_complete(self) -> None:
+        self._unread_bytes = 0
+        self.since_s = time.monotonic()
+        super().on_message_complete()
+
+    @property
+    def claim(self) -> int:
+        """How much there is to keep it for: nothing asked yet, all answered, a request that is
+        not whole, an answer that nobody takes, pages and files, the answered ones of whoever is
+        signed in, and at last what is done."""
+        if self.cycle is None:
+            return 0
+        if self.cycle.response_complete:
+            return 5 if self.cycle.scope["state"].get("visitor") else 1
+        if self.cycle.more_body:
+            return 2
+        if self.flow.write_paused:
+            return 3
+        return 4 if self.scope["method"] in ("GET", "HEAD") else DONE
+
+
+class BoundedWebSocket(WebSocketsSansIOProtocol):
+    """A live connection that hears nothing before it is let in, and answers no pings of whoever
+    does not take the answers."""
+
+    def data_received(self, data: bytes) -> None:
+        if self.handshake_initiated and not self.handshake_complete:
+            self.transport.abort()  # every browser waits for the answer
+            return
+        super().data_received(data)
+
+    def handle_ping(self) -> None:
+        answer = b"".join(self.conn.data_to_send())
+        if self.writable.is_set():
+            self.transport.write(answer)
+
+
+def http_protocol(proxies: Collection[str]) -> type[BoundedHttp]:
+    """The protocol of a server behind these proxies."""
+    networks = [ipaddress.ip_network(proxy, strict=False) for proxy in proxies]
+    return type("BoundedHttp", (BoundedHttp,), {"proxies": networks})
+
+
+def make_space(connections: set[Any], grace_s: float = GRACE_S) -> None:
+    """Closes what is too much, those with the least claim first.
+
+    So whoever opens many and asks nothing keeps nobody out, on the same machine either.
+    """
+    places: dict[str, list[Any]] = {}
+    for connection in connections:
+        places.setdefault(_address(connection), []).append(connection)
+    for crowd in places.values():
+        if not _is_proxy(crowd[0]):
+            _leave(crowd, len(crowd) - MOST_OF_ONE, grace_s)
+    if len(connections) > MOST:
+        everybody = sorted(places.values(), key=len, reverse=True)
+        _leave([one for crowd in everybody for one in crowd], len(connections) - MOST, grace_s)
+
+
+def _leave(crowd: list[Any], surplus: int, grace_s: float) -> None:
+    """Takes its surplus out of a crowd, as far as that is not served just now."""
+    if surplus <= 0:
+        return
+    before_s = time.monotonic() - grace_s
+    idle = [one for one in crowd if isinstance(one, BoundedHttp) and one.claim < DONE]
+    for one in sorted(idle, key=_rank)[:surplus]:
+        # the youngest are spared for now, and nobody with more claim leaves in their place
+        if one.since_s <= before_s:
+            one.connections.discard(one)  # it is lost only in the loop's next turn
+            one.transport.abort()
+
+
+def _rank(connection: BoundedHttp) -> tuple[int, float]:
+    return connection.claim, connection.since_s
+
+
+def _address(connection: Any) -> str:
+    return _counted(connection.client[0]) if connection.client else ""
+
+
+_counted = lru_cache(4096)(counted_address)
+
+
+def _is_proxy(connection: Any) -> bool:
+    proxies = getattr(connection, "proxies", ())
+    if not proxies or not connection.client:
+        return False
+    address = ipaddress.ip_address(connection.client[0].partition("%")[0])
+    return any(address in network for network in proxies)

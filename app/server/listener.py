@@ -1,0 +1,213 @@
+"""The socket and the server on it: how the station is reached, and how it fends for itself."""
+
+import asyncio
+import errno
+import logging
+import resource
+import socket
+import ssl
+import sys
+import time
+import webbrowser
+
+import uvicorn
+from starlette.types import ASGIApp
+
+from app.errors import Refusal
+from app.formats.file_names import printable
+from app.formats.io_errors import files_refused
+from app.formats.open_file import read_bounded
+from app.monitoring.network import Network
+from app.server.connections import BoundedWebSocket, http_protocol, make_space
+from app.settings.settings import Serving
+
+LOCAL = Serving()
+SHUTDOWN_S = 3
+LARGEST_MESSAGE = 1 << 16
+"""Of a browser's messages; all are small."""
+WORDLESS_S = 15.0
+"""A connection on which nothing is asked for so long is closed."""
+ACCEPTED_AT_ONCE, WAITING = 2, 4096
+"""Connections that are taken in one turn of the loop, and those that the system keeps meanwhile.
+So few, because all that wait, Stop among them, wait for each turn."""
+MOST_FILES = 65536
+LONGEST_LINE = 400
+"""On the console."""
+PORT_REMEDIES: dict[int | None, str] = {
+    errno.EADDRINUSE: "Stop what is using it, or choose another with --port",
+    errno.EACCES: "Choose a port from 1024 on with --port",
+}
+LOOPBACK = ("localhost", "127.0.0.1", "::1")
+ELSEWHERE = "Other machines reach it by its address, or by a name that hosts in station.toml has."
+NETWORK_WORDS: dict[Network, list[str]] = {
+    "here": [],
+    "encrypted": [ELSEWHERE],
+    "proxied": [],
+    "open": [
+        ELSEWHERE,
+        "Nothing is encrypted: whoever is on the network can read passwords. Name tls_certificate "
+        "and tls_key in station.toml, or put a proxy before it and name that in proxies.",
+    ],
+}
+
+
+def listen(host: str, port: int, tries: int) -> socket.socket:
+    """A bound socket, on the port or one of the next ``tries - 1``."""
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    for offset in range(tries):
+        listening = socket.socket(family, socket.SOCK_STREAM)
+        listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        try:
+            listening.bind((host, port + offset))
+            listening.listen(128)
+        except OSError as error:
+            listening.close()
+            reason, number = error.strerror or str(error), error.errno
+            continue
+        if offset:
+            print(f"Port {port} is in use; taking {port + offset}.", file=sys.stderr)
+        return listening
+    raise Refusal(
+        "port",
+        f"Cannot listen on {host} port {port}",
+        reason,
+        PORT_REMEDIES.get(number, "Give an address of this machine with --host"),
+    )
+
+
+def network_of(host: str, serving: Serving) -> Network:
+    """Who can reach the station, and whether on the way anybody can read along."""
+    if host in LOOPBACK:
+        return "here"
+    if serving.tls_certificate is not None:
+        return "encrypted"
+    return "proxied" if serving.proxies else "open"
+
+
+def address_of(host: str, listening: socket.socket, serving: Serving) -> str:
+    """Of the station's pages, as a browser on this machine takes it."""
+    shown = "127.0.0.1" if host in ("0.0.0.0", "::") else host
+    bracketed = f"[{shown}]" if ":" in shown else shown
+    scheme = "https" if serving.tls_certificate else "http"
+    return f"{scheme}://{bracketed}:{listening.getsockname()[1]}/"
+
+
+class FirstLine(logging.Formatter):
+    """For the console: what happened, on one line that does nothing to a terminal.
+
+    The log has stacks and traces.
+    """
+
+    def format(self, record: logging.LogRecord) -> str:
+        plain = logging.makeLogRecord(record.__dict__)
+        plain.msg, plain.args = record.getMessage().partition("\n")[0], None
+        if record.exc_info and record.exc_info[1] is not None:
+            error = " ".join(str(record.exc_info[1]).split())
+            plain.msg += f": {type(record.exc_info[1]).__name__}: {error} (the log has more)"
+        plain.msg = printable(plain.msg[:LONGEST_LINE]) + getattr(record, "repeated", "")
+        plain.exc_info = plain.exc_text = plain.stack_info = None
+        return super().format(plain)
+
+
+def make_server(app: ASGIApp, serving: Serving = LOCAL) -> "StationServer":
+    """The server of an application, not yet running.
+
+    Raises:
+        Refusal: certificate and key are not a pair in PEM format, or cannot be read.
+    """
+    _check_key(serving)
+    config = uvicorn.Config(
+        app,
+        ssl_certfile=serving.tls_certificate,
+        ssl_keyfile=serving.tls_key,
+        forwarded_allow_ips=list(serving.proxies),
+        log_config=None,  # its words go where all others go
+        log_level="warning",
+        access_log=False,
+        backlog=ACCEPTED_AT_ONCE,
+        http=http_protocol(serving.proxies),
+        ws=BoundedWebSocket,
+        ws_per_message_deflate=False,
+        ws_max_size=LARGEST_MESSAGE,
+        timeout_graceful_shutdown=SHUTDOWN_S,
+        server_header=False,
+    )
+    try:
+        config.load()
+    except ssl.SSLError as error:
+        raise Refusal(
+            "tls",
+            f"{serving.tls_certificate} and {serving.tls_key} cannot be used",
+            "they are no certificate with its key in PEM format"
+            + (f" ({error.reason})" if error.reason else ""),
+            "Give the certificate, with those that vouch for it, and its own key",
+        ) from error
+    return StationServer(config)
+
+
+def _check_key(serving: Serving) -> None:
+    for file in (serving.tls_certificate, serving.tls_key):
+        if file is None:
+            continue
+        with files_refused(file):
+            content = read_bounded(file)
+        if file == serving.tls_key and b"ENCRYPTED" in content:
+            raise Refusal(
+                "tls",
+                f"{file} cannot be used",
+                "it is locked by a password, and nobody is there to give it",
+                "Give the key without one, readable by the station alone",
+            )
+
+
+def raise_file_limit() -> None:
+    """As many open files as this user may have, so that no crowd keeps a recording from its own."""
+    soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+    wanted = MOST_FILES if hard == resource.RLIM_INFINITY else min(hard, MOST_FILES)
+    if soft != resource.RLIM_INFINITY and soft < wanted:
+        resource.setrlimit(resource.RLIMIT_NOFILE, (wanted, hard))
+
+
+class StationServer(uvicorn.Server):
+    """Says where the station is once it can be reached, and lets no connection wait for ever."""
+
+    def __init__(self, config: uvicorn.Config) -> None:
+        super().__init__(config)
+        self.address = ""
+        self.first_words: list[str] = []
+        self.open_browser = False
+        self._wordless: dict[object, tuple[object, float]] = {}
+        """Of each connection, what it asked last and since when it has asked nothing more."""
+
+    async def on_tick(self, counter: int) -> bool:
+        make_space(self.server_state.connections)
+        if counter % 10 == 0:
+            self._close_wordless()
+        return await super().on_tick(counter)
+
+    def _close_wordless(self) -> None:
+        """Closes what was opened, or answered, and has asked nothing whole since."""
+        now_s, before = time.monotonic(), self._wordless
+        self._wordless = {}
+        for connection in list(self.server_state.connections):
+            cycle = getattr(connection, "cycle", None)
+            asking = cycle is not None and not cycle.response_complete
+            if asking or not isinstance(connection, self.config.http_protocol_class):
+                continue
+            asked_last, since_s = before.get(connection, (cycle, now_s))
+            if asked_last is not cycle:
+                since_s = now_s
+            if now_s - since_s > WORDLESS_S:
+                connection.transport.close()
+            self._wordless[connection] = cycle, since_s
+
+    async def startup(self, sockets: list[socket.socket] | None = None) -> None:
+        await super().startup(sockets)
+        for listening in sockets or ():
+            listening.listen(WAITING)
+        if self.started and self.address:
+            print(f"Crenel is at {self.address} (end with Ctrl-C)", flush=True)
+            for line in self.first_words:
+                print(line, flush=True)
+            if self.open_browser:
+                await asyncio.to_thread(webbrowser.open, self.address)

@@ -1,0 +1,204 @@
+"""A recording shown again: the live display fed from a file, at any speed."""
+
+import math
+import threading
+import time
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+
+from app.errors import Refusal
+from app.formats.clouds.points import Points
+from app.formats.recording.joint_samples import JointReader
+from app.formats.recording.reader import ImageRecord, last_stamp_ns, open_recording
+from app.formats.recording.stream import blocks
+from app.formats.results.calibration import Calibration
+from app.metrology.arm.kinematics import Arm
+from app.metrology.sensor.triangulation import sensor_points
+from app.metrology.transforms import apply, rigid
+from app.station.bus import Bus
+from app.station.view3d.scene import Scene
+from app.workflows.reconstruct import rebuild_into
+from hardware.clock import now_ns
+from hardware.interfaces import ArmInfo, SensorInfo
+from hardware.replay import Pictures, Readings, ReplayArm, ReplayClock, ReplaySensor
+
+PIECE_S = 0.05
+"""Points are shown in pieces of so much time."""
+DEPTH_MM = (-50.0, 50.0)
+"""The drawn measuring range, about the middle of the picture."""
+
+
+TOPIC = "replay"
+State = Literal["playing", "ended", "failed"]
+TOLD_S = 0.2
+
+
+@dataclass(frozen=True)
+class ReplayState:
+    """How far a replay is, as the browser shows it."""
+
+    recording: str
+    speed: float
+    """1 as it was taken; 0 as fast as it can be read."""
+    played_s: float
+    """Of the recording's own time."""
+    length_s: float | None
+    """None for a recording that was cut off."""
+    points: int
+    points_shown: int
+    state: State
+    text: str
+    """What became of it, once it has ended."""
+
+
+class Replay:
+    """Plays one recording: its arm moves, its pictures come, and its points appear."""
+
+    def __init__(self, path: Path, calibration: Calibration, arm: Arm, speed: float) -> None:
+        """Looks at the recording's start; raises ``Refusal`` where it cannot be replayed."""
+        self._path, self._calibration, self._arm = path, calibration, arm
+        self._rate_hz, first_ns = self._looked()
+        self._clock = ReplayClock(first_ns, speed)
+        self._last_ns = last_stamp_ns(path)
+        self._points = 0
+        self._told_s = -math.inf
+        self._ended = threading.Event()
+        self._thread: threading.Thread | None = None
+
+    def arm(self) -> ReplayArm:
+        """A driver of the recorded arm."""
+        known = self._arm
+        info = ArmInfo(known.name, known.serial_number, known.joint_count, self._rate_hz)
+        return ReplayArm(info, self._clock, self._readings)
+
+    def sensor(self) -> ReplaySensor:
+        """A driver of the recorded sensor."""
+        camera, serial = self._calibration.camera, self._calibration.serial_numbers.sensor or ""
+        info = SensorInfo(
+            "recording", serial, camera.width_px, camera.height_px, (1000.0, 1000.0), False
+        )
+        return ReplaySensor(info, self._clock, self._pictures)
+
+    def start(self, scene: Scene, bus: Bus) -> None:
+        """Begins to show points, on a thread of its own."""
+        use = self._calibration
+        scene.begin()
+        scene.set_arm_model(self._arm)
+        depth = float(np.median(_depths(use)))
+        low, high = depth + DEPTH_MM[0], depth + DEPTH_MM[1]
+        scene.set_sensor(use.T_flange_sensor, use.camera, use.plane, (max(low, 1.0), high))
+        self._clock.start()
+        self._thread = threading.Thread(
+            target=self._show, args=(scene, bus), name="replay", daemon=True
+        )
+        self._thread.start()
+
+    def stop(self) -> None:
+        """Shows no more."""
+        self._ended.set()
+        if self._thread is not None:
+            self._thread.join(5.0)
+
+    def _looked(self) -> tuple[float, int]:
+        """The arm's rate in readings a second, and the first stamp."""
+        stamps = [stamp_ns for stamp_ns, _ in _first(self._readings(), 200)]
+        if len(stamps) < 2:
+            raise Refusal("recording-without-joints", f"{self._path}: no joint angles")
+        return 1e9 * (len(stamps) - 1) / max(stamps[-1] - stamps[0], 1), stamps[0]
+
+    def _readings(self) -> Readings:
+        reader = JointReader(self._path, self._arm)
+        with ThreadPoolExecutor(1, "replay-joints") as pool:
+            for block in blocks(open_recording(self._path), pool, 1):
+                for samples in block.joints:
+                    stamps_ns, q_rad = reader.readings(samples)
+                    yield from zip(stamps_ns.tolist(), map(tuple, q_rad.tolist()), strict=True)
+
+    def _pictures(self) -> Pictures:
+        with ThreadPoolExecutor(1, "replay-pictures") as pool:
+            for block in blocks(open_recording(self._path), pool, 1):
+                for frame in block.frames:
+                    if isinstance(frame.source, ImageRecord):
+                        yield frame.stamp_ns, frame.source.picture()
+
+    def _show(self, scene: Scene, bus: Bus) -> None:
+        last_ns = self._clock.first_ns
+
+        def take(points: Points, stamp_ns: int) -> None:
+            nonlocal last_ns
+            for part, at_ns in self._in_time(points, last_ns, stamp_ns):
+                scene.add_points(part)
+                self._points += len(part)
+                self._tell(scene, bus, at_ns)
+            last_ns = stamp_ns
+
+        self._tell(scene, bus, last_ns)
+        try:
+            rebuilt = rebuild_into(self._path, self._calibration, self._arm, take)
+        except _EndedError:
+            return
+        except Refusal as refusal:
+            self._tell(scene, bus, last_ns, "failed", refusal.line)
+            bus.event("replay", refusal.line, "bad")
+            return
+        said = " ".join(f"{text[:1].upper()}{text[1:]}." for text in rebuilt.warnings)
+        self._tell(scene, bus, last_ns, "ended", said)
+        bus.event("replay", f"{self._path.name}: {rebuilt.points} points shown", "good")
+
+    def _in_time(self, points: Points, first_ns: int, last_ns: int) -> Iterator[tuple[Points, int]]:
+        """Points spread over the time in which they were taken, each part when it is due."""
+        over_s = (last_ns - first_ns) / 1e9 / self._clock.speed if self._clock.speed else 0.0
+        pieces = max(1, min(math.ceil(over_s / PIECE_S), len(points)))
+        for k, piece in enumerate(np.array_split(points, pieces)):
+            stamp_ns = first_ns + (last_ns - first_ns) * (k + 1) // pieces
+            wait_s = (self._clock.due_ns(stamp_ns) - now_ns()) / 1e9
+            if self._ended.wait(max(wait_s, 0.0)):
+                raise _EndedError
+            yield piece, stamp_ns
+
+    def _tell(
+        self, scene: Scene, bus: Bus, at_ns: int, state: State = "playing", text: str = ""
+    ) -> None:
+        """Says how far it is, some times a second."""
+        now = time.monotonic()
+        if state == "playing" and now - self._told_s < TOLD_S:
+            return
+        self._told_s = now
+        first_ns, last_ns = self._clock.first_ns, self._last_ns
+        length_s = None if last_ns is None else max(last_ns - first_ns, 0) / 1e9
+        bus.publish(
+            TOPIC,
+            ReplayState(
+                recording=self._path.name,
+                speed=self._clock.speed,
+                played_s=max(at_ns - first_ns, 0) / 1e9,
+                length_s=length_s,
+                points=self._points,
+                points_shown=scene.points_shown,
+                state=state,
+                text=text,
+            ),
+        )
+
+
+class _EndedError(Exception):
+    """Told to stop."""
+
+
+def _first(readings: Readings, count: int) -> Iterator[tuple[int, tuple[float, ...]]]:
+    for reading, _ in zip(readings, range(count), strict=False):
+        yield reading
+
+
+def _depths(use: Calibration) -> list[float]:
+    """How far in front of the camera the laser's plane is met, along the picture's middle."""
+    camera = use.camera
+    v = np.linspace(0.2, 0.8, 7) * camera.height_px
+    found = sensor_points(camera, use.plane, np.column_stack([np.full(7, camera.width_px / 2), v]))
+    depths = apply(rigid(camera.rotation, camera.translation_mm), found)[:, 2]
+    return [float(depth) for depth in depths if math.isfinite(depth)] or [100.0]

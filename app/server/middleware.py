@@ -1,0 +1,189 @@
+"""Which pages may talk to the server, and what its own may load.
+
+It answers only to the names it is known by, and to plain addresses (which defeats DNS
+rebinding: no foreign page has an address for its name), and takes changes and live
+connections only from its own pages (which defeats foreign pages open in the same browser).
+What is sent to it must be small and come soon, since it is read before it is known who sends
+it. Who may do what is looked at behind this, in ``access``.
+"""
+
+import asyncio
+import ipaddress
+from collections.abc import Collection
+from urllib.parse import urlsplit
+
+from starlette.datastructures import Headers, MutableHeaders
+from starlette.exceptions import HTTPException
+from starlette.responses import PlainTextResponse
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+from app.report.html_policy import POLICY
+from app.wire.problem import problem
+
+LOCAL_NAMES = ("localhost", "127.0.0.1", "::1")
+LARGEST_BODY = 1 << 18
+BODY_S = 15.0
+OWN = ("/api/", "/metrics")
+"""What is nobody else's to see, a later user of the same browser included."""
+SAFE_METHODS = ("GET", "HEAD", "OPTIONS")
+SCHEMES = ("http", "https", "ws", "wss")
+OWN_PAGES = ("same-origin", "none")
+"""What a browser says of a request by the station's own pages, or of what somebody typed."""
+LONGEST_PATH, LONGEST_PART = 1024, 200
+NOTHING = "No page or file has such an address."
+PAGES = (
+    "default-src 'self'; img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'; "
+    "frame-ancestors 'self'; object-src 'none'; base-uri 'none'; form-action 'none'"
+)
+# The viewer's page is one file that unpacks its own script and WebAssembly. It may reach the
+# scene and nothing else of the station.
+VIEWER = (
+    "default-src 'self'; script-src 'self' 'unsafe-inline' 'unsafe-eval' blob:; "
+    "style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; font-src 'self' data:; "
+    "connect-src {places} data: blob:; worker-src 'self' blob:; "
+    "frame-ancestors 'self'; object-src 'none'; base-uri 'none'; form-action 'none'"
+)
+
+# A report is read and printed; whatever stands in it, nothing of it is run or fetched.
+REPORT = f"{POLICY}; sandbox; frame-ancestors 'self'; base-uri 'none'; form-action 'none'"
+
+
+class Guard:
+    """ASGI middleware around the whole application.
+
+    Args:
+        hosts: names beside the local ones by which browsers may reach the server.
+    """
+
+    def __init__(self, app: ASGIApp, hosts: Collection[str] = ()) -> None:
+        self._app = app
+        self._hosts = {*LOCAL_NAMES, *(host.lower().strip("[]") for host in hosts)}
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        if scope["type"] not in ("http", "websocket"):
+            await self._app(scope, receive, send)
+            return
+        refusal = self._refusal(scope)
+        if refusal:
+            await _refuse(refusal, scope, receive, send)
+            return
+        path = scope["path"]
+        if not _may_be(path):
+            await _refuse(NOTHING, scope, receive, send, 404)
+            return
+        if scope["type"] == "http":
+            receive = _Body(receive)
+        await self._app(scope, receive, _with_headers(send, _policy(scope), path))
+
+    def _refusal(self, scope: Scope) -> str:
+        headers = Headers(scope=scope)
+        host = headers.get("host", "").lower()
+        if _name(host) not in self._hosts and not _is_address(_name(host)):
+            return (
+                f"This station does not answer to the name '{_name(host)}'. "
+                "Names are added with hosts in station.toml."
+            )
+        if scope["type"] == "http" and scope["method"] in SAFE_METHODS:
+            return ""
+        origin, site = headers.get("origin"), headers.get("sec-fetch-site", "none")
+        if (origin is not None and _place(origin) != host) or site.lower() not in OWN_PAGES:
+            return "Only the station's own pages may do this."
+        return ""
+
+
+def _may_be(path: str) -> bool:
+    """Whether anything can be there; nothing has such long names, or control characters."""
+    longest = max(map(len, path.split("/")))
+    return path.isprintable() and len(path) <= LONGEST_PATH and longest <= LONGEST_PART
+
+
+def _policy(scope: Scope) -> str:
+    path: str = scope["path"]
+    if path.startswith("/viewer/"):
+        host = Headers(scope=scope).get("host", "")
+        return VIEWER.format(places=" ".join(f"{one}://{host}/viewer/" for one in SCHEMES))
+    return REPORT if path.endswith("/report.html") else PAGES
+
+
+def _place(origin: str) -> str:
+    """The host with its port; nothing of what is no address."""
+    try:
+        return urlsplit(origin).netloc.lower()
+    except ValueError:
+        return ""
+
+
+def _name(host: str) -> str:
+    """The host without its port and brackets; nothing of what is no host."""
+    try:
+        parts = urlsplit(f"//{host}")
+        plain = parts.netloc == host and "@" not in host and parts.port != 0
+        return (parts.hostname or "") if plain else ""
+    except ValueError:
+        return ""
+
+
+def _is_address(name: str) -> bool:
+    try:
+        ipaddress.ip_address(name)
+    except ValueError:
+        return False
+    return True
+
+
+class _Body:
+    """Receives a request: its body as far as ``LARGEST_BODY``, within ``BODY_S``.
+
+    Raises:
+        HTTPException: it is larger, or late.
+    """
+
+    def __init__(self, receive: Receive) -> None:
+        self._receive, self._bytes, self._whole = receive, 0, False
+        self._until_s = 0.0
+
+    async def __call__(self) -> Message:
+        if self._whole:
+            return await self._receive()
+        self._until_s = self._until_s or asyncio.get_running_loop().time() + BODY_S
+        try:
+            async with asyncio.timeout_at(self._until_s):
+                message = await self._receive()
+        except TimeoutError:
+            late = f"What was sent did not arrive within {BODY_S:.0f} s."
+            raise HTTPException(408, late) from None
+        self._bytes += len(message.get("body", b""))
+        self._whole = not message.get("more_body", False)
+        if self._bytes > LARGEST_BODY:
+            raise HTTPException(413, f"More than {LARGEST_BODY // 1024} kB were sent.")
+        return message
+
+
+async def _refuse(text: str, scope: Scope, receive: Receive, send: Send, status: int = 403) -> None:
+    if scope["type"] == "websocket":
+        await receive()
+        await send({"type": "websocket.close", "code": 1008, "reason": text[:120]})
+        return
+    if "text/html" in Headers(scope=scope).get("accept", ""):  # somebody reads it
+        await PlainTextResponse(text, status)(scope, receive, send)
+        return
+    code = "not-found" if status == 404 else "not-allowed"
+    await problem(status, code, text)(scope, receive, send)
+
+
+def _with_headers(send: Send, policy: str, path: str) -> Send:
+    own = path.startswith(OWN)
+
+    async def sending(message: Message) -> None:
+        if message["type"] == "http.response.start":
+            headers = MutableHeaders(scope=message)
+            headers["Content-Security-Policy"] = policy
+            headers["X-Content-Type-Options"] = "nosniff"
+            headers["Referrer-Policy"] = "same-origin"
+            headers["Cross-Origin-Opener-Policy"] = "same-origin"
+            headers["Cross-Origin-Resource-Policy"] = "same-origin"
+            if own:
+                headers.setdefault("Cache-Control", "no-store")
+        await send(message)
+
+    return sending

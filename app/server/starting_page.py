@@ -1,0 +1,194 @@
+"""The station while it is prepared: from its first second on it says how far it is.
+
+``Starting`` answers in the application's place, behind the same guard, and gives way to it
+once the steps are done: the socket, the server and its connections stay as they are. Only
+what is light may be imported here.
+"""
+
+import asyncio
+import threading
+import time
+from collections.abc import Callable, Collection, Sequence
+from concurrent.futures import Future
+from dataclasses import dataclass
+from typing import Any, Generic, TypeVar
+
+from pydantic_core import to_json
+from starlette.applications import Starlette
+from starlette.responses import Response
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+from app.api.files.static_files import file_response, names_a_file, page_response
+from app.server.middleware import Guard
+from app.wire.problem import problem
+from app.wire.readiness import Readiness
+
+PAGE = "starting.html"
+PROGRESS = "/api/starting"
+STATION_ROOMS = ("api", "metrics", "viewer")
+"""First parts of the addresses that only the station itself can answer."""
+TRY_AGAIN_LATER = 1013
+ABANDONED_AFTER_S = 3.0
+"""Who ends the program while a step runs waits so long for it, and no longer."""
+# What is prepared, as the page has it.
+NUMERICS = "Numerics"
+PICTURES = "Image processing"
+VIEW = "3D view"
+GUIDE = "Guided steps"
+DEVICES = "Devices"
+DATA = "Data folder"
+MEASURING = "Extraction and detection"
+
+
+T_co = TypeVar("T_co", covariant=True)
+
+
+@dataclass(frozen=True)
+class Step(Generic[T_co]):
+    """One thing that is prepared: what it is, the seconds it takes cold, and the work itself."""
+
+    words: str
+    cost_s: float
+    prepare: Callable[[], T_co]
+
+
+class _EndedError(Exception):
+    """The program is ended while it is prepared."""
+
+
+class Starting:
+    """ASGI application: the starting page, then the station.
+
+    Args:
+        station: its name.
+        steps: done one after the other, in a thread of their own.
+        building: the last of them, which makes the application.
+        hosts: as ``Guard`` has them.
+    """
+
+    def __init__(
+        self,
+        station: str,
+        steps: Sequence[Step[object]],
+        building: Step[Starlette],
+        hosts: Collection[str] = (),
+    ) -> None:
+        self._station, self._steps, self._building = station, steps, building
+        self._done = 0
+        self._app: ASGIApp = Guard(self._answer, hosts)
+        self._ending = asyncio.Event()
+        self.on_ready: Callable[[Starlette, float], None] = lambda app, seconds: None
+        """Called on the event loop once the application answers, with the seconds it took."""
+        self.on_failed: Callable[[], None] = lambda: None
+        """Called on the event loop where a step failed; ``failure`` says how."""
+        self.failure: BaseException | None = None
+
+    @property
+    def readiness(self) -> Readiness:
+        """How far it is."""
+        steps = (*self._steps, self._building)
+        costs = [step.cost_s for step in steps]
+        return Readiness(
+            ready=False,
+            station=self._station,
+            steps=[step.words for step in steps],
+            done=self._done,
+            share=sum(costs[: self._done]) / sum(costs),
+        )
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        if scope["type"] == "lifespan":
+            await self._live(receive, send)
+        else:
+            await self._app(scope, receive, send)
+
+    async def _live(self, receive: Receive, send: Send) -> None:
+        await receive()
+        life = asyncio.create_task(self._prepare_and_run())
+        await send({"type": "lifespan.startup.complete"})
+        await receive()
+        self._ending.set()
+        await life
+        await send({"type": "lifespan.shutdown.complete"})
+
+    async def _prepare_and_run(self) -> None:
+        began_s = time.monotonic()
+        try:
+            app = await self._prepared()
+            async with app.router.lifespan_context(app):
+                self._app = app
+                if not self._ending.is_set():
+                    self.on_ready(app, time.monotonic() - began_s)
+                await self._ending.wait()
+        except _EndedError:
+            pass
+        except BaseException as error:
+            self.failure = error
+            self.on_failed()
+
+    async def _prepared(self) -> Starlette:
+        """The application, built in a thread.
+
+        Raises:
+            _EndedError: the program is ended meanwhile.
+            BaseException: whatever a step raised.
+        """
+        result: Future[Starlette] = Future()
+
+        def prepare() -> None:
+            try:
+                result.set_result(self._prepare())
+            except BaseException as error:
+                result.set_exception(error)
+
+        # a thread that nobody waits for: what hangs in a step does not outlive the program
+        threading.Thread(target=prepare, name="prepare", daemon=True).start()
+        built, ending = asyncio.wrap_future(result), asyncio.create_task(self._ending.wait())
+        first: tuple[asyncio.Future[Any], ...] = (built, ending)
+        await asyncio.wait(first, return_when=asyncio.FIRST_COMPLETED)
+        ending.cancel()
+        await asyncio.wait([built], timeout=ABANDONED_AFTER_S)
+        if not built.done():
+            raise _EndedError
+        return await built
+
+    def _prepare(self) -> Starlette:
+        for step in self._steps:
+            step.prepare()
+            self._done += 1
+            if self._ending.is_set():
+                raise _EndedError
+        return self._building.prepare()
+
+    async def _answer(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """While the station is prepared: its page, and how far it is; nothing else."""
+        if scope["type"] == "websocket":
+            await receive()
+            closing: Message = {"type": "websocket.close", "code": TRY_AGAIN_LATER}
+            await send(closing)
+            return
+        await self._response(scope["method"], scope["path"])(scope, receive, send)
+
+    def _response(self, method: str, path: str) -> Response:
+        asked = path.removeprefix("/")
+        if method not in ("GET", "HEAD") or asked.split("/")[0] in STATION_ROOMS:
+            return self._progress() if path == PROGRESS else _not_yet()
+        found = file_response(asked)
+        if found is None and names_a_file(asked):
+            return problem(404, "not-found", f"There is nothing at {path}.")
+        return found or _unkept(page_response(PAGE))
+
+    def _progress(self) -> Response:
+        return Response(to_json(self.readiness), media_type="application/json")
+
+
+def _not_yet() -> Response:
+    answer = problem(503, "starting", "The station is starting.", "Try again in a moment")
+    answer.headers["Retry-After"] = "1"
+    return answer
+
+
+def _unkept(page: Response) -> Response:
+    """The address is the client's: no browser may keep this page in its stead."""
+    page.headers["Cache-Control"] = "no-store"
+    return page

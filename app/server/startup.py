@@ -1,0 +1,287 @@
+"""Starts a station: its page answers at once, and everything heavy is loaded behind it.
+
+Nothing heavy is imported here but by the steps, which run while the page is there already.
+"""
+
+import logging
+import socket
+import tempfile
+from collections.abc import Callable
+from contextlib import ExitStack
+from dataclasses import asdict, dataclass, replace
+from importlib import import_module
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from starlette.applications import Starlette
+
+from app.errors import Refusal
+from app.monitoring.log_text import Repeats
+from app.monitoring.network import Network
+from app.security.console_code import new_code
+from app.server.listener import (
+    LOCAL,
+    NETWORK_WORDS,
+    FirstLine,
+    address_of,
+    listen,
+    make_server,
+    network_of,
+    raise_file_limit,
+)
+from app.server.starting_page import (
+    DATA,
+    DEVICES,
+    GUIDE,
+    MEASURING,
+    NUMERICS,
+    PICTURES,
+    VIEW,
+    Starting,
+    Step,
+)
+from app.settings.settings import DEFAULT_FILE, Serving, Settings, read_settings, user_data_folder
+
+if TYPE_CHECKING:
+    from app.operations.context import Context
+    from app.operations.services import Watching
+    from app.server.composition import Parts
+    from app.server.live_replay import Replay
+
+PORTS_TRIED = 20
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What is known of a station before anything of it is loaded."""
+
+    name: str
+    parts: Callable[[], "Parts"]
+    """Loads the drivers, or starts the simulated devices."""
+    host: str
+    """Address that it listens on."""
+    hosts: tuple[str, ...] = ()
+    """Further names by which browsers may reach it."""
+    by_link: bool = False
+    """A guest enters by the link on the console."""
+    serving: Serving = LOCAL
+
+
+def serve(config: Path | None, data: Path | None, host: str, port: int, open_browser: bool) -> None:
+    """Runs the station on the devices that ``station.toml`` names, until it is told to end.
+
+    Raises:
+        Refusal: settings, driver, data folder or port are not in order.
+    """
+    settings = read_settings(config)
+    _check_drivers(settings, config)
+    listening = listen(host, port, 1)
+    plan = Plan(
+        settings.name,
+        lambda: _configured_parts(settings, data),
+        host,
+        settings.hosts,
+        serving=settings.serving,
+    )
+    print("Starting the station.", flush=True)
+    run(plan, listening, open_browser)
+
+
+def _check_drivers(settings: Settings, config: Path | None) -> None:
+    """Loads the drivers, so that what is wrong is said before anything is served.
+
+    Raises:
+        Refusal: a driver is unknown, or its options are wrong.
+    """
+    from hardware.errors import DeviceError
+    from hardware.registry import arm_driver, sensor_driver
+
+    try:
+        arm_driver(settings.arm.driver, settings.arm.options)
+        sensor_driver(settings.sensor.driver, settings.sensor.options)
+    except DeviceError as error:
+        named = error.what.replace(DEFAULT_FILE, str(config or DEFAULT_FILE), 1)
+        raise Refusal("driver", named, remedy=error.remedy) from error
+
+
+def _configured_parts(settings: Settings, data: Path | None) -> "Parts":
+    """The parts that the settings name; no device is touched yet."""
+    from app.server.composition import Parts
+    from hardware.registry import arm_driver, sensor_driver
+
+    arm, sensor = settings.arm, settings.sensor
+    return Parts(
+        name=settings.name,
+        data=data or settings.data,
+        arm=lambda: arm_driver(arm.driver, arm.options),
+        sensor=lambda: sensor_driver(sensor.driver, sensor.options),
+        limits=settings.limits,
+        verification=settings.verification,
+        due=settings.due,
+        watching=_watching(settings),
+    )
+
+
+def _watching(settings: Settings) -> "Watching":
+    """What the settings have of it, and the settings themselves as they may be looked at."""
+    from app.operations.services import Watching
+    from hardware.thermometer import FileThermometer
+
+    mqtt = settings.mqtt
+    file = settings.temperature
+    told = {
+        "drivers": {"arm": settings.arm.driver, "sensor": settings.sensor.driver},
+        "name": settings.name,
+        "data": str(settings.data),
+        "hosts": list(settings.hosts),
+        "limits": asdict(settings.limits),
+        "tls": settings.serving.tls_certificate is not None,
+        "arm": dict(settings.arm.options),
+        "sensor": dict(settings.sensor.options),
+        "mqtt": None if mqtt is None else {k: str(v) for k, v in asdict(mqtt).items()},
+        "temperature": None if file is None else str(file),
+    }
+    return Watching(
+        address=settings.address,
+        backups=settings.backups,
+        mqtt=mqtt,
+        thermometer=None if file is None else FileThermometer(file),
+        told=told,
+    )
+
+
+def demo(data: Path | None, host: str, port: int, open_browser: bool) -> None:
+    """Runs the whole station on simulated devices; where the port is taken, on the next free.
+
+    Raises:
+        Refusal: the data folder is not in order, or no port is free.
+    """
+    listening = listen(host, port, PORTS_TRIED)
+    folder = data or user_data_folder() / "demo"
+    with ExitStack() as devices:
+
+        def parts() -> "Parts":
+            from app.server.demo import simulated_parts
+
+            return devices.enter_context(simulated_parts(folder))
+
+        print("Starting the simulated station.", flush=True)
+        run(Plan("Demonstration", parts, host, by_link=True), listening, open_browser)
+
+
+def replay(show: "Replay", title: str, host: str, port: int, open_browser: bool) -> None:
+    """Runs the display on a recording, in a data folder of its own that is then removed.
+
+    Raises:
+        Refusal: no port is free.
+    """
+    from app.server.composition import Parts
+
+    listening = listen(host, port, PORTS_TRIED)
+    with tempfile.TemporaryDirectory(prefix="crenel-replay-") as data:
+        parts = Parts(title, Path(data), show.arm, show.sensor, guest="Replay")
+        plan = Plan(title, lambda: parts, host, by_link=True)
+        try:
+            run(plan, listening, open_browser, lambda ready: show.start(ready.scene, ready.bus))
+        finally:
+            show.stop()
+
+
+def run(
+    plan: Plan,
+    listening: socket.socket,
+    open_browser: bool,
+    on_ready: Callable[["Context"], None] = lambda context: None,
+) -> None:
+    """Serves until SIGINT or SIGTERM.
+
+    Args:
+        on_ready: called on the event loop once everything is loaded.
+
+    Raises:
+        Refusal: the certificate, a driver or the data folder cannot be used, or the data
+            folder is in use by another server.
+    """
+    raise_file_limit()
+    network, code = network_of(plan.host, plan.serving), new_code()
+    station = _Station(plan, network, code)
+    starting = Starting(plan.name, station.steps(), station.building(), station.hosts)
+    server = make_server(starting, plan.serving)
+    console = logging.StreamHandler()
+    console.setLevel(logging.WARNING)  # the rest is in the log of the Health page
+    console.setFormatter(FirstLine("%(asctime)s %(name)s: %(message)s"))
+    console.addFilter(Repeats())
+    logging.getLogger().addHandler(console)
+    server.address = address_of(plan.host, listening, plan.serving)
+    if plan.by_link:
+        server.address += f"#code={code}"
+    server.first_words += NETWORK_WORDS[network]
+    server.open_browser = open_browser
+
+    def ready(app: Starlette, seconds: float) -> None:
+        context: Context = app.state.context
+        print(f"Ready after {seconds:.1f} s.", flush=True)
+        if context.entrance.first_start:
+            print(
+                f"Nobody can sign in yet. The code {code} makes the first administrator there.",
+                flush=True,
+            )
+        on_ready(context)
+
+    def failed() -> None:
+        server.should_exit = True
+
+    starting.on_ready, starting.on_failed = ready, failed
+    try:
+        server.run(sockets=[listening])
+    except KeyboardInterrupt:
+        pass  # uvicorn raises the signal again once it has ended in order
+    finally:
+        listening.close()
+    if starting.failure is not None:
+        raise starting.failure
+
+
+class _Station:
+    """Loads one station, step by step; the seconds of each are of a cold start on two cores."""
+
+    def __init__(self, plan: Plan, network: Network, code: str) -> None:
+        self._plan, self._network, self._code = plan, network, code
+        self.hosts = (*plan.hosts, plan.host)
+        self._parts: Parts | None = None
+
+    def steps(self) -> list[Step[object]]:
+        """What is done before the application can be built."""
+        return [
+            Step(NUMERICS, 1.0, _importing("scipy.optimize", "scipy.spatial.transform")),
+            Step(PICTURES, 0.3, _importing("cv2")),
+            Step(VIEW, 0.9, _importing("viser")),
+            Step(GUIDE, 2.0, _importing("app.server.application")),
+            Step(DEVICES, 0.7, self._load_devices),
+            Step(MEASURING, 0.1, _load_libraries),
+        ]
+
+    def building(self) -> Step[Starlette]:
+        """The last step: it opens the data folder."""
+        return Step(DATA, 0.2, self._build)
+
+    def _load_devices(self) -> None:
+        self._parts = self._plan.parts()
+
+    def _build(self) -> Starlette:
+        from app.server.application import build_app
+
+        assert self._parts is not None
+        watching = replace(self._parts.watching, network=self._network)
+        return build_app(replace(self._parts, hosts=self.hosts, code=self._code, watching=watching))
+
+
+def _importing(*modules: str) -> Callable[[], object]:
+    return lambda: [import_module(module) for module in modules]
+
+
+def _load_libraries() -> None:
+    """Says now that a library is missing or stale, not in the middle of a calibration."""
+    from app.native.product import CRENEL
+
+    CRENEL.load()

@@ -1,0 +1,200 @@
+"""``station.toml``: the station's name, its data folder and its devices.
+
+[station]
+name = "Measuring room 2"
+data = "data"                 # beside this file; --data goes before it
+hosts = ["station.local"]     # further names browsers may use; localhost always may
+tls_certificate = "cert.pem"  # with the key: the station is served over HTTPS
+tls_key = "key.pem"
+proxies = ["10.0.0.5"]        # theirs alone is the word on where a browser is, and on HTTPS
+address = "http://10.0.0.7:8000/"  # of its pages, for the stations that link to them
+backups = "/mnt/backup/crenel"     # where the Health page's button puts them
+
+[arm]
+driver = "serial-encoder"     # every other key is the driver's own
+url = "/dev/ttyUSB0"
+
+[sensor]
+driver = "opencv"
+source = 0
+
+[limits]                      # of a scanned point's standard uncertainty, k = 1
+good_um = 50                  # up to here a calibration is good
+usable_um = 150               # beyond, it is not to be used
+
+[verification]                # largest values accepted on a gauge whose paper sets none; µm, arcsec
+form = 300
+rms = 80                      # and angle, offset, radius_error, centre_error, angle_range,
+offset_range = 200            # offset_range, centre_range
+
+[due]                         # when what is to be done again
+calibration_days = 30
+verification_days = 7
+arm_days = 30
+tip_hours = 24
+temperature_c = 3             # of change since the calibration
+
+[mqtt]                        # optional: tells other stations of this one, and shows them here
+host = "broker.local"
+port = 1883
+user = "station"
+password_file = "mqtt-password"
+tls = false                   # by the authorities of this machine, or by
+ca_file = "ca.pem"
+prefix = "crenel"             # of all topics, the same at all stations
+station = "room-2"            # in the topics of this one; else by its name
+
+[temperature]                 # optional: of the room
+file = "/sys/bus/w1/devices/28-0316a4d5e6ff/temperature"  # thousandths of a degree Celsius
+"""
+
+import tomllib
+from pathlib import Path
+from typing import Annotated
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from app.errors import Refusal
+from app.formats.datasheets.gauge import VerificationLimits
+from app.formats.io_errors import files_refused
+from app.formats.open_file import read_bounded
+from app.guide.common.validity import DUE
+from app.metrology.limits import LIMITS
+from app.supervision.broker_settings import BrokerSettings
+
+WORDS = {
+    "string_type": "it must be text in quotes",
+    "string_too_short": "it is empty",
+    "list_type": 'it must be a list, as ["one", "two"]',
+    "int_type": "it must be a whole number",
+    "float_type": "it must be a number",
+    "bool_type": "it must be true or false",
+    "model_type": "it must be a table",
+}
+"""Of what does not fit; the rest says it well enough."""
+PATTERN_WORDS = {
+    "address": "it must begin with http:// or https:// and name a machine",
+    "prefix": "it must be words with / between them, without spaces, # and +",
+    "station": "it must be small letters, digits and hyphens, 40 at most",
+}
+Limit = Annotated[float, Field(gt=0, le=10_000, allow_inf_nan=False)]
+
+
+class StationTable(BaseModel):
+    model_config = ConfigDict(extra="forbid", strict=True)
+
+    name: Annotated[str, Field(min_length=1, max_length=60)] = "Crenel"
+    data: Annotated[str, Field(min_length=1)] | None = None
+    hosts: list[Annotated[str, Field(min_length=1)]] = []
+    tls_certificate: Annotated[str, Field(min_length=1)] | None = None
+    tls_key: Annotated[str, Field(min_length=1)] | None = None
+    proxies: list[Annotated[str, Field(min_length=1)]] = []
+    address: Annotated[str, Field(max_length=200, pattern="^https?://[^/]")] | None = None
+    backups: Annotated[str, Field(min_length=1)] | None = None
+
+
+class DeviceTable(BaseModel):
+    model_config = ConfigDict(extra="allow", strict=True)
+
+    driver: Annotated[str, Field(min_length=1)]
+
+
+class LimitsTable(BaseModel):
+    model_config = ConfigDict(extra="forbid", strict=True)
+
+    good_um: Limit = LIMITS.good_um
+    usable_um: Limit = LIMITS.usable_um
+
+
+class MqttTable(BaseModel):
+    model_config = ConfigDict(extra="forbid", strict=True)
+
+    host: Annotated[str, Field(min_length=1)]
+    port: Annotated[int, Field(ge=1, le=65535)] = BrokerSettings.port
+    user: Annotated[str, Field(min_length=1)] | None = None
+    password_file: Annotated[str, Field(min_length=1)] | None = None
+    tls: bool = BrokerSettings.tls
+    ca_file: Annotated[str, Field(min_length=1)] | None = None
+    prefix: Annotated[str, Field(pattern=r"^[^#+/\s]+(/[^#+/\s]+)*$", max_length=80)] = (
+        BrokerSettings.prefix
+    )
+    station: Annotated[str, Field(pattern="^[a-z0-9-]{1,40}$")] | None = None
+
+
+class TemperatureTable(BaseModel):
+    model_config = ConfigDict(extra="forbid", strict=True)
+
+    file: Annotated[str, Field(min_length=1)]
+
+
+class VerificationTable(VerificationLimits):
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+
+class DueTable(BaseModel):
+    model_config = ConfigDict(extra="forbid", strict=True)
+
+    calibration_days: Limit = DUE.calibration_days
+    verification_days: Limit = DUE.verification_days
+    arm_days: Limit = DUE.arm_days
+    tip_hours: Limit = DUE.tip_hours
+    temperature_c: Limit = DUE.temperature_c
+
+
+class StationFile(BaseModel):
+    model_config = ConfigDict(extra="forbid", strict=True)
+
+    station: StationTable = StationTable()
+    arm: DeviceTable
+    sensor: DeviceTable
+    limits: LimitsTable = LimitsTable()
+    verification: VerificationTable = VerificationTable()
+    due: DueTable = DueTable()
+    mqtt: MqttTable | None = None
+    temperature: TemperatureTable | None = None
+
+
+def read_file(path: Path) -> StationFile:
+    """Reads the file as it stands.
+
+    Raises:
+        Refusal: there is no such file, it is not TOML, or a key is missing, unknown
+            or of the wrong kind; the key is named.
+    """
+    if not path.exists():
+        raise Refusal(
+            "settings-missing",
+            f"{path}: there is no such file",
+            "it says which arm and which sensor are connected",
+            "Write one as docs/operating.md shows, name another with --config, or try crenel demo",
+        )
+    with files_refused(path):
+        raw = read_bounded(path)
+    try:
+        return StationFile.model_validate(tomllib.loads(raw.decode()))
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise Refusal("settings-not-toml", str(path), f"it is not TOML: {error}") from error
+    except ValidationError as error:
+        raise _invalid(path, error) from error
+
+
+def _invalid(path: Path, error: ValidationError) -> Refusal:
+    first = error.errors(include_url=False)[0]
+    place = [str(part) for part in first["loc"]]
+    table = f"[{place[0]}]"
+    key = ".".join(place[1:])
+    named = f"{path}, {table}: {key}" if key else f"{path}: the table {table}"
+    if first["type"] == "missing":
+        remedy = "Add it as docs/formats.md shows"
+        return Refusal("settings-key-missing", f"{named} is missing", remedy=remedy)
+    if first["type"] == "extra_forbidden":
+        return Refusal("settings-key-unknown", f"{named} is not known", remedy="Correct its name")
+    message = str(first["msg"]).replace("Input should", "it must")
+    if first["type"] == "string_pattern_mismatch":
+        message = PATTERN_WORDS[place[-1]]
+    return Refusal(
+        "settings-key-invalid",
+        f"{named} = {first['input']!r}",
+        WORDS.get(first["type"], message),
+        "Correct it",
+    )

@@ -1,0 +1,173 @@
+"""Who controls the station: one person at a time, for all to see.
+
+Control is taken by acting where nobody has it, and lapses where its holder is not heard of.
+It never ends a scan or a step: only who may act changes.
+"""
+
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from app.errors import Refusal
+from app.station.bus import Bus
+
+LAPSES_S = 20.0
+"""Without a beat of its holder's browser."""
+LONGEST_REASON = 120
+
+
+@dataclass(frozen=True, slots=True)
+class Person:
+    """Somebody at a browser."""
+
+    id: str
+    """Of the browser's sign-in."""
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Control:
+    """What all see of it, as the topic ``control``."""
+
+    holder: Person | None = None
+    asked_by: Person | None = None
+
+
+class Lease:
+    """Control of one station; any thread may call."""
+
+    def __init__(self, bus: Bus, clock: Callable[[], float] = time.monotonic) -> None:
+        self._bus, self._clock = bus, clock
+        self._lock = threading.RLock()
+        self._control = Control()
+        self._beat_s = 0.0
+        self.last_name = ""
+        """Of whoever has control, or had it last: what the arm's button does is theirs."""
+        bus.publish("control", self._control)
+
+    @property
+    def control(self) -> Control:
+        """As of now."""
+        with self._lock:
+            self._lapse()
+            return self._control
+
+    def act(self, person: Person) -> None:
+        """Before every act: takes control where it is free.
+
+        Raises:
+            Refusal: somebody else has it.
+        """
+        with self._lock:
+            holder = self.control.holder
+            if holder is None:
+                self._set(Control(person))
+            elif holder.id != person.id:
+                raise Refusal(
+                    "control",
+                    f"{holder.name} has control" + (self._elsewhere(person, holder)),
+                    "one browser acts at a time",
+                    "Ask for control, or take it over",
+                )
+            self._beat_s = self._clock()
+
+    def beat(self, person_id: str) -> None:
+        """The browser is still there."""
+        with self._lock:
+            if self._control.holder is not None and self._control.holder.id == person_id:
+                self._beat_s = self._clock()
+            self._lapse()
+
+    def ask(self, person: Person) -> None:
+        """Asks the holder for control; takes it where it is free."""
+        with self._lock:
+            holder = self.control.holder
+            if holder is None or holder.id == person.id:
+                self.act(person)
+                return
+            self._set(Control(holder, person))
+            self._bus.event("control", f"{person.name} asks {holder.name} for control.")
+
+    def answer(self, person: Person, give: bool) -> None:
+        """The holder hands over to whoever asked, or keeps control."""
+        with self._lock:
+            asked_by = self._held_by(person).asked_by
+            if asked_by is None:
+                raise Refusal("control-not-asked", "Nobody asks for control")
+            if give:
+                self._set(Control(asked_by))
+                self._beat_s = self._clock()
+                self._bus.event("control", f"{asked_by.name} has control now.")
+            else:
+                self._set(Control(person))
+                self._bus.event("control", f"{person.name} keeps control.")
+
+    def release(self, person: Person) -> None:
+        """Lets go of it."""
+        with self._lock:
+            asked_by = self._held_by(person).asked_by
+            self._set(Control(asked_by))
+            self._beat_s = self._clock()
+
+    def take_over(self, person: Person, reason: str) -> None:
+        """Takes control from whoever has it, for a reason that all are told.
+
+        Raises:
+            Refusal: no reason is given, where it is another person's.
+        """
+        reason = " ".join(reason.split())[:LONGEST_REASON]
+        with self._lock:
+            holder = self.control.holder
+            others = holder is not None and holder.name != person.name
+            if others and not reason:
+                raise Refusal(
+                    "control-reason",
+                    "No reason is given",
+                    "the one who loses control is told why",
+                    "Say in a few words why you take over",
+                )
+            self._set(Control(person))
+            self._beat_s = self._clock()
+            if holder is not None and others:
+                text = f"{person.name} took over control from {holder.name}: {reason}"
+                self._bus.event("control", text, "attention")
+
+    def leave(self, person_id: str) -> None:
+        """A browser that signed out has no control any more."""
+        with self._lock:
+            holder, asked_by = self._control.holder, self._control.asked_by
+            if holder is not None and holder.id == person_id:
+                self._set(Control(asked_by))
+                self._beat_s = self._clock()
+            elif asked_by is not None and asked_by.id == person_id:
+                self._set(Control(holder))
+
+    def leave_all(self, name: str) -> None:
+        """A person who was signed out everywhere has no control any more."""
+        with self._lock:
+            for person in (self._control.asked_by, self._control.holder):
+                if person is not None and person.name.lower() == name.lower():
+                    self.leave(person.id)
+
+    def _held_by(self, person: Person) -> Control:
+        control = self.control
+        if control.holder is None or control.holder.id != person.id:
+            raise Refusal("control-not-yours", "You do not have control")
+        return control
+
+    def _lapse(self) -> None:
+        late = self._clock() - self._beat_s > LAPSES_S
+        if self._control.holder is not None and late:
+            self._beat_s = self._clock()
+            self._set(Control(self._control.asked_by))
+
+    def _set(self, control: Control) -> None:
+        if control != self._control:
+            self._control = control
+            self.last_name = control.holder.name if control.holder else self.last_name
+            self._bus.publish("control", control)
+
+    @staticmethod
+    def _elsewhere(person: Person, holder: Person) -> str:
+        return " in another browser" if holder.name == person.name else ""

@@ -1,0 +1,238 @@
+"""The arm of the rig: its joints now, at a stamp, and averaged while it is still."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from app.errors import Refusal
+from app.findings import capital
+from app.metrology.arm.joint_interpolation import Stamps
+from app.metrology.arm.joint_plausibility import JointJudge
+from app.metrology.arm.kinematics import Arm, flange_poses, tip_centres
+from app.metrology.transforms import Floats, vector_from_rotation
+from app.station.bus import Bus
+from app.station.devices.device_thread import READ_TIMEOUT_S, DeviceReader
+from app.station.devices.joint_buffer import JointMean, JointRing, JointWindow, mean_of
+from app.station.devices.link_state import DeviceState, device_state
+from app.station.devices.stillness import UNKNOWN, WINDOW_S, Stillness, stillness
+from hardware.clock import now_ns
+from hardware.interfaces import ArmDriver, ArmInfo, ButtonEvent, JointSample
+
+# Packets may come late on a busy machine; their stamps are right nevertheless.
+LATE_S = 0.5
+# An arm this far from where it stood, at its flange, stands elsewhere: some pixels off.
+ELSEWHERE_MM, ELSEWHERE_RAD = 0.5, 0.003
+# An arm that sent what cannot be true is not believed for so long.
+DOUBTED_S = 1.0
+
+
+class ArmSide:
+    """Reads the arm on its own thread; everything else may be called from any thread."""
+
+    def __init__(self, bus: Bus, make: Callable[[], ArmDriver]) -> None:
+        self._bus = bus
+        self._chosen: Arm | None = None
+        self._ring: JointRing | None = None
+        self._judge: JointJudge[JointSample] | None = None
+        self._judged_serial = ""
+        self._newest: JointSample | None = None
+        self.on_button: Callable[[ButtonEvent], None] | None = None
+        self.reader: DeviceReader[ArmDriver, ArmInfo] = DeviceReader(
+            "arm", make, lambda driver: driver.open(), self._read, self._connected
+        )
+
+    @property
+    def info(self) -> ArmInfo | None:
+        """What the arm says of itself, None while it is not connected."""
+        return self.reader.info
+
+    @property
+    def fresh(self) -> bool:
+        """True while joint samples come."""
+        return self.reader.fresh
+
+    @property
+    def kept_back(self) -> int:
+        """Readings since this arm first connected that could not be true."""
+        return 0 if self._judge is None else self._judge.kept_back
+
+    @property
+    def newest_kept_back(self) -> Refusal | None:
+        """What is said of the newest of them; None where there are none."""
+        newest = None if self._judge is None else self._judge.newest
+        return None if newest is None else newest.refusal
+
+    @property
+    def kept_back_ago_s(self) -> float | None:
+        """Since the newest of them."""
+        newest = None if self._judge is None else self._judge.newest
+        return None if newest is None else (now_ns() - newest.stamp_ns) / 1e9
+
+    def doubt(self) -> Refusal | None:
+        """Why the arm's readings are not believed just now; None while they are plausible."""
+        newest = self._judge.newest if self._judge is not None else None
+        if newest is None or now_ns() - newest.stamp_ns > DOUBTED_S * 1e9:
+            return None
+        return newest.refusal
+
+    def link(self) -> DeviceState:
+        """An arm whose readings cannot be true is as good as lost, and says why."""
+        state, doubt = device_state("Arm", self.reader.link(), self.info), self.doubt()
+        if doubt is None or state.state != "connected":
+            return state
+        return replace(state, state="lost", text=capital(doubt.line))
+
+    def set_model(self, arm: Arm | None) -> None:
+        """The kinematics by which readings, stillness and the tip's place are judged."""
+        self._chosen = arm
+        if self._judge is not None:
+            self._judge.set_arm(arm)
+
+    def latest(self) -> JointSample | None:
+        """The newest sample, None while the arm is not fresh."""
+        return self._newest if self.fresh else None
+
+    def tip_mm(self) -> tuple[float, float, float] | None:
+        """Centre of the probe's tip in the arm frame; None while it is not known."""
+        arm, newest = self._model(), self.latest()
+        if arm is None or newest is None:
+            return None
+        x, y, z = tip_centres(arm, np.array([newest.joints_rad]))[0]
+        return float(x), float(y), float(z)
+
+    def at(self, stamp_ns: int, wait_s: float = LATE_S) -> Floats | None:
+        """Encoder angles (n,) at a stamp; None where the arm sent none around it."""
+        ring = self._ring
+        return None if ring is None else ring.at(stamp_ns, wait_s)
+
+    def at_all(self, stamps_ns: Stamps, wait_s: float = LATE_S) -> Floats | None:
+        """The same (F, n) at stamps (F,) that lie near together, NaN where the arm sent none;
+        None before it first connected."""
+        ring = self._ring
+        return None if ring is None else ring.at_all(stamps_ns, wait_s)
+
+    def window(self, first_ns: int, last_ns: int) -> JointWindow | None:
+        """The kept samples between two stamps; None before the arm first connected."""
+        ring = self._ring
+        return None if ring is None else ring.between(first_ns, last_ns)
+
+    def stillness(self) -> Stillness:
+        """How far the arm moved over the last 0.3 s."""
+        ring, arm = self._ring, self._model()
+        last_ns = ring.last_stamp_ns() if ring else None
+        if ring is None or arm is None or last_ns is None or not self.fresh:
+            return UNKNOWN
+        if (doubt := self.doubt()) is not None:
+            return replace(UNKNOWN, text=capital(doubt.line))
+        first_ns = last_ns - int(WINDOW_S * 1e9)
+        window = ring.between(first_ns, last_ns)
+        return stillness(arm, window) if ring.covers(window, first_ns, last_ns) else UNKNOWN
+
+    def moved_since(self, stamp_ns: int) -> bool:
+        """Whether the arm stands elsewhere than at a stamp, so that a picture of then no
+        longer shows what its camera sees; False while the arm or its model is not there."""
+        arm, newest = self._model(), self.latest()
+        if arm is None or newest is None:
+            return False
+        q_rad = self.at(stamp_ns, 0.0)
+        if q_rad is None:
+            return stamp_ns < newest.stamp_ns
+        then, now = flange_poses(arm, np.array([q_rad, newest.joints_rad]))
+        moved_mm = np.linalg.norm(now[:3, 3] - then[:3, 3])
+        turned_rad = np.linalg.norm(vector_from_rotation(then[:3, :3].T @ now[:3, :3]))
+        return bool(moved_mm > ELSEWHERE_MM or turned_rad > ELSEWHERE_RAD)
+
+    def average(self, window_s: float = 0.2, until_ns: int | None = None) -> JointMean:
+        """The joints' mean over a window in which the arm was still.
+
+        The window ends at ``until_ns`` (the newest sample, without one). For a
+        button press give its stamp: pressing moves the arm, so what counts came
+        before.
+
+        Raises:
+            Refusal: ``arm-lost``, ``no-arm-model``, ``joint-implausible``, ``no-joints``,
+                or ``arm-moving``.
+        """
+        doubt = self.doubt() if until_ns is None else None
+        if doubt is not None:
+            raise doubt
+        last_ns = until_ns
+        if last_ns is None:
+            newest = self.latest()
+            last_ns = newest.stamp_ns if newest is not None else now_ns()
+        return self.mean_over(last_ns - int(window_s * 1e9), last_ns, "arm-moving")
+
+    def mean_over(self, first_ns: int, last_ns: int, moved_code: str) -> JointMean:
+        """The mean between two stamps, if the arm was still from the one to the other.
+
+        Raises:
+            Refusal: as ``average``, with ``moved_code`` where the arm moved.
+        """
+        ring, arm = self._ring, self._model()
+        if ring is None or not ring.wait_past(last_ns, LATE_S):
+            raise Refusal(
+                "arm-lost",
+                "the arm sends no joint angles",
+                remedy="wait until the arm is connected again; nothing was lost",
+            )
+        if arm is None:
+            raise Refusal(
+                "no-arm-model",
+                f"no arm model with {ring.joint_count} joints is chosen",
+                remedy="choose the arm first",
+            )
+        wrong = self._judge.between(first_ns, last_ns) if self._judge is not None else None
+        if wrong is not None:
+            raise wrong.refusal
+        window = ring.between(first_ns, last_ns)
+        moved = stillness(arm, window) if ring.covers(window, first_ns, last_ns) else UNKNOWN
+        if moved is UNKNOWN:
+            raise Refusal(
+                "no-joints",
+                f"only {len(window)} joint samples came in {(last_ns - first_ns) / 1e9:.2f} s",
+                "the arm's data has a gap there",
+                "take it again",
+            )
+        if not moved.still:
+            raise Refusal(moved_code, "the arm was not still", moved.text, "hold it still, again")
+        return mean_of(window)
+
+    def _model(self) -> Arm | None:
+        """The arm's model, unless the connected arm has another number of joints."""
+        arm, ring = self._chosen, self._ring
+        return arm if arm is not None and ring and arm.joint_count == ring.joint_count else None
+
+    def _connected(self, driver: ArmDriver, info: ArmInfo) -> None:
+        self._newest = None
+        # one ring over reconnections: a recording goes on where it was
+        if self._ring is None or self._ring.joint_count != info.joint_count:
+            self._ring = JointRing(info.joint_count, info.rate_hz)
+            self._judge = None
+        if self._judge is None or self._judged_serial != info.serial_number:
+            self._judge = JointJudge(info.joint_count, info.rate_hz, self._chosen)
+            self._judged_serial = info.serial_number
+
+    def _read(self, driver: ArmDriver) -> int:
+        records = driver.read(READ_TIMEOUT_S)
+        samples = [record for record in records if isinstance(record, JointSample)]
+        if samples:
+            self._take(samples)
+        for record in records:
+            if isinstance(record, ButtonEvent):
+                self._bus.call(self._press, record)
+        return len(samples)
+
+    def _take(self, samples: Sequence[JointSample]) -> None:
+        """Keeps what can be true: nothing else of the arm is seen by anybody."""
+        ring, judge = self._ring, self._judge
+        if ring is None or judge is None:
+            return
+        good = judge.passed(samples)
+        ring.extend(good, judge.judged_ns)
+        if good:
+            self._newest = good[-1]
+
+    def _press(self, event: ButtonEvent) -> None:
+        if self.on_button is not None:
+            self.on_button(event)

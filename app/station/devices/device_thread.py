@@ -1,0 +1,238 @@
+"""One thread a device: opens it, reads it, and opens it again when it was lost."""
+
+import logging
+import threading
+import time
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import Generic, Protocol, TypeVar
+
+from app.station.devices.awake_clock import AWAKE
+from hardware.errors import DeviceError
+from hardware.interfaces import LinkHealth
+
+log = logging.getLogger(__name__)
+
+READ_TIMEOUT_S = 0.1
+# Data older than this means a lost device, whatever its connection says: more than a
+# busy machine's hiccup, and still told within a second.
+FRESH_S = 0.8
+# A device that is connected and silent for so long is closed and opened again.
+SILENCE_S = 3.0
+FIRST_BACK_OFF_S = 0.2
+LONGEST_BACK_OFF_S = 2.0
+RATE_WINDOW_S = 1.0
+
+
+class LinkState(StrEnum):
+    CONNECTED = "connected"
+    CONNECTING = "connecting"
+    LOST = "lost"
+    OFF = "off"
+
+
+@dataclass(frozen=True, slots=True)
+class Link:
+    """How a device is doing. Counts are of all connections since the start."""
+
+    state: LinkState
+    text: str
+    age_s: float | None
+    rate_hz: float | None
+    received: int
+    lost: int
+    corrupt: int
+
+
+class Device(Protocol):
+    """What every driver can do."""
+
+    @property
+    def health(self) -> LinkHealth: ...
+
+    def close(self) -> None: ...
+
+
+D = TypeVar("D", bound=Device)
+I_co = TypeVar("I_co")
+
+
+class DeviceReader(Generic[D, I_co]):
+    """Keeps one device open and read, on its own thread.
+
+    Args:
+        title: the device's name in sentences, e.g. ``arm``.
+        make: a new driver, not yet open; asked for at each connection.
+        connect: opens the driver, and returns what it says of itself.
+        read: reads once, blocking at most ``READ_TIMEOUT_S``; returns how many records came.
+        connected: called on the reader's thread after each opening, before the first read.
+        longest_gap_s: by what it says of itself, how long it may be silent while it is there;
+            nobody need say less than ``FRESH_S``.
+    """
+
+    def __init__(
+        self,
+        title: str,
+        make: Callable[[], D],
+        connect: Callable[[D], I_co],
+        read: Callable[[D], int],
+        connected: Callable[[D, I_co], None],
+        longest_gap_s: Callable[[I_co], float] = lambda info: 0.0,
+    ) -> None:
+        self._title = title
+        self._make = make
+        self._connect = connect
+        self._read = read
+        self._connected = connected
+        self._longest_gap_s = longest_gap_s
+        self._lock = threading.Lock()
+        self._stopping = threading.Event()
+        self._thread: threading.Thread | None = None
+        self._driver: D | None = None
+        self._info: I_co | None = None
+        self._error = ""
+        self._ever_connected = False
+        self._last_data_s: float | None = None
+        self._opened_s = 0.0
+        self._counted = LinkHealth()
+        self._records = 0
+        self._arrivals: deque[tuple[float, int]] = deque()
+
+    def start(self) -> None:
+        self._stopping.clear()
+        self._thread = threading.Thread(target=self._run, name=f"{self._title}-reader", daemon=True)
+        self._thread.start()
+
+    def stop(self) -> None:
+        """Ends the thread and closes the device."""
+        self._stopping.set()
+        thread = self._thread
+        if thread is not None:
+            thread.join(5.0)
+            self._thread = None
+
+    @property
+    def driver(self) -> D | None:
+        """The open driver, None while there is none."""
+        with self._lock:
+            return self._driver
+
+    @property
+    def info(self) -> I_co | None:
+        """What the open device says of itself, None while there is none."""
+        with self._lock:
+            return self._info
+
+    @property
+    def fresh(self) -> bool:
+        """True while data comes."""
+        return self.link().state is LinkState.CONNECTED
+
+    def link(self) -> Link:
+        """The state as of now: also a thread stuck in its driver cannot make it look fresh."""
+        now = AWAKE.now_s()
+        with self._lock:
+            age = None if self._last_data_s is None else now - self._last_data_s
+            state, text = self._state(age, now)
+            health = self._total()
+            rate = self._rate(time.monotonic()) if state is LinkState.CONNECTED else None
+        return Link(state, text, age, rate, health.received, health.lost, health.corrupt)
+
+    def _state(self, age_s: float | None, now: float) -> tuple[LinkState, str]:
+        if self._thread is None:
+            return LinkState.OFF, f"The {self._title} is off"
+        if self._driver is None or self._info is None:
+            if self._ever_connected:
+                return LinkState.LOST, self._error or f"The {self._title} was lost; reconnecting"
+            return LinkState.CONNECTING, self._error or f"Connecting to the {self._title}"
+        fresh_s = self._allowed_silence_s(FRESH_S)
+        if age_s is not None and age_s <= fresh_s:
+            return LinkState.CONNECTED, f"The {self._title} is connected"
+        if now - self._opened_s <= fresh_s:
+            return LinkState.CONNECTING, f"Waiting for the {self._title}'s first data"
+        silent_s = age_s if age_s is not None else now - self._opened_s
+        return LinkState.LOST, f"No data from the {self._title} for {silent_s:.1f} s"
+
+    def _total(self) -> LinkHealth:
+        total, driver = self._counted, self._driver
+        if driver is None:
+            return total
+        return _sum(total, driver.health)
+
+    def _rate(self, now: float) -> float | None:
+        """Records a second, between the arrivals of the last second."""
+        arrivals = [(at, count) for at, count in self._arrivals if now - at <= RATE_WINDOW_S]
+        if len(arrivals) < 2:
+            return None
+        span = arrivals[-1][0] - arrivals[0][0]
+        return sum(count for _, count in arrivals[1:]) / span if span > 0 else None
+
+    def _run(self) -> None:
+        back_off_s = FIRST_BACK_OFF_S
+        while not self._stopping.is_set():
+            if self._use(self._make()):
+                back_off_s = FIRST_BACK_OFF_S
+            if self._stopping.wait(back_off_s):
+                break
+            back_off_s = min(2 * back_off_s, LONGEST_BACK_OFF_S)
+
+    def _use(self, driver: D) -> bool:
+        """Opens a driver and reads it until it is lost; True when data came at all."""
+        received_before = self._records
+        try:
+            info = self._connect(driver)
+            self._took(driver, info)
+            self._pump(driver)
+        except DeviceError as error:
+            self._error = str(error)
+        except Exception as error:  # a driver's own mistake must not end the station
+            log.exception("the driver of the %s failed", self._title)
+            self._error = f"The {self._title}'s driver failed: {error}"
+        finally:
+            with self._lock:
+                if self._driver is not None:
+                    self._counted = _sum(self._counted, self._driver.health)
+                self._driver = self._info = None
+            driver.close()
+        return self._records > received_before
+
+    def _took(self, driver: D, info: I_co) -> None:
+        self._connected(driver, info)
+        with self._lock:
+            self._driver, self._info = driver, info
+            self._ever_connected = True
+            self._error = ""
+            self._opened_s = AWAKE.now_s()
+            self._arrivals.clear()
+
+    def _pump(self, driver: D) -> None:
+        """Reads until the station stops; raises ``DeviceError`` when the device falls silent."""
+        while not self._stopping.is_set():
+            count = self._read(driver)
+            now = AWAKE.now_s()
+            if count:
+                self._note(now, time.monotonic(), count)
+            elif now - max(self._opened_s, self._last_data_s or 0.0) > (
+                silence_s := self._allowed_silence_s(SILENCE_S)
+            ):
+                raise DeviceError(
+                    f"The {self._title} sent nothing for {silence_s:.0f} s; opening it again"
+                )
+
+    def _allowed_silence_s(self, usual_s: float) -> float:
+        """The usual silence, or a longer one that the device announces."""
+        return usual_s if self._info is None else max(usual_s, self._longest_gap_s(self._info))
+
+    def _note(self, awake_s: float, now: float, count: int) -> None:
+        with self._lock:
+            self._last_data_s = awake_s
+            self._records += count
+            self._arrivals.append((now, count))
+            while now - self._arrivals[0][0] > RATE_WINDOW_S:
+                self._arrivals.popleft()
+
+
+def _sum(a: LinkHealth, b: LinkHealth) -> LinkHealth:
+    return LinkHealth(a.received + b.received, a.lost + b.lost, a.corrupt + b.corrupt)

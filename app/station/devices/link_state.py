@@ -1,0 +1,91 @@
+"""One device as the browser shows it."""
+
+import time
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Literal
+
+from app.station.devices.device_thread import Link, LinkState
+from hardware.interfaces import ArmInfo, SensorInfo
+
+
+@dataclass(frozen=True, slots=True)
+class DeviceState:
+    """A device's state in words and numbers; counts are of all its connections."""
+
+    title: str
+    state: Literal["connected", "connecting", "lost", "off"]
+    text: str
+    age_s: float | None
+    """Age of the newest data when this was made."""
+    rate_hz: float | None
+    received: int
+    lost: int
+    corrupt: int
+
+
+def device_state(title: str, link: Link, info: ArmInfo | SensorInfo | None) -> DeviceState:
+    """The state of a link; a connected device is told by its name and serial number."""
+    text = link.text
+    if info is not None and link.state is LinkState.CONNECTED:
+        text = info.name
+        if info.serial_number:
+            text = f"{info.name}, serial number {info.serial_number}"
+    return DeviceState(
+        title,
+        link.state.value,
+        text,
+        link.age_s,
+        link.rate_hz,
+        link.received,
+        link.lost,
+        link.corrupt,
+    )
+
+
+WINDOW_S = 600.0
+SAMPLE_S = 5.0
+
+
+@dataclass(frozen=True, slots=True)
+class Losses:
+    """Of one device, in the window."""
+
+    received: int
+    lost: int
+    corrupt: int
+
+    @property
+    def share(self) -> float:
+        """0 to 1; of a silent device 0."""
+        total = self.received + self.lost + self.corrupt
+        return (self.lost + self.corrupt) / total if total else 0.0
+
+
+class LossWindow:
+    """Counts that only grow, looked at as what they grew by lately."""
+
+    def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
+        self._clock = clock
+        self._samples: deque[tuple[float, Losses]] = deque()
+
+    def note(self, received: int, lost: int, corrupt: int) -> None:
+        """The counts as of now; called at any pace."""
+        now_s = self._clock()
+        if self._samples and now_s - self._samples[-1][0] < SAMPLE_S:
+            return
+        self._samples.append((now_s, Losses(received, lost, corrupt)))
+        while len(self._samples) > 2 and now_s - self._samples[1][0] >= WINDOW_S:
+            self._samples.popleft()
+
+    def over(self, received: int, lost: int, corrupt: int) -> Losses:
+        """What the counts grew by in the window."""
+        if not self._samples:
+            return Losses(0, 0, 0)
+        first = self._samples[0][1]
+        return Losses(
+            max(received - first.received, 0),
+            max(lost - first.lost, 0),
+            max(corrupt - first.corrupt, 0),
+        )

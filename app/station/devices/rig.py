@@ -1,0 +1,143 @@
+"""The station's devices: one arm, one sensor, always read, never given up."""
+
+import shutil
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from app.errors import Refusal
+from app.station.bus import Bus
+from app.station.devices.arm_device import ArmSide
+from app.station.devices.capture import Capture, capture
+from app.station.devices.device_thread import Link, LinkState
+from app.station.devices.link_state import DeviceState
+from app.station.devices.sensor_device import SensorSide
+from hardware.interfaces import ArmDriver, SensorDriver
+
+# Devices are told of so often, and as soon as one is seen to be lost or back.
+PUBLISH_S, LOOK_S = 0.2, 0.05
+
+
+@dataclass(frozen=True, slots=True)
+class Devices:
+    """All that the browser shows of the devices."""
+
+    arm: DeviceState
+    sensor: DeviceState
+    laser_on: bool
+    has_laser_switch: bool
+    arm_still: bool
+    exposure_us: float | None
+    tip_mm: tuple[float, float, float] | None
+    disk_free_gb: float
+
+
+class Rig:
+    """Both devices, and what takes the two together.
+
+    Args:
+        arm, sensor: make a new driver, not yet open, each time they are called.
+        data_dir: the folder whose disk is watched.
+    """
+
+    def __init__(
+        self,
+        bus: Bus,
+        arm: Callable[[], ArmDriver],
+        sensor: Callable[[], SensorDriver],
+        data_dir: Path,
+    ) -> None:
+        self._bus = bus
+        self._data_dir = data_dir
+        self.arm = ArmSide(bus, arm)
+        self.sensor = SensorSide(bus, sensor)
+        self._capturing = threading.Lock()
+        self._stopping = threading.Event()
+        self._publisher: threading.Thread | None = None
+
+    def start(self) -> None:
+        self._stopping.clear()
+        self.arm.reader.start()
+        self.sensor.reader.start()
+        self._publisher = threading.Thread(target=self._publish, name="rig-state", daemon=True)
+        self._publisher.start()
+
+    def stop(self) -> None:
+        """Laser off, devices closed, threads ended."""
+        self.sensor.laser_off()
+        self._stopping.set()
+        self.arm.reader.stop()
+        self.sensor.reader.stop()
+        if self._publisher is not None:
+            self._publisher.join(2.0)
+            self._publisher = None
+
+    def devices(self) -> Devices:
+        """Everything at once, as of now."""
+        info = self.sensor.info
+        return Devices(
+            arm=self.arm.link(),
+            sensor=self.sensor.link(),
+            laser_on=self.sensor.laser_on,
+            has_laser_switch=info is not None and info.has_laser_switch,
+            arm_still=self.arm.stillness().still,
+            exposure_us=self.sensor.exposure_us,
+            tip_mm=self.arm.tip_mm(),
+            disk_free_gb=shutil.disk_usage(self._data_dir).free / 1e9,
+        )
+
+    def capture_pair(self) -> Capture:
+        """The calibration picture: ambient and laser while the arm is still, or one with both.
+
+        Raises:
+            Refusal: ``arm-moving`` before, ``arm-moved`` during the capture,
+                ``arm-lost``, ``no-arm-model``, ``sensor-lost``, ``laser-stuck``, ``busy``.
+        """
+        _, info = self.sensor.open_driver()
+        if not self._capturing.acquire(blocking=False):
+            raise Refusal("busy", "a picture is being taken already")
+        try:
+            self.arm.average()
+            return capture(
+                self.sensor.frames,
+                self.sensor.set_laser if info.has_laser_switch else None,
+                self.sensor.laser_on,
+                lambda first_ns, last_ns: self.arm.mean_over(first_ns, last_ns, "arm-moved"),
+            )
+        finally:
+            self._capturing.release()
+
+    def _publish(self) -> None:
+        said: dict[str, LinkState] = {}
+        published_s, doubted = 0.0, False
+        while not self._stopping.wait(LOOK_S):
+            before = dict(said)
+            for title, link in (
+                ("arm", self.arm.reader.link()),
+                ("sensor", self.sensor.reader.link()),
+            ):
+                self._tell(title, said.get(title), link)
+                said[title] = link.state
+            doubted = self._tell_doubt(doubted)
+            now_s = time.monotonic()
+            if said != before or now_s - published_s >= PUBLISH_S:
+                self._bus.publish("devices", self.devices())
+                published_s = now_s
+
+    def _tell_doubt(self, before: bool) -> bool:
+        """Says once when the arm's readings cannot be true any more."""
+        doubt = self.arm.doubt()
+        if doubt is not None and not before:
+            self._bus.event(doubt.code, doubt.line, "bad")
+        return doubt is not None
+
+    def _tell(self, title: str, before: LinkState | None, link: Link) -> None:
+        """Says once when a device was lost, and when it came back."""
+        if before == link.state:
+            return
+        if link.state is LinkState.LOST:
+            self._bus.event(f"{title}-lost", link.text, "bad")
+        elif link.state is LinkState.CONNECTED:
+            self._bus.event(f"{title}-connected", link.text, "good")

@@ -1,0 +1,169 @@
+"""The sensor of the rig: its frames, its laser, its exposure."""
+
+import time
+from collections.abc import Callable
+
+from app.errors import Refusal
+from app.station.bus import Bus
+from app.station.devices.auto_exposure import MOST_STEPS, better_exposure_us
+from app.station.devices.device_thread import READ_TIMEOUT_S, DeviceReader
+from app.station.devices.frame_hub import FrameHub
+from app.station.devices.link_state import DeviceState, device_state
+from hardware.clock import now_ns
+from hardware.errors import DeviceError
+from hardware.interfaces import Frame, SensorDriver, SensorInfo
+
+Better = Callable[[Frame, tuple[float, float]], float | None]
+
+# A laser that was on is switched on again after a loss no longer than this.
+LASER_RESTORE_S = 5.0
+FRAME_TIMEOUT_S = 3.0
+
+
+class SensorSide:
+    """Reads the sensor on its own thread; everything else may be called from any thread."""
+
+    def __init__(self, bus: Bus, make: Callable[[], SensorDriver]) -> None:
+        self._bus = bus
+        self.frames = FrameHub()
+        self._exposure_wanted_us: float | None = None
+        self._laser_wanted = False
+        self._last_frame_s = 0.0
+        self.reader: DeviceReader[SensorDriver, SensorInfo] = DeviceReader(
+            "sensor",
+            make,
+            lambda driver: driver.open(),
+            self._read,
+            self._connected,
+            lambda info: info.longest_gap_s,
+        )
+
+    @property
+    def info(self) -> SensorInfo | None:
+        """What the sensor says of itself, None while it is not connected."""
+        return self.reader.info
+
+    @property
+    def fresh(self) -> bool:
+        """True while frames come."""
+        return self.reader.fresh
+
+    def link(self) -> DeviceState:
+        return device_state("Sensor", self.reader.link(), self.info)
+
+    @property
+    def laser_on(self) -> bool:
+        """As last switched; where the laser has no switch, as the frames say."""
+        info, latest = self.info, self.frames.latest
+        if info is None:
+            return False
+        if info.has_laser_switch:
+            return self._laser_wanted
+        return latest is not None and latest.laser_on
+
+    @property
+    def exposure_us(self) -> float | None:
+        """The exposure of the latest frame; None while there is no sensor."""
+        latest = self.frames.latest
+        return latest.exposure_us if latest is not None and self.info else None
+
+    def set_laser(self, on: bool) -> None:
+        """Switches the laser; raises ``Refusal`` when there is no sensor or no switch."""
+        driver, info = self.open_driver()
+        if not info.has_laser_switch:
+            raise Refusal(
+                "no-laser-switch",
+                "this sensor's laser cannot be switched from here",
+                remedy="use the switch on the sensor",
+            )
+        try:
+            driver.set_laser(on)
+        except DeviceError as error:
+            raise Refusal("sensor-lost", error.what, remedy=error.remedy) from error
+        self._laser_wanted = on
+
+    def laser_off(self) -> None:
+        """Switches the laser off if there is one; never raises."""
+        self._laser_wanted = False
+        driver = self.reader.driver
+        if driver is not None:
+            try:
+                driver.set_laser(False)
+            except DeviceError:
+                # the sensor is going away; its driver switches off as it closes
+                self._bus.event("laser", "The sensor did not answer to Laser off", "bad")
+
+    def set_exposure_us(self, exposure_us: float) -> None:
+        """Applies from one of the next frames on; kept over a reconnection."""
+        driver, info = self.open_driver()
+        shortest, longest = info.exposure_range_us
+        wanted = min(max(exposure_us, shortest), longest)
+        try:
+            driver.set_exposure_us(wanted)
+        except DeviceError as error:
+            raise Refusal("sensor-lost", error.what, remedy=error.remedy) from error
+        self._exposure_wanted_us = wanted
+
+    def auto_exposure(self, better: Better = better_exposure_us) -> float:
+        """Brings the picture's bright parts to 70 % of full scale; the exposure in µs.
+
+        Another rule than ``better_exposure_us`` may say what is bright.
+
+        Blocks for about a second; what the range does not allow is left at its end.
+        """
+        _, info = self.open_driver()
+        frame = self._next_frame(now_ns(), None)
+        for _ in range(MOST_STEPS):
+            wanted = better(frame, info.exposure_range_us)
+            if wanted is None:
+                break
+            self.set_exposure_us(wanted)
+            frame = self._next_frame(now_ns(), wanted)
+        return frame.exposure_us
+
+    def open_driver(self) -> tuple[SensorDriver, SensorInfo]:
+        """The open driver; raises ``Refusal`` while there is none."""
+        driver, info = self.reader.driver, self.info
+        if driver is None or info is None:
+            raise Refusal(
+                "sensor-lost",
+                "the sensor is not connected",
+                self.reader.link().text,
+                "wait until it is connected",
+            )
+        return driver, info
+
+    def _next_frame(self, after_ns: int, exposure_us: float | None) -> Frame:
+        """A frame taken after a stamp, with the wanted exposure if that comes within a second."""
+
+        def later(frame: Frame) -> bool:
+            return frame.mid_exposure_ns > after_ns
+
+        def as_wanted(frame: Frame) -> bool:
+            return later(frame) and (
+                exposure_us is None or abs(frame.exposure_us - exposure_us) < 0.01 * exposure_us
+            )
+
+        frame = self.frames.wait(as_wanted, 1.0) or self.frames.wait(later, FRAME_TIMEOUT_S)
+        if frame is None:
+            raise Refusal(
+                "sensor-lost", "no picture came from the sensor", remedy="wait until it is back"
+            )
+        return frame
+
+    def _connected(self, driver: SensorDriver, info: SensorInfo) -> None:
+        """Brings a sensor that came back to the state it was left in."""
+        if self._exposure_wanted_us is not None:
+            driver.set_exposure_us(self._exposure_wanted_us)
+        if info.has_laser_switch:
+            away_s = time.monotonic() - self._last_frame_s
+            self._laser_wanted = self._laser_wanted and away_s <= LASER_RESTORE_S
+            driver.set_laser(self._laser_wanted)
+
+    def _read(self, driver: SensorDriver) -> int:
+        frame = driver.read(READ_TIMEOUT_S)
+        if frame is None:
+            return 0
+        self._last_frame_s = time.monotonic()
+        self.frames.put(frame)
+        return 1

@@ -1,0 +1,62 @@
+"""Where a picture is saturated, to be drawn on it."""
+
+import numpy as np
+
+from app.errors import Refusal
+from app.findings import Finding, capital
+from app.metrology.detection.image_quality import Image, PictureMeasures, findings_of, measured
+from app.metrology.image import saturation_level
+from app.station.devices.stillness import Stillness
+
+CELL_PX = 16
+# So many clipped pixels make a cell: a hot pixel or two do not.
+LEAST = 6
+MOST_BOXES = 300
+Box = tuple[int, int, int, int]
+"""Left, top, width, height in pixels."""
+
+
+def saturation(image: Image) -> tuple[float, tuple[Box, ...]]:
+    """The share of saturated pixels in percent, and the places as boxes, joined along rows."""
+    clipped = image >= saturation_level(image)
+    count = int(np.count_nonzero(clipped))
+    percent = 100.0 * count / image.size
+    if count < LEAST:
+        return percent, ()
+    rows, columns = (size // CELL_PX for size in image.shape)
+    whole = clipped[: rows * CELL_PX, : columns * CELL_PX]
+    cells = whole.reshape(rows, CELL_PX, columns, CELL_PX).sum(axis=(1, 3)) >= LEAST
+    edges = np.diff(cells.astype(np.int8), axis=1, prepend=0, append=0)
+    starts, ends = np.argwhere(edges == 1), np.argwhere(edges == -1)
+    boxes = [
+        (int(left) * CELL_PX, int(row) * CELL_PX, int(right - left) * CELL_PX, CELL_PX)
+        for (row, left), (_, right) in zip(starts, ends, strict=True)
+    ]
+    return percent, tuple(boxes[:MOST_BOXES])
+
+
+def picture_words(image: Image) -> list[Finding]:
+    """Exposure, saturation and sharpness in words; empty when all is well."""
+    return measured_words(image)[1]
+
+
+def measured_words(image: Image) -> tuple[PictureMeasures | None, list[Finding]]:
+    """The same with the measures, which a picture that is not grey has none of."""
+    try:
+        measures = measured(image)
+    except Refusal as refusal:
+        return None, [refused(refusal)]
+    return measures, [
+        Finding("attention", capital(f.text), capital(f.remedy)) for f in findings_of(measures)
+    ]
+
+
+def refused(refusal: Refusal) -> Finding:
+    """A refusal as a finding."""
+    text = refusal.what if not refusal.why else f"{refusal.what}: {refusal.why}"
+    return Finding("attention", capital(text), capital(refusal.remedy))
+
+
+def still_words(stillness: Stillness) -> list[Finding]:
+    """Asks to hold still when the arm moves; empty when it is still."""
+    return [] if stillness.still else [Finding("attention", stillness.text, "Hold still")]

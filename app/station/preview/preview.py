@@ -1,0 +1,313 @@
+"""The live picture for the browser: encoded once for all who watch, told in words."""
+
+import json
+import logging
+import struct
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import asdict, dataclass
+from typing import Literal
+
+import cv2
+import numpy as np
+
+from app.errors import Refusal
+from app.findings import Finding
+from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
+from app.metrology.detection.image_quality import Image, PictureMeasures
+from app.metrology.image import saturation_level
+from app.metrology.stripe import Stripe
+from app.metrology.targets.target import CalibrationObject
+from app.station.bus import Bus
+from app.station.devices.arm_device import ArmSide
+from app.station.devices.sensor_device import SensorSide
+from app.station.devices.stillness import Stillness
+from app.station.preview.capture_aids import (
+    Aid,
+    distance_aid,
+    exposure_aid,
+    focus_aid,
+    framing_aid,
+    line_aid,
+)
+from app.station.preview.image_quality import Box, measured_words, saturation, still_words
+from app.station.preview.target_overlay import SeenCorner, Segment
+from app.station.preview.target_watch import NOTHING, ObjectWatch, Seen
+from app.station.scan.extraction import Extraction, extraction_by
+from app.station.working_distance import Band, DistanceWatch
+from hardware.clock import now_ns
+from hardware.interfaces import Frame
+
+log = logging.getLogger(__name__)
+
+TOPIC = "preview"
+LONGEST_SIDE_PX = 800
+JPEG_QUALITY = 75
+SHORTEST_PERIOD_S = 1 / 15
+WORDS_PERIOD_S = 0.3
+STRIPE_POINTS = 200
+
+
+@dataclass(frozen=True)
+class PreviewHeader:
+    """What goes with a picture; pixels are those of the full frame."""
+
+    seq: int
+    width_px: int
+    height_px: int
+    age_s: float
+    stripe: tuple[tuple[float, float], ...]
+    corners: tuple[SeenCorner, ...]
+    outline: tuple[Segment, ...]
+    saturated_percent: float
+    laser_on: bool
+    arm_still: bool
+    findings: tuple[Finding, ...]
+    saturated: tuple[Box, ...] = ()
+    band: Band | None = None
+    aids: tuple[Aid, ...] = ()
+
+
+@dataclass(frozen=True)
+class PreviewImage:
+    """A picture with its header."""
+
+    header: PreviewHeader
+    jpeg: bytes
+
+    def packed(self) -> bytes:
+        """Length of the header (4 bytes, big-endian), the header as JSON, the JPEG."""
+        header = json.dumps(asdict(self.header), ensure_ascii=False).encode()
+        return struct.pack(">I", len(header)) + header + self.jpeg
+
+
+class Preview:
+    """Publishes the newest picture, at most 15 a second, while somebody watches or the
+    object is looked for."""
+
+    def __init__(self, bus: Bus, arm: ArmSide, sensor: SensorSide) -> None:
+        self._bus = bus
+        self._arm = arm
+        self._sensor = sensor
+        self._objects = ObjectWatch()
+        self._axis: Literal["u", "v"] = "u"
+        self._settings = AUTOMATIC
+        self._extraction = Extraction()
+        self._viewers = 0
+        self._detecting = False
+        self._latest: PreviewImage | None = None
+        self._words: tuple[float, PictureMeasures | None, tuple[Finding, ...]] = (0.0, None, ())
+        self._distances: DistanceWatch | None = None
+        self._watched = threading.Condition()
+        self._stopping = False
+        self._thread: threading.Thread | None = None
+
+    def start(self) -> None:
+        self._stopping = False
+        self._objects.start()
+        self._thread = threading.Thread(target=self._run, name="preview", daemon=True)
+        self._thread.start()
+
+    def stop(self) -> None:
+        with self._watched:
+            self._stopping = True
+            self._watched.notify()
+        self._objects.stop()
+        if self._thread is not None:
+            self._thread.join(5.0)
+            self._thread = None
+
+    def add_viewer(self) -> None:
+        with self._watched:
+            self._viewers += 1
+            self._watched.notify()
+
+    def remove_viewer(self) -> None:
+        with self._watched:
+            self._viewers -= 1
+
+    @contextmanager
+    def watch(self) -> Iterator[None]:
+        """Pictures are made while at least one such block is open."""
+        self.add_viewer()
+        try:
+            yield
+        finally:
+            self.remove_viewer()
+
+    def detect(self, item: CalibrationObject | None) -> None:
+        """Looks for the object from now on; None ends the search."""
+        self._objects.watch(item)
+        with self._watched:
+            self._detecting = item is not None
+            self._watched.notify()
+
+    @contextmanager
+    def resting(self) -> Iterator[None]:
+        """The search for the object rests while such a block is open."""
+        self._objects.rest(True)
+        try:
+            yield
+        finally:
+            self._objects.rest(False)
+
+    def set_stripe_axis(self, axis: Literal["u", "v"]) -> None:
+        self._axis = axis
+        self._extraction = extraction_by(self._settings, axis)
+
+    @property
+    def extraction(self) -> Extraction:
+        """How the stripe is extracted that is drawn on the picture."""
+        return self._extraction
+
+    def set_settings(self, settings: ScanSettings) -> None:
+        """How the stripe is extracted that is drawn on the picture."""
+        self._settings = settings
+        self._extraction = extraction_by(settings, self._axis)
+
+    def set_calibration(self, distances: DistanceWatch | None) -> None:
+        """What tells distances in the picture from now on; None where nothing does."""
+        self._distances = distances
+
+    def latest(self) -> PreviewImage | None:
+        """The newest picture made; None before the first."""
+        return self._latest
+
+    def _run(self) -> None:
+        sequence, last_sequence = 0, -1
+        while True:
+            with self._watched:
+                self._watched.wait_for(
+                    lambda: self._stopping or self._detecting or self._viewers > 0
+                )
+                if self._stopping:
+                    return
+            started_s = time.monotonic()
+            frame = self._sensor.frames.wait(_other_than(last_sequence), 0.2)
+            if frame is None:
+                continue
+            last_sequence = frame.sequence
+            sequence += 1
+            try:
+                self._latest = self._picture(frame, sequence)
+            except Exception:  # one odd picture must not end the preview
+                log.exception("a preview could not be made")
+                continue
+            self._bus.publish(TOPIC, self._latest)
+            time.sleep(max(0.0, SHORTEST_PERIOD_S - (time.monotonic() - started_s)))
+
+    def _picture(self, frame: Frame, sequence: int) -> PreviewImage:
+        stripe = self._stripe(frame)
+        self._objects.offer(frame, stripe)
+        stillness = self._arm.stillness()
+        seen = self._seen(stillness)
+        measures, words = self._measured(frame.image)
+        findings = [*still_words(stillness), *words]
+        if seen.finding is not None:
+            findings.append(seen.finding)
+        height, width = frame.image.shape
+        percent, boxes = saturation(frame.image)
+        distances = self._distances
+        if distances is not None and not distances.fits(width, height):
+            distances = None
+        header = PreviewHeader(
+            seq=sequence,
+            width_px=width,
+            height_px=height,
+            age_s=(now_ns() - frame.mid_exposure_ns) / 1e9,
+            stripe=decimated(stripe),
+            corners=seen.corners,
+            outline=seen.outline,
+            saturated_percent=percent,
+            laser_on=frame.laser_on,
+            arm_still=stillness.still,
+            findings=tuple(findings),
+            saturated=boxes,
+            band=distances.band if distances is not None else None,
+            aids=tuple(self._aids(frame, stripe, seen, measures, distances)),
+        )
+        return PreviewImage(header, jpeg(frame.image))
+
+    def _aids(
+        self,
+        frame: Frame,
+        stripe: Stripe | None,
+        seen: Seen,
+        measures: PictureMeasures | None,
+        distances: DistanceWatch | None,
+    ) -> Iterator[Aid]:
+        """Of the line where only that is looked at, else of the object."""
+        if frame.laser_on and not self._detecting:
+            if stripe is None:
+                return
+            yield from some(line_aid(frame.image, stripe))
+            away = distances.of_stripe(stripe) if distances is not None else None
+            yield from some(distance_aid(away) if away is not None else None)
+            return
+        if measures is not None:
+            yield exposure_aid(measures)
+            yield from some(focus_aid(measures))
+        height, width = frame.image.shape
+        yield from some(framing_aid(seen.outline, width, height))
+
+    def _seen(self, stillness: Stillness) -> Seen:
+        """What was found of the object, unless the camera has been moved since."""
+        seen = self._objects.seen
+        if seen is NOTHING or not self._arm.moved_since(seen.stamp_ns):
+            return seen
+        if stillness.still:
+            self._objects.forget(seen)
+        return NOTHING
+
+    def _stripe(self, frame: Frame) -> Stripe | None:
+        if not frame.laser_on:
+            return None
+        # while an object is looked for, as its calibration takes the line: whole
+        extraction = Extraction(self._axis) if self._detecting else self._extraction
+        try:
+            return extraction.stripe(frame.image)
+        except Refusal:
+            return None
+
+    def _measured(self, image: Image) -> tuple[PictureMeasures | None, tuple[Finding, ...]]:
+        """Measures and words a few times a second: faster, nobody reads them."""
+        made_s, measures, words = self._words
+        now = time.monotonic()
+        if now - made_s > WORDS_PERIOD_S:
+            measures, told = measured_words(image)
+            words = tuple(told)
+            self._words = (now, measures, words)
+        return measures, words
+
+
+def some(aid: Aid | None) -> tuple[Aid, ...]:
+    """The aid, where there is one."""
+    return () if aid is None else (aid,)
+
+
+def jpeg(image: Image) -> bytes:
+    """The picture as JPEG, its longer side at most 800 px."""
+    height, width = image.shape
+    scale = min(1.0, LONGEST_SIDE_PX / max(height, width))
+    small = cv2.resize(
+        image, (round(width * scale), round(height * scale)), interpolation=cv2.INTER_AREA
+    )
+    if image.dtype != np.uint8:
+        small = cv2.convertScaleAbs(small, alpha=255.0 / saturation_level(image))
+    _, encoded = cv2.imencode(".jpg", small, [cv2.IMWRITE_JPEG_QUALITY, JPEG_QUALITY])
+    return encoded.tobytes()
+
+
+def decimated(stripe: Stripe | None) -> tuple[tuple[float, float], ...]:
+    """At most 200 points of a stripe, evenly taken."""
+    if stripe is None or not len(stripe.u):
+        return ()
+    every = max(1, -(-len(stripe.u) // STRIPE_POINTS))
+    u, v = np.round(stripe.u[::every], 1), np.round(stripe.v[::every], 1)
+    return tuple(zip(u.tolist(), v.tolist(), strict=True))
+
+
+def _other_than(sequence: int) -> Callable[[Frame], bool]:
+    return lambda frame: frame.sequence != sequence

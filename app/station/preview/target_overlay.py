@@ -1,0 +1,81 @@
+"""What was found of the object in a picture, as it is drawn: its corners and its outline. Pure."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.metrology.chessboard.detect_board import BoardDetection, detect_board, outshining
+from app.metrology.chessboard.grid import mapped, perspective
+from app.metrology.detection.detect_block import ObjectDetection, detect_object
+from app.metrology.detection.image_quality import Image
+from app.metrology.detection.visibility import visible_parts
+from app.metrology.sensor.camera import project
+from app.metrology.stripe import Stripe
+from app.metrology.targets.chessboard import Chessboard, grid
+from app.metrology.targets.crenellated_block import Crenellated, corners
+from app.metrology.targets.target import CalibrationObject, board_lines
+
+Segment = tuple[float, float, float, float]
+"""A line in the picture: u0, v0, u1, v1."""
+
+
+@dataclass(frozen=True)
+class SeenCorner:
+    """A corner found in a picture; as ``ImageCorner`` of the browser's types."""
+
+    name: str
+    u: float
+    v: float
+    residual_px: float | None
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """The object in a picture: each corner with its distance from where all of them put it."""
+
+    corners: tuple[SeenCorner, ...] = ()
+    outline: tuple[Segment, ...] = ()
+
+
+def found_in(image: Image, item: CalibrationObject, stripe: Stripe | None) -> Drawn:
+    """The object found in a picture; raises ``Refusal`` where it is not to be found.
+
+    Args:
+        stripe: of the same picture, where the laser was on.
+    """
+    if isinstance(item, Chessboard):
+        return board_drawn(detect_board(image, item, stripe and outshining(image, stripe)), item)
+    return block_drawn(detect_object(image, item, stripe), item)
+
+
+def block_drawn(found: ObjectDetection, block: Crenellated) -> Drawn:
+    """A block by the camera that was fitted to it, hidden edges left out."""
+    points = corners(block)
+    at = project(found.camera, np.array([points[corner.name] for corner in found.corners]))
+    parts = visible_parts(block, found.camera.centre_mm)
+    ends = project(
+        found.camera, np.array([(part.start_mm, part.end_mm) for part in parts]).reshape(-1, 3)
+    )
+    return Drawn(
+        tuple(
+            SeenCorner(c.name, c.u, c.v, float(np.hypot(c.u - u, c.v - v)))
+            for c, (u, v) in zip(found.corners, at, strict=True)
+        ),
+        tuple((float(a), float(b), float(c), float(d)) for a, b, c, d in ends.reshape(-1, 4)),
+    )
+
+
+def board_drawn(found: BoardDetection, board: Chessboard) -> Drawn:
+    """A board by one perspective of all its corners."""
+    places = grid(board)[found.number]
+    to_picture = perspective(places, found.uv_px)
+    off = np.linalg.norm(found.uv_px - mapped(to_picture, places), axis=1)
+    border = board_lines(board)[:4, :, :2].reshape(-1, 2) / board.square_mm
+    ends = mapped(to_picture, border)
+    return Drawn(
+        tuple(
+            SeenCorner(f"{column},{row}", float(u), float(v), float(px))
+            for (column, row), (u, v), px in zip(places.tolist(), found.uv_px, off, strict=True)
+        ),
+        tuple((float(a), float(b), float(c), float(d)) for a, b, c, d in ends.reshape(-1, 4)),
+    )

@@ -1,0 +1,121 @@
+"""Looks for the object in the live picture a few times a second, on a thread of its own."""
+
+import logging
+import threading
+import time
+from dataclasses import dataclass
+
+from app.errors import Refusal
+from app.findings import Finding
+from app.metrology.stripe import Stripe
+from app.metrology.targets.target import CalibrationObject
+from app.station.preview.image_quality import refused
+from app.station.preview.target_overlay import SeenCorner, Segment, found_in
+from hardware.interfaces import Frame
+
+log = logging.getLogger(__name__)
+
+# The detection may take half of one core, whatever it costs.
+REST_SHARE = 1.0
+SHORTEST_REST_S = 0.15
+
+
+@dataclass(frozen=True)
+class Seen:
+    """What was found of the object in the frame exposed at ``stamp_ns``."""
+
+    stamp_ns: int = 0
+    corners: tuple[SeenCorner, ...] = ()
+    outline: tuple[Segment, ...] = ()
+    finding: Finding | None = None
+
+
+NOTHING = Seen()
+
+
+class ObjectWatch:
+    """Detects on the newest frame that was offered, and rests between two detections."""
+
+    def __init__(self) -> None:
+        self._offered = threading.Condition()
+        self._item: CalibrationObject | None = None
+        self._frame: tuple[Frame, Stripe | None] | None = None
+        self._seen = NOTHING
+        self._resting = False
+        self._stopping = False
+        self._thread: threading.Thread | None = None
+
+    def start(self) -> None:
+        self._stopping = False
+        self._thread = threading.Thread(target=self._run, name="object-watch", daemon=True)
+        self._thread.start()
+
+    def stop(self) -> None:
+        with self._offered:
+            self._stopping = True
+            self._offered.notify()
+        if self._thread is not None:
+            self._thread.join(5.0)
+            self._thread = None
+
+    def watch(self, item: CalibrationObject | None) -> None:
+        """Names the object to look for; None ends the search."""
+        with self._offered:
+            if item != self._item:
+                self._item, self._seen, self._frame = item, NOTHING, None
+
+    @property
+    def seen(self) -> Seen:
+        """What the last search found; ``NOTHING`` while none is wanted."""
+        with self._offered:
+            return self._seen
+
+    def rest(self, resting: bool) -> None:
+        """While resting, no new search begins."""
+        with self._offered:
+            self._resting = resting
+
+    def forget(self, seen: Seen) -> None:
+        """What was found is out of date: the next search begins at once."""
+        with self._offered:
+            if self._seen is seen:
+                self._seen = NOTHING
+                self._offered.notify()
+
+    def offer(self, frame: Frame, stripe: Stripe | None) -> None:
+        """Gives the newest frame, with its stripe where the laser is on; never waits."""
+        with self._offered:
+            if self._item is not None and not self._resting:
+                self._frame = (frame, stripe)
+                self._offered.notify()
+
+    def _run(self) -> None:
+        while True:
+            with self._offered:
+                self._offered.wait_for(lambda: self._stopping or self._frame is not None)
+                if self._stopping:
+                    return
+                taken, item = self._frame, self._item
+                self._frame = None
+            if taken is None or item is None:
+                continue
+            started_s = time.monotonic()
+            seen = _search(taken[0], taken[1], item)
+            with self._offered:
+                if self._item == item:
+                    self._seen = seen
+            rest_s = max(SHORTEST_REST_S, REST_SHARE * (time.monotonic() - started_s))
+            with self._offered:
+                self._offered.wait_for(lambda: self._stopping or self._seen is NOTHING, rest_s)
+
+
+def _search(frame: Frame, stripe: Stripe | None, item: CalibrationObject) -> Seen:
+    stamp_ns = frame.mid_exposure_ns
+    try:
+        found = found_in(frame.image, item, stripe)
+    except Refusal as refusal:
+        return Seen(stamp_ns, finding=refused(refusal))
+    except Exception:  # a preview must not end because a picture is odd
+        log.exception("the search for the object failed")
+        return Seen(stamp_ns, finding=Finding("attention", "The search for the object failed"))
+    return Seen(stamp_ns, found.corners, found.outline)

@@ -1,0 +1,369 @@
+"""A running scan: frames to stripes, stripes to the recording, to points, to the display."""
+
+import logging
+import math
+import os
+import queue
+import threading
+import time
+from collections import deque
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.errors import Refusal
+from app.formats.clouds.files import CloudWriter, cloud_writer, packed
+from app.formats.clouds.points import Points
+from app.formats.io_errors import refusal_of
+from app.formats.recording.reader import ARM_DELAY, EXTRACTION, SCAN_CALIBRATION
+from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
+from app.metrology.arm.kinematics import Arm, flange_poses
+from app.metrology.sensor.camera import Camera
+from app.metrology.sensor.laser_plane import LaserPlane
+from app.metrology.sensor.triangulation import scan_points
+from app.metrology.stripe import Stripe
+from app.metrology.transforms import Floats, apply
+from app.station.devices.arm_device import LATE_S, ArmSide
+from app.station.devices.sensor_device import SensorSide
+from app.station.scan.extraction import extraction_by
+from app.station.scan.recorder import Recorder, StripeFrame
+from app.station.scan.scan_speed import Pace
+from app.station.scan.storage import CLOUD, RECORDING
+from hardware.interfaces import Frame
+
+log = logging.getLogger(__name__)
+
+CORES = os.cpu_count() or 1
+# Frames are worked on so many at a time, where they come faster than the wait for more.
+BATCH_FRAMES = 16
+GATHER_S = 0.01
+# Frames wait to be worked on in so much memory, whatever else the machine is busy with.
+WAITING_BYTES = 1 << 28
+FEWEST_WAITING, MOST_WAITING = 32, 1024
+POINTS_QUEUE = 64
+POLL_S = 0.1
+RATE_WINDOW_S = 1.0
+DISTANCE_AGE_S = 0.5
+Show = Callable[[Points], None]
+Numbers = NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class ScanCalibration:
+    """What a scan needs of a calibration, and whose it is."""
+
+    id: str
+    name: str
+    arm: Arm
+    camera: Camera
+    plane: LaserPlane
+    T_flange_sensor: Floats
+    stripe_axis: Literal["u", "v"]
+    arm_serial: str
+    sensor_serial: str
+    depth_range_mm: tuple[float, float]
+
+
+@dataclass(slots=True)
+class Counts:
+    """What a scan has got so far."""
+
+    frames: int = 0
+    points: int = 0
+    frames_without_joints: int = 0
+    frames_without_laser: int = 0
+    frames_without_stripe: int = 0
+
+
+class ScanPipeline:
+    """Stages on threads of their own, with bounded queues between them.
+
+    The recording comes first and drops nothing: when the disk is slow the frames
+    wait, and those that then find the tap full are counted as lost. Points are
+    written to ``cloud.ply`` as they come, so that memory does not grow with the scan.
+    """
+
+    def __init__(
+        self,
+        arm: ArmSide,
+        sensor: SensorSide,
+        calibration: ScanCalibration,
+        folder: Path,
+        show: Show,
+        settings: ScanSettings = AUTOMATIC,
+        about: Mapping[str, str] | None = None,
+    ) -> None:
+        """``about``: what the recording says of the scan beside its devices and calibration."""
+        self._about = dict(about or {})
+        self.counts = Counts()
+        self.pace = Pace(arm, settings.blur_limit_mm)
+        self.failure: Refusal | None = None
+        self._arm = arm
+        self._sensor = sensor
+        self._calibration = calibration
+        self._cloud_path = folder / CLOUD
+        self._show = show
+        self._made: deque[tuple[float, int]] = deque()
+        self._distance = (-math.inf, 0.0)
+        self._extracting: queue.Queue[Future[list[StripeFrame]] | None] = queue.Queue(2 * CORES)
+        self._stripes: queue.Queue[list[StripeFrame] | None] = queue.Queue(POINTS_QUEUE)
+        self._ended = False
+        self._lost_before = sensor.reader.link().lost
+        self._kept_back_before = arm.kept_back
+        self._settings = settings
+        self._extraction = extraction_by(settings, calibration.stripe_axis)
+        self._delay_ns = settings.delay_ns(calibration.arm_serial, calibration.sensor_serial)
+        joint_names = tuple(joint.name for joint in calibration.arm.joints)
+        self._recorder = Recorder(folder / RECORDING, joint_names, self._told(), arm)
+        self._tap = sensor.frames.tap(_waiting(sensor))
+        self._threads = [
+            threading.Thread(target=self._take_all, name="scan-take", daemon=True),
+            threading.Thread(target=self._record_all, name="scan-record", daemon=True),
+            threading.Thread(target=self._make_cloud, name="scan-points", daemon=True),
+        ]
+        for thread in self._threads:
+            thread.start()
+
+    @property
+    def bytes_written(self) -> int:
+        """Of the recording."""
+        return self._recorder.bytes_written
+
+    @property
+    def lost_frames(self) -> int:
+        """Frames that the sensor lost, and those that found no room here."""
+        return self._tap.dropped + self._sensor.reader.link().lost - self._lost_before
+
+    @property
+    def implausible(self) -> tuple[int, Refusal | None]:
+        """How many of the arm's readings could not be true, and what is said of the newest."""
+        count = self._arm.kept_back - self._kept_back_before
+        return count, self._arm.newest_kept_back if count > 0 else None
+
+    @property
+    def backlog(self) -> float:
+        """How far the slowest stage is behind, 0 to 1 (frames are lost beyond)."""
+        return max(self._recorder.backlog, self._stripes.qsize() / POINTS_QUEUE)
+
+    @property
+    def rate_points_s(self) -> float:
+        """Points of the last second."""
+        now = time.monotonic()
+        return sum(count for at, count in tuple(self._made) if now - at <= RATE_WINDOW_S)
+
+    @property
+    def distance_mm(self) -> float | None:
+        """Of the newest stripe from the camera; None where none was seen just now."""
+        at_s, distance_mm = self._distance
+        return distance_mm if time.monotonic() - at_s <= DISTANCE_AGE_S else None
+
+    @property
+    def trouble(self) -> Refusal | None:
+        """Why the scan cannot go on: the disk, most likely."""
+        return self.failure or self._recorder.failure
+
+    @property
+    def pictures(self) -> tuple[int, int]:
+        """Recorded, and left out because the disk was busy with stripes."""
+        return self._recorder.pictures, self._recorder.pictures_dropped
+
+    def apply(self, settings: ScanSettings) -> None:
+        """Goes on by other settings; the delay stays what the recording began with."""
+        self._extraction = extraction_by(settings, self._calibration.stripe_axis)
+        self.pace.limit_mm = settings.blur_limit_mm
+        self._settings = settings
+        self._recorder.tell(self._told())
+
+    def _told(self) -> dict[str, str]:
+        """What the recording says of the station."""
+        return {
+            **self._about,
+            SCAN_CALIBRATION: self._calibration.id,
+            "arm_serial": self._calibration.arm_serial,
+            "sensor_serial": self._calibration.sensor_serial,
+            ARM_DELAY: str(self._delay_ns),
+            EXTRACTION: self._settings.extraction_text,
+        }
+
+    def stop(self) -> None:
+        """Takes no more frames, finishes those taken, and completes both files."""
+        self._sensor.frames.untap(self._tap)
+        for thread in self._threads:
+            thread.join()
+        self._recorder.close()
+
+    def _take_all(self) -> None:
+        """Sends frames to be extracted on all cores, some at a time; waits when they are behind."""
+        with ThreadPoolExecutor(CORES, "scan-extract") as pool:
+            while not self._tap.finished:
+                time.sleep(GATHER_S)
+                taken = self._tap.get(BATCH_FRAMES, POLL_S)
+                frames = [frame for frame in taken if frame.laser_on]
+                self.counts.frames_without_laser += len(taken) - len(frames)
+                if self._settings.record_pictures:
+                    for frame in frames:
+                        self._recorder.offer_picture(frame)
+                if frames:
+                    self._extracting.put(pool.submit(self._seen, frames))
+        self._extracting.put(None)
+
+    def _seen(self, frames: Sequence[Frame]) -> list[StripeFrame]:
+        """On a worker's thread: the frames' stripes.
+
+        Where frames wait for it, the stripe is followed from the first one on.
+        """
+        extraction = self._extraction
+        for frame in frames:
+            self._check_size(frame)
+        band = extraction.band(frames[0].image) if len(frames) == BATCH_FRAMES else None
+        return [
+            StripeFrame(
+                frame.mid_exposure_ns,
+                band.extract(frame.image) if band else extraction.stripe(frame.image),
+                frame.image.shape[1],
+                frame.image.shape[0],
+                frame.exposure_us,
+            )
+            for frame in frames
+        ]
+
+    def _check_size(self, frame: Frame) -> None:
+        """Pixels of another picture would become points in wrong places."""
+        camera, shape = self._calibration.camera, frame.image.shape
+        if shape != (camera.height_px, camera.width_px):
+            raise Refusal(
+                "image-size",
+                f"the sensor now sends pictures of {' × '.join(map(str, shape[::-1]))} pixels",
+                f"the calibration is for {camera.width_px} × {camera.height_px}",
+                "set the sensor back, and scan again",
+            )
+
+    def _record_all(self) -> None:
+        """Hands stripes on in the order of their frames, to the recording first."""
+        while (work := self._extracting.get()) is not None:
+            try:
+                found = work.result()
+            except Refusal as refusal:
+                self.failure = self.failure or refusal
+                continue
+            except Exception as error:  # the scan ends with a reason, the station lives
+                log.exception("the stripes of a scan could not be extracted")
+                self.failure = self.failure or _failed(error)
+                continue
+            self.counts.frames += len(found)
+            self.counts.frames_without_stripe += sum(not len(one.stripe.u) for one in found)
+            if self._recorder.put(found):
+                self._stripes.put(found)
+        self._stripes.put(None)
+
+    def _make_cloud(self) -> None:
+        """Writes the cloud; goes on showing points where the disk fails."""
+        try:
+            with cloud_writer(self._cloud_path) as cloud:
+                self._points_of_all(cloud)
+        except Refusal as refusal:
+            self.failure = self.failure or refusal
+        except OSError as error:
+            self.failure = self.failure or refusal_of(error, self._cloud_path)
+        except Exception as error:  # the scan ends with a reason, the station lives
+            log.exception("the points of a scan could not be made")
+            self.failure = _failed(error)
+        # the stage before ends only when its queue takes all
+        while self._next_stripes() is not None:
+            continue
+
+    def _points_of_all(self, cloud: CloudWriter) -> None:
+        number = 0
+        while (frames := self._next_stripes()) is not None:
+            stamps_ns = np.array([frame.stamp_ns for frame in frames])
+            stamps_ns += self._delay_ns
+            q_rad = self._arm.at_all(stamps_ns, LATE_S if self._arm.fresh else 0.0)
+            known = np.isfinite(q_rad).all(axis=1) if q_rad is not None else np.zeros(len(frames))
+            placed = [int(i) for i in np.flatnonzero(known)]
+            self.counts.frames_without_joints += len(frames) - len(placed)
+            if q_rad is not None and placed:
+                stripes = [frames[i].stripe for i in placed]
+                self._add(cloud, stripes, q_rad[placed], number + np.array(placed))
+                self._judge(frames[placed[-1]], q_rad[placed[-1]], len(frames))
+            number += len(frames)
+
+    def _next_stripes(self) -> list[StripeFrame] | None:
+        """What comes next; None at the end, however often it is asked for."""
+        if not self._ended and (frames := self._stripes.get()) is not None:
+            return frames
+        self._ended = True
+        return None
+
+    def _add(
+        self, cloud: CloudWriter, stripes: Sequence[Stripe], q_rad: Floats, numbers: Numbers
+    ) -> None:
+        """Points of some frames, to the cloud and to the display (Eq. 9)."""
+        use = self._calibration
+        count = np.array([len(stripe.u) for stripe in stripes])
+        columns = [
+            np.concatenate([getattr(stripe, name) for stripe in stripes])
+            for name in ("u", "v", "intensity", "sigma_px")
+        ]
+        u, v, intensity, sigma_px = columns
+        T_arm_sensor = flange_poses(use.arm, q_rad) @ use.T_flange_sensor
+        points, spread = scan_points(
+            use.camera, use.plane, u, v, sigma_px, use.stripe_axis, count, T_arm_sensor
+        )
+        records = packed(points, intensity, spread, np.repeat(numbers, count))
+        cloud.append(records)
+        self.counts.points = cloud.points
+        self._note(len(points))
+        self._note_distance(points[len(points) - count[-1] :], T_arm_sensor[-1])
+        self._show(records)
+
+    def _judge(self, frame: StripeFrame, q_rad: Floats, frames: int) -> None:
+        """Of the last of some frames: how fast the sensor went."""
+        use, stamp_ns = self._calibration, frame.stamp_ns + self._delay_ns
+        before_rad = self.pace.before(stamp_ns)
+        if before_rad is None or not len(frame.stripe.u):
+            return
+        before, at = flange_poses(use.arm, np.stack([before_rad, q_rad])) @ use.T_flange_sensor
+        stripe = frame.stripe
+        stripe_mm, spread = scan_points(
+            use.camera,
+            use.plane,
+            stripe.u,
+            stripe.v,
+            stripe.sigma_px,
+            use.stripe_axis,
+            np.array([len(stripe.u)]),
+            np.eye(4)[None],
+        )
+        self.pace.judge(stripe_mm, spread, (before, at), stamp_ns, frame.exposure_us, frames)
+
+    def _note(self, count: int) -> None:
+        now = time.monotonic()
+        self._made.append((now, count))
+        while self._made and now - self._made[0][0] > RATE_WINDOW_S:
+            self._made.popleft()
+
+    def _note_distance(self, stripe_mm: Floats, T_arm_sensor: Floats) -> None:
+        """Of the last frame's points (N, 3) of the arm frame."""
+        camera_mm = apply(T_arm_sensor, self._calibration.camera.centre_mm[None])[0]
+        distances = np.linalg.norm(stripe_mm - camera_mm, axis=1)
+        distances = distances[np.isfinite(distances)]
+        if len(distances):
+            self._distance = (time.monotonic(), float(np.median(distances)))
+
+
+def _failed(error: Exception) -> Refusal:
+    return Refusal("failed", "the scan stopped", f"{error}", "start it again")
+
+
+def _waiting(sensor: SensorSide) -> int:
+    """How many of its frames may wait, of up to 16 bits."""
+    info = sensor.info
+    if info is None:
+        return FEWEST_WAITING
+    frame_bytes = 2 * info.width_px * info.height_px
+    return min(max(WAITING_BYTES // frame_bytes, FEWEST_WAITING), MOST_WAITING)

@@ -1,0 +1,171 @@
+"""The recording of a scan: joints and stripes to disk, before anything else is made of them."""
+
+import logging
+import queue
+import threading
+import time
+from collections.abc import Mapping
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+
+from app.errors import Refusal
+from app.formats.recording.reader import ARM_DELAY
+from app.formats.recording.writer import RecordingWriter
+from app.metrology.stripe import Stripe
+from app.station.devices.arm_device import LATE_S, ArmSide
+from hardware.clock import now_ns
+from hardware.interfaces import Frame
+
+log = logging.getLogger(__name__)
+
+QUEUE_BATCHES = 64
+QUEUE_PICTURES = 16
+POLL_S = 0.05
+# What a killed process may lose.
+FLUSH_S = 0.25
+# What a power failure may lose beside.
+SYNC_S = 0.75
+# Joints are recorded from a little before the scan, so that its first frame has them around it.
+LEAD_NS = 200_000_000
+
+
+@dataclass(frozen=True)
+class StripeFrame:
+    """The stripe of one frame, by the stamp of its mid-exposure."""
+
+    stamp_ns: int
+    stripe: Stripe
+    width_px: int
+    height_px: int
+    exposure_us: float
+
+
+class Recorder:
+    """Writes on a thread of its own; ``put`` waits when the disk cannot keep up.
+
+    A full disk ends the recording, with what was written kept: ``failure`` says
+    so, and nothing more is taken.
+    """
+
+    def __init__(
+        self, path: Path, joint_names: tuple[str, ...], station: Mapping[str, str], arm: ArmSide
+    ) -> None:
+        """``station``: as of ``RecordingWriter``."""
+        self.failure: Refusal | None = None
+        self.pictures = self.pictures_dropped = 0
+        self._delay_ns = int(station.get(ARM_DELAY, 0))
+        self._arm = arm
+        self._joints_after_ns = now_ns() - LEAD_NS
+        self._frames: queue.Queue[list[StripeFrame] | None] = queue.Queue(QUEUE_BATCHES)
+        self._pictures: queue.Queue[Frame] = queue.Queue(QUEUE_PICTURES)
+        self._told: queue.Queue[Mapping[str, str]] = queue.Queue()
+        self._writer = RecordingWriter(path, joint_names, station)
+        self._thread = threading.Thread(target=self._run, name="scan-recorder", daemon=True)
+        self._thread.start()
+        # a disk that takes long over it holds up no frames
+        self._ended = threading.Event()
+        self._syncer = threading.Thread(target=self._sync, name="scan-sync", daemon=True)
+        self._syncer.start()
+
+    @property
+    def backlog(self) -> float:
+        """How full the queue to the disk is, 0 to 1."""
+        return self._frames.qsize() / QUEUE_BATCHES
+
+    @property
+    def bytes_written(self) -> int:
+        return self._writer.bytes_written
+
+    def put(self, frames: list[StripeFrame]) -> bool:
+        """Hands frames to the disk; waits while the queue is full. False after a failure."""
+        while self.failure is None:
+            try:
+                self._frames.put(frames, timeout=POLL_S)
+                return True
+            except queue.Full:
+                continue
+        return False
+
+    def offer_picture(self, frame: Frame) -> None:
+        """Has a picture recorded where there is time for it; else it is counted as dropped."""
+        try:
+            self._pictures.put_nowait(frame)
+        except queue.Full:
+            self.pictures_dropped += 1
+
+    def tell(self, station: Mapping[str, str]) -> None:
+        """Adds what has changed of the station since the recording began."""
+        self._told.put(station)
+
+    def close(self) -> None:
+        """Writes what waits, with the joints around it, and completes the file."""
+        while self._thread.is_alive():
+            try:
+                self._frames.put(None, timeout=POLL_S)
+                break
+            except queue.Full:
+                continue
+        self._thread.join()
+        self._ended.set()
+        self._syncer.join()
+
+    def _sync(self) -> None:
+        while not self._ended.wait(SYNC_S):
+            self._writer.sync()
+
+    def _run(self) -> None:
+        try:
+            with self._writer:
+                last_ns = self._write_frames()
+                if self._arm.fresh:
+                    self._arm.at(last_ns + self._delay_ns, LATE_S)
+                self._write_joints()
+        except Refusal as refusal:
+            self.failure = refusal
+        except Exception as error:  # the scan ends with a reason, the station lives
+            log.exception("a scan could not be recorded")
+            self.failure = Refusal("failed", "the recording stopped", f"{error}", "start it again")
+
+    def _write_frames(self) -> int:
+        """Until told to end; the last frame's stamp."""
+        last_ns, flushed_s = 0, time.monotonic()
+        while True:
+            if time.monotonic() - flushed_s > FLUSH_S:
+                self._writer.flush()
+                flushed_s = time.monotonic()
+            while not self._told.empty():
+                self._writer.tell(self._told.get())
+            if self._frames.empty():
+                self._write_picture()
+            try:
+                frames = self._frames.get(timeout=POLL_S if self._pictures.empty() else 0.0)
+            except queue.Empty:
+                self._write_joints()
+                continue
+            if frames is None:
+                self._write_pictures_left()
+                return last_ns
+            self._write_joints()
+            for frame in frames:
+                last_ns = frame.stamp_ns
+                self._writer.stripe(last_ns, frame.stripe, frame.width_px, frame.height_px)
+
+    def _write_picture(self) -> None:
+        """One, when no stripe waits."""
+        with suppress(queue.Empty):
+            frame = self._pictures.get_nowait()
+            self._writer.image(frame.mid_exposure_ns, frame.image)
+            self.pictures += 1
+
+    def _write_pictures_left(self) -> None:
+        while not self._pictures.empty():
+            self._write_picture()
+
+    def _write_joints(self) -> None:
+        window = self._arm.window(self._joints_after_ns + 1, now_ns())
+        if window is None or not len(window):
+            return
+        for stamp_ns, q_rad in zip(window.stamps_ns.tolist(), window.q_rad, strict=True):
+            self._writer.joints(stamp_ns, q_rad)
+        self._joints_after_ns = int(window.stamps_ns[-1])

@@ -1,0 +1,312 @@
+"""Starting, watching and stopping a scan."""
+
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from datetime import UTC, datetime
+from pathlib import Path
+
+from app.errors import Refusal
+from app.findings import capital
+from app.formats.recording.reader import SCAN_NAME, SCAN_STARTED
+from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
+from app.station.bus import Bus
+from app.station.devices.rig import Rig
+from app.station.scan.messages import blocked, cut_short, findings_of
+from app.station.scan.pipeline import ScanCalibration, ScanPipeline
+from app.station.scan.state import NOTHING, ScanLoad, ScanResult, ScanState, State
+from app.station.scan.storage import ScanFolders, made, size_of
+from app.station.view3d.scene import Scene
+from app.station.working_distance import Distance, distance_of
+
+# The drawn arm moves ten times a second, the numbers change five times.
+WATCH_S = 0.1
+PUBLISH_TICKS = 2
+
+
+@dataclass
+class _Running:
+    """The present or last scan."""
+
+    id: str
+    name: str
+    folder: Path
+    started_at: str
+    started_s: float
+    calibration: ScanCalibration
+    pipeline: ScanPipeline
+    stopping: bool = False
+    ended_s: float | None = None
+
+    @property
+    def seconds(self) -> float:
+        return (self.ended_s or time.monotonic()) - self.started_s
+
+
+class Scanner:
+    """Runs one scan at a time; every method may be called from any thread.
+
+    ``on_finished`` is called, before the word "saved", with every scan that ended, also
+    one that a full disk ended.
+    """
+
+    def __init__(self, bus: Bus, rig: Rig, scene: Scene, scans_dir: Path) -> None:
+        self.on_finished: Callable[[ScanResult], None] | None = None
+        self._bus = bus
+        self._rig = rig
+        self._scene = scene
+        self._folders = ScanFolders(scans_dir)
+        self._lock = threading.RLock()
+        self._calibration: ScanCalibration | None = None
+        self._look: Callable[[], Refusal | None] = lambda: None
+        self._trouble: Refusal | None = None
+        self._settings = AUTOMATIC
+        self._scan: _Running | None = None
+        self._published: ScanState | None = None
+        self._closing = threading.Event()
+        self._watcher = threading.Thread(target=self._watch, name="scan-state", daemon=True)
+        self._watcher.start()
+
+    def close(self) -> None:
+        """Stops a running scan, and the watch over it."""
+        self._closing.set()
+        self._watcher.join(5.0)
+        self.stop()
+
+    def set_calibration(
+        self,
+        calibration: ScanCalibration | None,
+        trouble: Refusal | None = None,
+        look: Callable[[], Refusal | None] = lambda: None,
+    ) -> None:
+        """The calibration to scan with; a running scan keeps the one it started with.
+
+        Args:
+            trouble: why the one in use cannot be read, where there is one.
+            look: tells why its files cannot be read any more; None while they can.
+        """
+        with self._lock:
+            self._calibration, self._trouble, self._look = calibration, trouble, look
+        if calibration is None:
+            self._scene.clear_sensor()
+        else:
+            self._scene.set_arm_model(calibration.arm)
+            self._scene.set_sensor(
+                calibration.T_flange_sensor,
+                calibration.camera,
+                calibration.plane,
+                calibration.depth_range_mm,
+            )
+        self._publish()
+
+    @property
+    def trouble(self) -> Refusal | None:
+        """Why the calibration in use cannot be read, or not any more."""
+        with self._lock:
+            trouble, look = self._trouble, self._look
+        return trouble or look()
+
+    def distance(self) -> Distance | None:
+        """Of the stripe from the camera, against the calibrated range; None without a scan."""
+        with self._lock:
+            scan = self._scan
+        if scan is None or scan.ended_s is not None:
+            return None
+        found_mm = scan.pipeline.distance_mm
+        return None if found_mm is None else distance_of(found_mm, scan.calibration.depth_range_mm)
+
+    def set_settings(self, settings: ScanSettings) -> None:
+        """What the operator has set; a running scan goes on by it, but for the delay."""
+        with self._lock:
+            self._settings = settings
+            if self._scan is not None and self._scan.ended_s is None:
+                self._scan.pipeline.apply(settings)
+
+    def load(self) -> ScanLoad | None:
+        """What the running scan asks of the machine; None while none runs."""
+        with self._lock:
+            scan = self._scan
+            if scan is None or not self._is_running():
+                return None
+        return ScanLoad(scan.pipeline.backlog, scan.pipeline.bytes_written, scan.seconds)
+
+    def recording(self) -> Path | None:
+        """The folder of the scan that runs, or is being written."""
+        with self._lock:
+            return self._scan.folder if self._scan is not None and self._is_running() else None
+
+    def why_not(self) -> Refusal | None:
+        """Why a scan cannot start now; None when it can."""
+        with self._lock:
+            if self._is_running():
+                return Refusal(
+                    "busy", "a scan is running already", remedy="stop it before the next"
+                )
+            return self.trouble or blocked(self._calibration, self._rig)
+
+    def start(self, name: str, into: Path | None = None) -> str:
+        """Starts a scan and switches the laser on; its id.
+
+        Args:
+            into: a new folder of the caller's to record in, not among the scans.
+
+        Raises:
+            Refusal: no valid calibration for these devices, a device lost, another
+                scan running, or no room on the disk.
+        """
+        with self._lock:
+            refusal = self.why_not() or self._folders.no_room_to_start()
+            if refusal is not None:
+                raise refusal
+            calibration = self._calibration
+            assert calibration is not None
+            started = datetime.now(UTC)
+            folder = self._folders.new(started) if into is None else made(into)
+            scan_id = folder.name if into is None else f"{into.parent.name}-{into.name}"
+            name = name.strip() or f"Scan {started:%Y-%m-%d %H:%M}"
+            started_at = started.isoformat(timespec="seconds")
+            self._scene.begin(scan_id)
+            info = self._rig.sensor.info
+            if info is not None and info.has_laser_switch:
+                self._rig.sensor.set_laser(True)
+            try:
+                if self._settings.exposure_us is not None:
+                    self._rig.sensor.set_exposure_us(self._settings.exposure_us)
+                pipeline = ScanPipeline(
+                    self._rig.arm,
+                    self._rig.sensor,
+                    calibration,
+                    folder,
+                    self._scene.add_points,
+                    self._settings,
+                    {SCAN_NAME: name, SCAN_STARTED: started_at},
+                )
+            except Refusal:
+                self._rig.sensor.laser_off()
+                raise
+            self._scan = _Running(
+                scan_id,
+                name,
+                folder,
+                started_at,
+                time.monotonic(),
+                calibration,
+                pipeline,
+            )
+        self._publish()
+        return scan_id
+
+    def stop(self) -> ScanResult | None:
+        """Laser off, what was taken finished and saved; None when no scan was running."""
+        with self._lock:
+            scan = self._scan
+            if scan is None or not self._is_running() or scan.stopping:
+                return None
+            scan.stopping = True
+            scan.ended_s = time.monotonic()
+        self._rig.sensor.laser_off()
+        self._publish()
+        try:
+            scan.pipeline.stop()
+            result = self._result(scan)
+            if self.on_finished is not None:
+                self.on_finished(result)
+        finally:
+            with self._lock:
+                scan.stopping = False
+        if scan.pipeline.trouble is not None:
+            self._bus.event("scan-failed", scan.pipeline.trouble.line, "bad")
+        else:
+            self._bus.event("scan-saved", f"{result.name}: {result.points} points saved", "good")
+        self._publish()
+        return result
+
+    def forget(self, scan_id: str) -> None:
+        """The last scan was deleted: its numbers are shown no more."""
+        with self._lock:
+            if self._scan is not None and self._scan.id == scan_id and not self._is_running():
+                self._scan = None
+        self._publish()
+
+    def state(self) -> ScanState:
+        """The scan as of now."""
+        refusal = self.why_not()
+        with self._lock:
+            scan = self._scan
+            running = self._is_running()
+        why_not = "" if refusal is None or running else capital(refusal.line)
+        state: State = "blocked" if why_not else "idle"
+        if scan is None:
+            return replace(NOTHING, state=state, why_not=why_not)
+        if running:
+            state = "stopping" if scan.stopping else "running"
+        counts, pace = scan.pipeline.counts, scan.pipeline.pace
+        now = pace.now if running else None
+        return ScanState(
+            state=state,
+            why_not=why_not,
+            scan_id=scan.id,
+            points=counts.points,
+            points_shown=self._scene.points_shown,
+            rate_points_s=scan.pipeline.rate_points_s if running else 0.0,
+            frames=counts.frames,
+            lost_frames=scan.pipeline.lost_frames,
+            frames_without_joints=counts.frames_without_joints,
+            seconds=scan.seconds,
+            blur_mm=now.blur_mm if now else None,
+            step_mm=now.step_mm if now else None,
+            blur_limit_mm=now.limit_mm if now else None,
+            frames_too_fast=pace.frames_too_fast,
+            pictures=scan.pipeline.pictures[0],
+            findings=findings_of(scan.pipeline, self._rig, running),
+        )
+
+    def _is_running(self) -> bool:
+        scan = self._scan
+        return scan is not None and (scan.ended_s is None or scan.stopping)
+
+    def _result(self, scan: _Running) -> ScanResult:
+        counts = scan.pipeline.counts
+        return ScanResult(
+            scan.id,
+            scan.name,
+            scan.folder,
+            scan.started_at,
+            counts.points,
+            counts.frames,
+            scan.seconds,
+            scan.calibration.id,
+            scan.pipeline.lost_frames,
+            cut_short(scan.pipeline.trouble),
+            size_of(scan.folder),
+        )
+
+    def _watch(self) -> None:
+        """Moves the drawn arm, publishes the state, and stops a scan that the disk ends."""
+        tick = 0
+        while not self._closing.wait(WATCH_S):
+            sample = self._rig.arm.latest()
+            if sample is not None:
+                self._scene.set_arm(sample.joints_rad)
+            distance = self.distance()
+            in_range = None if distance is None else distance.state == "in"
+            self._scene.set_laser(self._rig.sensor.laser_on, in_range)
+            tick += 1
+            if tick % PUBLISH_TICKS == 0:
+                self._stop_when_full()
+                self._publish()
+
+    def _stop_when_full(self) -> None:
+        scan = self._scan
+        if scan is not None and scan.ended_s is None:
+            scan.pipeline.failure = scan.pipeline.failure or self._folders.no_room_to_go_on()
+            if scan.pipeline.trouble is not None:
+                self.stop()
+
+    def _publish(self) -> None:
+        """Says how the scan is, if that has changed."""
+        state = self.state()
+        if state != self._published:
+            self._published = state
+            self._bus.publish("scan", state)

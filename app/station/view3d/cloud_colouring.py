@@ -1,0 +1,192 @@
+"""What the cloud's colours mean: which value, between which limits, on which scale."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.formats.clouds.points import Points
+from app.metrology.transforms import Floats
+from app.station.view3d.colormaps import APART, BALANCE, SCALE, Bytes, painted, stops_of
+
+Measure = Literal["height", "intensity", "uncertainty", "age", "deviation"]
+Distances = Callable[[Floats], Floats]
+"""Signed distances (N,) in mm of points (N, 3) from a fitted shape."""
+Points32 = NDArray[np.float32]
+"""(N, 3), mm from the cloud's own origin."""
+Traits = NDArray[np.void]
+"""(N,) of ``TRAITS``."""
+
+TRAITS = np.dtype([("intensity", "<f4"), ("uncertainty_um", "<f4"), ("taken_s", "<f4")])
+"""What is kept of each shown point beside its place; the time since its scan began."""
+
+
+def traits_of(points: Points, taken_s: Floats) -> Traits:
+    """Of points (N,) taken at times (N,)."""
+    traits = np.empty(len(points), TRAITS)
+    traits["intensity"] = points["intensity"]
+    traits["uncertainty_um"] = points["uncertainty_um"]
+    traits["taken_s"] = taken_s
+    return traits
+
+
+@dataclass(frozen=True)
+class _Kind:
+    unit: str
+    scale: Bytes
+    percentiles: tuple[float, float]
+    """What the automatic range leaves out at either end."""
+    least_span: float
+
+
+KINDS: dict[Measure, _Kind] = {
+    "height": _Kind("mm", SCALE, (0.2, 99.8), 1.0),
+    "intensity": _Kind("grey levels", SCALE, (2.0, 98.0), 10.0),
+    "uncertainty": _Kind("µm", SCALE, (1.0, 98.0), 2.0),
+    "age": _Kind("s", SCALE[::-1], (0.0, 100.0), 5.0),
+    "deviation": _Kind("µm", BALANCE, (0.0, 100.0), 4.0),
+}
+# An automatic range moves once it is off by this share of itself.
+OFF_SHARE = 0.08
+# The age moves on in steps of this share of its range.
+AGE_STEP = 0.05
+# What is so many times the range away from a shape does not belong to it.
+APART_RANGES = 4.0
+FIT_SIGMAS = 3.0
+
+
+@dataclass(frozen=True)
+class Legend:
+    """What stands beside the picture."""
+
+    measure: Measure
+    unit: str
+    low: float
+    high: float
+    automatic: bool
+    colours: tuple[str, ...]
+    """Of the scale, evenly spaced from low to high."""
+
+
+@dataclass(frozen=True)
+class Target:
+    """The shape that deviations are from."""
+
+    distances: Distances
+    rms_mm: float
+
+
+class Painter:
+    """Not safe for threads: its owner holds a lock.
+
+    ``version`` counts up whenever points need other colours than before.
+    """
+
+    def __init__(self) -> None:
+        self.version = 0
+        self.measure: Measure = "height"
+        self.target: Target | None = None
+        self._low, self._high = 0.0, 1.0
+        self._ranged = False
+        self._by_hand = False
+
+    @property
+    def legend(self) -> Legend | None:
+        """None before there is anything to colour."""
+        if not self._ranged:
+            return None
+        kind = KINDS[self.measure]
+        return Legend(
+            self.measure, kind.unit, self._low, self._high, not self._by_hand, stops_of(kind.scale)
+        )
+
+    def show(self, measure: Measure, limits: tuple[float, float] | None) -> None:
+        """Colours by this from now on, within limits of its unit, or automatic ones."""
+        self.measure = measure
+        self._by_hand = limits is not None
+        self._ranged = limits is not None
+        if limits is not None:
+            self._low, self._high = limits
+        self.version += 1
+
+    def forget_range(self) -> None:
+        """With nothing shown any more, what comes next tells an automatic range anew."""
+        self._ranged = self._by_hand
+
+    def aim_at(self, target: Target | None) -> None:
+        """The shape that deviations are from; without one, heights are shown instead."""
+        self.target = target
+        if self.measure != "deviation":
+            return
+        if target is None:
+            self.show("height", None)
+        else:
+            self.show("deviation", (self._low, self._high) if self._by_hand else None)
+
+    def values(self, points: Floats, traits: Traits, newest_s: float) -> NDArray[np.floating]:
+        """What is coloured by, (N,), of points (N, 3) of the arm frame."""
+        if self.measure == "height":
+            return np.asarray(points[:, 2])
+        if self.measure == "deviation":
+            assert self.target is not None
+            return 1e3 * self.target.distances(points)
+        if self.measure == "age":
+            return np.asarray(newest_s - traits["taken_s"])
+        name = "intensity" if self.measure == "intensity" else "uncertainty_um"
+        return np.asarray(traits[name])
+
+    def age_step(self, newest_s: float) -> int:
+        """Counts up as colours of ages go out of date."""
+        if self.measure != "age":
+            return 0
+        return int(newest_s / (AGE_STEP * max(self._high - self._low, 1e-6)))
+
+    def beyond_age(self, newest_s: float, node_newest_s: float) -> bool:
+        """Whether all of a node is older than the range, so that its colours stay."""
+        return self.measure == "age" and newest_s - node_newest_s > self._high
+
+    def colours(self, points: Floats, traits: Traits, newest_s: float) -> Bytes:
+        """Colours (N, 3) of points (N, 3) of the arm frame."""
+        if self.measure == "age":  # as of the step's end: nothing is younger than new
+            step_s = AGE_STEP * max(self._high - self._low, 1e-6)
+            newest_s = step_s * self.age_step(newest_s)
+        values = self.values(points, traits, newest_s)
+        found = painted(values, self._low, self._high, KINDS[self.measure].scale)
+        if self.measure == "deviation":
+            middle, half = (self._low + self._high) / 2, (self._high - self._low) / 2
+            found[np.abs(values - middle) > APART_RANGES * half] = APART
+        return found
+
+    def settle_range(self, sample: NDArray[np.floating]) -> None:
+        """Moves an automatic range to where values (N,) of all that is shown lie now."""
+        if self._by_hand:
+            return
+        wanted = self._range_of(sample[np.isfinite(sample)])
+        if wanted is None:
+            return
+        low, high = wanted
+        off = max(abs(low - self._low), abs(high - self._high))
+        if not self._ranged or off > OFF_SHARE * (high - low):
+            self._ranged = True
+            self._low, self._high = low, high
+            self.version += 1
+
+    def _range_of(self, sample: NDArray[np.floating]) -> tuple[float, float] | None:
+        kind = KINDS[self.measure]
+        if self.measure == "deviation":
+            if self.target is None:
+                return None
+            half = max(1e3 * FIT_SIGMAS * self.target.rms_mm, kind.least_span / 2)
+            return -half, half
+        if not len(sample):
+            return None
+        low, high = (float(x) for x in np.percentile(sample, kind.percentiles))
+        if self.measure == "age":
+            return 0.0, max(high, kind.least_span)
+        short = max(kind.least_span - (high - low), 0.0)
+        low, high = low - short / 2, high + short / 2
+        if self.measure != "height" and low < 0.0:
+            low, high = 0.0, high - low
+        return low, high

@@ -1,0 +1,263 @@
+"""A growing cloud in the 3D view: small nodes that are merged, thinned above a budget.
+
+New points go out as they come, in small nodes. Those are merged into large nodes, each of
+points of one tier (see ``voxels``), so that thinning takes nodes away and sends none again:
+what is to be done at a time does not grow with the cloud.
+"""
+
+from dataclasses import dataclass
+from itertools import chain
+
+import numpy as np
+import viser
+from numpy.typing import NDArray
+
+from app.formats.clouds.points import Points
+from app.metrology.transforms import Floats
+from app.station.view3d.cloud_colouring import Painter, Points32, Traits, traits_of
+from app.station.view3d.colormaps import Bytes
+from app.station.view3d.nodes import M_PER_MM
+from app.station.view3d.voxel_lod import Tiers, Voxels
+
+FIRST_VOXEL_MM = 0.1
+NODE_POINTS = 100_000
+FEW_POINTS = 4_000
+MOST_SMALL_NODES, SMALL_POINTS = 60, 100_000
+"""Of more they are merged."""
+SMALLEST_POINT_MM = 0.3
+
+
+@dataclass
+class _Node:
+    """A node of the scene, with what is needed to colour it again."""
+
+    points_mm: Points32
+    traits: Traits
+    handle: viser.PointCloudHandle | None = None
+    painted: tuple[int, int] = (-1, 0)
+    """The colours it has: version of the painter, and step of the age."""
+
+    @property
+    def newest_s(self) -> float:
+        return float(self.traits["taken_s"].max())
+
+    def part(self, which: slice | NDArray[np.int64]) -> "_Node":
+        """Some of its points, not shown yet."""
+        return _Node(self.points_mm[which], self.traits[which])
+
+
+class CloudView:
+    """The cloud of one scan. Not safe for threads: its owner holds a lock."""
+
+    def __init__(
+        self, server: viser.ViserServer, painter: Painter, budget: int, root: str = "/cloud"
+    ) -> None:
+        self.budget = budget
+        self.newest_s = 0.0
+        self._server, self._painter, self._root = server, painter, root
+        self._made = 0
+        self._low_mm, self._high_mm = np.full(3, np.inf), np.full(3, -np.inf)
+        self._forget()
+
+    @property
+    def shown(self) -> int:
+        return self._voxels.count
+
+    @property
+    def voxel_mm(self) -> float:
+        """How far apart the shown points of a surface are, about."""
+        return self._voxels.size_mm
+
+    @property
+    def bounds_mm(self) -> tuple[Floats, Floats]:
+        """Lowest and highest corner (3,) of what was ever added, in the arm frame."""
+        return self._low_mm, self._high_mm
+
+    def points_mm(self) -> Floats:
+        """What is shown, (N, 3) in the arm frame."""
+        parts = [self._in_arm(node.points_mm) for node in self._nodes]
+        return np.concatenate(parts) if parts else np.zeros((0, 3))
+
+    def traits(self) -> list[Traits]:
+        """Of what is shown, in the order of ``points_mm``."""
+        return [node.traits for node in self._nodes]
+
+    def sample(self, count: int) -> NDArray[np.floating]:
+        """About so many of the values that are coloured by."""
+        step = max(1, self.shown // count)
+        parts = [
+            self._painter.values(
+                self._in_arm(node.points_mm[::step]), node.traits[::step], self.newest_s
+            )
+            for node in self._nodes
+        ]
+        return np.concatenate(parts) if parts else np.zeros(0)
+
+    def clear(self) -> None:
+        for node in self._nodes:
+            _remove(node)
+        self._forget()
+
+    def remove(self) -> None:
+        """Takes the cloud out of the scene for good."""
+        self.clear()
+        self._server.scene.remove_by_name(self._root)
+
+    def add(self, found: Points, taken_s: Floats) -> None:
+        """Shows those of the points (N,), taken at times (N,), that are the first in their cube."""
+        places = np.empty((len(found), 3))
+        for i, axis in enumerate("xyz"):
+            places[:, i] = found[axis]
+        tiers = self._voxels.take(places)
+        new = np.flatnonzero(tiers >= 0)
+        if not len(new):
+            return
+        points, traits = places[new], traits_of(found[new], taken_s[new])
+        if self._painter.legend is None:
+            self._painter.settle_range(self._painter.values(points, traits, float(taken_s[-1])))
+        if not self._nodes:
+            self._place_origin(points)
+        self._low_mm = np.minimum(self._low_mm, [axis.min() for axis in points.T])
+        self._high_mm = np.maximum(self._high_mm, [axis.max() for axis in points.T])
+        self.newest_s = max(self.newest_s, float(traits["taken_s"][-1]))
+        node = _Node((points - self._origin_mm).astype(np.float32), traits)
+        self._small.append((node, tiers[new]))
+        if self.keep_budget():
+            return
+        if (
+            len(self._small) >= MOST_SMALL_NODES
+            or sum(len(n.points_mm) for n, _ in self._small) >= SMALL_POINTS
+        ):
+            self._merge()
+        else:
+            self._show(node)
+
+    def keep_budget(self) -> bool:
+        """Thins what is shown where it is more than the budget; whether it was."""
+        finest = self._voxels.finest
+        while self._voxels.count > self.budget and self._voxels.coarsen():
+            continue
+        if self._voxels.finest == finest:
+            return False
+        for tier in range(finest, self._voxels.finest):
+            for node in self._large.pop(tier, []):
+                _remove(node)
+        self._merge()
+        for node in self._nodes:
+            if node.handle is not None:
+                node.handle.point_size = self._point_size
+        return True
+
+    def repaint(self, most_points: int) -> int:
+        """Gives nodes the colours that they should have, up to so many points; how many it did."""
+        done = 0
+        for node in self._nodes:
+            if done >= most_points:
+                break
+            if node.painted != self._colouring and node.handle is not None:
+                same = node.painted[0] == self._painter.version
+                if not (same and self._painter.beyond_age(self.newest_s, node.newest_s)):
+                    node.handle.colors = self._colours(node)
+                    done += len(node.points_mm)
+                node.painted = self._colouring
+        return done
+
+    @property
+    def _nodes(self) -> list[_Node]:
+        return [*chain.from_iterable(self._large.values()), *(node for node, _ in self._small)]
+
+    @property
+    def _point_size(self) -> float:
+        return M_PER_MM * max(1.4 * self._voxels.size_mm, SMALLEST_POINT_MM)
+
+    @property
+    def _colouring(self) -> tuple[int, int]:
+        return self._painter.version, self._painter.age_step(self.newest_s)
+
+    def _forget(self) -> None:
+        self._voxels = Voxels(FIRST_VOXEL_MM)
+        self._small: list[tuple[_Node, Tiers]] = []
+        self._large: dict[int, list[_Node]] = {}
+        self._origin_mm = np.zeros(3)
+        self._low_mm, self._high_mm = np.full(3, np.inf), np.full(3, -np.inf)
+        self.newest_s = 0.0
+
+    def _in_arm(self, points: Points32) -> Floats:
+        return np.asarray(points + self._origin_mm)
+
+    def _place_origin(self, points_mm: Floats) -> None:
+        """Float32 is exact to a tenth of a micrometre this near to the points."""
+        self._origin_mm = np.round(np.median(points_mm, axis=0))
+        self._server.scene.add_frame(
+            self._root, show_axes=False, position=self._origin_mm * M_PER_MM
+        )
+
+    def _colours(self, node: _Node) -> Bytes:
+        return self._painter.colours(self._in_arm(node.points_mm), node.traits, self.newest_s)
+
+    def _show(self, node: _Node, tier: int | None = None) -> None:
+        """Its name tells the tier of its points, where they are of one."""
+        self._made += 1
+        of_tier = "" if tier is None else f"-{tier}"
+        node.painted = self._colouring
+        node.handle = self._server.scene.add_point_cloud(
+            f"{self._root}/{self._made}{of_tier}",
+            node.points_mm * np.float32(M_PER_MM),
+            self._colours(node),
+            point_size=self._point_size,
+            point_shape="circle",
+            point_shading="flat",
+            precision="float32",
+        )
+
+    def _merge(self) -> None:
+        """Many small nodes become few large ones: a browser slows down with many.
+
+        Tiers of which there are only few points yet stay together in one small node.
+        What is larger is there before what was small goes: nobody waits for all of it.
+        """
+        small, self._small = self._small, []
+        if not small:
+            return
+        tiers = np.concatenate([tiers for _, tiers in small])
+        order = np.argsort(tiers, kind="stable")
+        whole, tiers = _joined([node for node, _ in small]).part(order), tiers[order]
+        few = [np.zeros(0, dtype=np.int64)]
+        for tier in range(self._voxels.finest, int(tiers[-1]) + 1):
+            start, end = np.searchsorted(tiers, (tier, tier + 1))
+            if end - start >= FEW_POINTS:
+                self._append(tier, whole.part(slice(start, end)))
+            else:
+                few.append(np.arange(start, end))
+        rest = np.concatenate(few)
+        if len(rest):
+            self._small.append((whole.part(rest), tiers[rest]))
+            self._show(self._small[0][0])
+        for node, _ in small:
+            _remove(node)
+
+    def _append(self, tier: int, node: _Node) -> None:
+        """Shows a node's points in large nodes of their tier; fills up the last of those."""
+        nodes = self._large.setdefault(tier, [])
+        last = nodes.pop() if nodes and len(nodes[-1].points_mm) < NODE_POINTS // 3 else None
+        if last is not None:
+            node = _joined([last, node])
+        for start in range(0, len(node.points_mm), NODE_POINTS):
+            nodes.append(node.part(slice(start, start + NODE_POINTS)))
+            self._show(nodes[-1], tier)
+        if last is not None:
+            _remove(last)
+
+
+def _joined(nodes: list[_Node]) -> _Node:
+    """All their points, not shown yet."""
+    return _Node(
+        np.concatenate([node.points_mm for node in nodes]),
+        np.concatenate([node.traits for node in nodes]),
+    )
+
+
+def _remove(node: _Node) -> None:
+    if node.handle is not None:
+        node.handle.remove()
+        node.handle = None

@@ -1,0 +1,335 @@
+"""The 3D view: a viser server on the loopback, showing arm, sensor, object and cloud.
+
+It shows whatever it is told, so it is reached only through the station's own server.
+It is a preview, never the record.
+"""
+
+import threading
+import time
+from collections.abc import Callable, Sequence
+from typing import TypeVar
+
+import numpy as np
+import rich
+
+from app.formats.clouds.points import Points
+from app.metrology.arm.kinematics import Arm, link_transforms
+from app.metrology.sensor.camera import Camera
+from app.metrology.sensor.laser_plane import LaserPlane
+from app.metrology.targets.target import CalibrationObject
+from app.metrology.transforms import Floats, apply
+from app.station.view3d.arm_node import ArmView
+from app.station.view3d.cloud_colouring import Legend, Measure, Target, Traits
+from app.station.view3d.cloud_set import Clouds
+from app.station.view3d.initial_camera import Eye
+from app.station.view3d.meshes import Mesh, reach_mm
+from app.station.view3d.nodes import M_PER_MM, FitViews, ObjectView
+from app.station.view3d.scale_bar import Ruler
+from app.station.view3d.scene_server import open_server
+
+T = TypeVar("T")
+
+POINT_BUDGET = 3_000_000
+FLUSH_S = 0.1
+REST_S = 0.02
+"""So long at least between two turns, for the station's other threads."""
+# Nodes that go out in one message: a late joiner on a slow line gets the first of them
+# before its connection is given up (viser merges up to 128 by itself).
+WINDOW_MESSAGES = 4
+# So many new points are drawn as they are; of more, every second, third, and so on.
+WAITING_POINTS = 250_000
+# The view is aimed again when the cloud has grown by this, and never nearer than that.
+CLOUD_GROWTH = 1.4
+SMALLEST_LOOK_MM = 70.0
+AXIS_M = 0.2
+
+
+class Scene:
+    """Everything that is drawn; methods may be called from any thread and do not wait.
+
+    Points are taken at once and shown each 100 ms by the scene's own thread.
+    """
+
+    def __init__(self, point_budget: int = POINT_BUDGET, label: str = "Crenel") -> None:
+        self._server, self.key = _quiet(lambda: open_server(label))
+        self._server._websock_server._broadcast_buffer.max_window_size = WINDOW_MESSAGES
+        self._lock = threading.RLock()
+        self._handing_over = threading.Lock()
+        self._waiting: list[tuple[Points, float]] = []
+        self._waiting_points = 0
+        self._q_rad: Sequence[float] | None = None
+        self._laser: tuple[bool, bool | None] = (False, None)
+        self._clouds = Clouds(self._server, point_budget)
+        self._fits = FitViews(self._server)
+        self._ruler = Ruler(self._server)
+        self._live = ""
+        self._begun = 0
+        self._began_s = time.monotonic()
+        self._arm: ArmView | None = None
+        self._arm_model: Arm | None = None
+        self._object = ObjectView(self._server)
+        self._seen_size_mm = 0.0
+        self._looked = False
+        self._prepare()
+        self._eye = Eye(self._server)
+        self.begin()
+        self._stopping = threading.Event()
+        self._thread = threading.Thread(target=self._run, name="scene", daemon=True)
+        self._thread.start()
+
+    @property
+    def port(self) -> int:
+        """The loopback port that the station's server forwards to."""
+        return int(self._server.get_port())
+
+    @property
+    def points_shown(self) -> int:
+        """Of the scan under way, or the last one."""
+        return self._clouds.shown_of(self._live)
+
+    @property
+    def waiting(self) -> int:
+        """Points that were taken and are not drawn yet."""
+        return self._waiting_points
+
+    @property
+    def begun(self) -> int:
+        """How many scans have begun: with each the picture is cleared."""
+        return self._begun
+
+    @property
+    def measure(self) -> Measure:
+        """What the clouds are coloured by."""
+        return self._clouds.painter.measure
+
+    @property
+    def legend(self) -> Legend | None:
+        """What the colours mean; None before there are any."""
+        return self._clouds.painter.legend
+
+    @property
+    def scans(self) -> dict[str, int]:
+        """The scans in the picture, by name, with how many points of each are shown."""
+        with self._lock:
+            return {name: self._clouds.shown_of(name) for name in self._clouds.names}
+
+    def close(self) -> None:
+        self._stopping.set()
+        self._thread.join(5.0)
+        _quiet(self._server.stop)
+
+    def begin(self, name: str = "") -> None:
+        """A new scan: the picture is cleared for it; arm, sensor and object stay."""
+        with self._lock:
+            self._take_waiting()
+            self._clouds.clear()
+            self._fits.clear()
+            self._clouds.painter.aim_at(None)
+            self._begun += 1
+            self._live = name
+            self._began_s = time.monotonic()
+            self._clouds.open(name, live=True)
+            self._seen_size_mm = 0.0
+            self._ruler.remove()
+
+    def add_points(self, points: Points) -> None:
+        """Adds points (N,) of the arm frame to the scan under way.
+
+        Never waits for what is being drawn. When the display is behind, it gets fewer of
+        the points, the fewer the further: it is a preview.
+        """
+        with self._handing_over:
+            step = 1 + self._waiting_points // WAITING_POINTS
+            self._waiting.append((points[::step], time.monotonic() - self._began_s))
+            self._waiting_points += len(self._waiting[-1][0])
+
+    def open_scan(self, name: str) -> None:
+        """A place in the picture for a scan of before."""
+        with self._lock:
+            self._clouds.open(name)
+
+    def add_to_scan(self, name: str, points: Points, taken_s: Floats) -> bool:
+        """Shows points (N,) of a scan of before; False once it was taken out of the picture."""
+        with self._lock:
+            known = self._clouds.add(name, points, taken_s)
+            self._look_at_clouds()
+            return known
+
+    def close_scan(self, name: str) -> None:
+        """Takes a scan out of the picture."""
+        with self._lock:
+            self._clouds.close(name)
+            if not self._clouds.shown:
+                self._ruler.remove()
+
+    def colour_by(self, measure: Measure, limits: tuple[float, float] | None) -> None:
+        """Colours all clouds by this, within limits of its unit, or automatic ones."""
+        with self._lock:
+            self._clouds.colour_by(measure, limits)
+
+    def aim_at(self, target: Target | None) -> None:
+        """The shape that deviations are from."""
+        with self._lock:
+            self._clouds.painter.aim_at(target)
+
+    def show_shape(self, number: int, mesh: Mesh, label: str) -> None:
+        """Draws a fitted shape, translucent, with its name."""
+        with self._lock:
+            self._fits.show(number, mesh, label)
+
+    def hide_shape(self, number: int) -> None:
+        with self._lock:
+            self._fits.hide(number)
+
+    def points_of(self, name: str) -> tuple[Floats, Traits, float]:
+        """What is shown of a scan: (N, 3) mm, beside it (N,), and the size of its cubes."""
+        with self._lock:
+            points_mm, voxel_mm = self._clouds.points_of(name)
+            return points_mm, self._clouds.traits_of(name), voxel_mm
+
+    def set_arm_model(self, arm: Arm | None) -> None:
+        """Draws this arm from now on, by its own kinematics."""
+        with self._lock:
+            if arm == self._arm_model:
+                return
+            if self._arm is not None:
+                self._arm.remove()
+            self._arm_model = arm
+            self._arm = None if arm is None else ArmView(self._server, arm)
+            self._q_rad = None
+            self._looked = False
+
+    def set_arm(self, q_rad: Sequence[float]) -> None:
+        """The arm's encoder angles (n,); drawn at most ten times a second."""
+        self._q_rad = q_rad
+
+    def set_sensor(
+        self,
+        T_flange_sensor: Floats,
+        camera: Camera,
+        plane: LaserPlane,
+        depth_range_mm: tuple[float, float],
+    ) -> None:
+        """Draws the sensor at the flange, and the field in which its laser measures."""
+        with self._lock:
+            if self._arm is not None:
+                self._arm.set_sensor(T_flange_sensor, camera, plane, depth_range_mm)
+
+    def clear_sensor(self) -> None:
+        with self._lock:
+            if self._arm is not None:
+                self._arm.clear_sensor()
+
+    def set_laser(self, on: bool, in_range: bool | None = None) -> None:
+        """Shows the measuring field by the laser, and by whether the stripe is within it
+        (None where no stripe is measured)."""
+        self._laser = on, in_range
+
+    def set_object(self, T_arm_obj: Floats, item: CalibrationObject) -> None:
+        """Draws the object where the contacts or the pictures put it."""
+        with self._lock:
+            self._object.show(T_arm_obj, item)
+
+    def clear_object(self) -> None:
+        with self._lock:
+            self._object.clear()
+
+    def _prepare(self) -> None:
+        server = self._server
+        server.gui.configure_theme(
+            show_logo=False, show_share_button=False, brand_color=(38, 132, 190)
+        )
+        server.gui.main_panel.minimize()
+        server.scene.configure_default_lights(enabled=True, cast_shadow=False)
+        server.scene.add_grid(
+            "/table",
+            width=2.0,
+            height=2.0,
+            cell_size=0.1,
+            cell_thickness=0.5,
+            cell_color=(150, 156, 164),
+            section_size=0.5,
+            section_thickness=0.8,
+            section_color=(134, 140, 148),
+            fade_distance=2.5,
+            fade_strength=1.5,
+            fade_from="origin",
+            shadow_opacity=0.0,
+        )
+        server.scene.add_frame("/axes", axes_length=AXIS_M, axes_radius=0.003, origin_radius=0.006)
+        for i, axis in enumerate("XYZ"):
+            end = 1.12 * AXIS_M * np.eye(3)[i]
+            server.scene.add_label(f"/axes/{axis}", axis, position=end, anchor="center-center")
+        server.scene.add_label(
+            "/table/cell", "squares of 100 mm", position=(0.0, -0.2, 0.0), anchor="center-center"
+        )
+
+    def _look_at_arm(self, arm: Arm, links: Floats) -> None:
+        """Before there is a cloud: the arm from its foot to its tip."""
+        T_arm_flange = np.linalg.multi_dot(list(links))
+        joints = [np.zeros(3), apply(T_arm_flange, arm.tip.centre_mm[None])[0]]
+        T = np.eye(4)
+        for link in links:
+            T = T @ link
+            joints.append(T[:3, 3])
+        low, high = np.min(joints, axis=0), np.max(joints, axis=0)
+        radius_mm = 0.5 * float(np.linalg.norm(high - low)) + 0.06 * reach_mm(arm)
+        self._eye.look(M_PER_MM * (low + high) / 2, M_PER_MM * radius_mm)
+
+    def _look_at_clouds(self) -> None:
+        """As they grow: all of them, with some of the sensor over them."""
+        low, high = self._clouds.bounds_mm
+        if not np.isfinite(low).all():
+            return
+        size_mm = float(np.linalg.norm(high - low))
+        self._ruler.lay(low, high)
+        if size_mm > CLOUD_GROWTH * self._seen_size_mm:
+            self._seen_size_mm = size_mm
+            centre_mm = (low + high) / 2 + np.array([0.0, 0.0, 0.18 * size_mm])
+            self._eye.look(M_PER_MM * centre_mm, M_PER_MM * max(0.62 * size_mm, SMALLEST_LOOK_MM))
+
+    def _run(self) -> None:
+        wait_s = FLUSH_S
+        while not self._stopping.wait(wait_s):
+            began_s = time.monotonic()
+            with self._lock:
+                self._show_waiting()
+                self._clouds.settle()
+                self._show_arm()
+            wait_s = max(FLUSH_S - (time.monotonic() - began_s), REST_S)
+
+    def _show_waiting(self) -> None:
+        waiting = self._take_waiting()
+        if waiting:
+            taken_s = np.repeat([at for _, at in waiting], [len(points) for points, _ in waiting])
+            points = np.concatenate([points for points, _ in waiting])
+            self._clouds.add(self._live, points, taken_s)
+            self._look_at_clouds()
+
+    def _take_waiting(self) -> list[tuple[Points, float]]:
+        with self._handing_over:
+            waiting, self._waiting, self._waiting_points = self._waiting, [], 0
+        return waiting
+
+    def _show_arm(self) -> None:
+        arm, q_rad = self._arm, self._q_rad
+        if arm is None or self._arm_model is None:
+            return
+        arm.set_laser(*self._laser)
+        if q_rad is not None and len(q_rad) == self._arm_model.joint_count:
+            self._q_rad = None
+            links = link_transforms(self._arm_model, np.array([q_rad]))[:, 0]
+            arm.pose(links)
+            if not self._looked:
+                self._looked = True
+                self._look_at_arm(self._arm_model, links)
+
+
+def _quiet(act: Callable[[], T]) -> T:
+    """viser prints its address, which is of no use to anybody: it is reached elsewhere."""
+    console = rich.get_console()
+    before, console.quiet = console.quiet, True
+    try:
+        return act()
+    finally:
+        console.quiet = before

@@ -1,0 +1,244 @@
+"""Which points lie under a rectangle drawn over the 3D view, on the surface in front. Pure."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+from app.errors import Refusal
+from app.formats.clouds.pieces import cloud_pieces
+from app.metrology.transforms import Floats
+from app.station.view3d.cloud_colouring import Traits
+from app.station.view3d.nodes import M_PER_MM
+
+# The front surface is told by squares of the rectangle with about so many points each.
+POINTS_A_CELL = 16
+MOST_CELLS = 48
+# A point belongs to it up to so many square's widths behind: a slope of four in one.
+DEEP_CELLS = 6.0
+DEEP_VOXELS = 6.0
+# Of the points of a square, this share may fly before the surface.
+FLYING = 0.1
+NEARER_NEIGHBOURS = 3
+
+
+@dataclass(frozen=True)
+class ViewCamera:
+    """Where a browser looks from: x to the right, y down, z ahead."""
+
+    wxyz: tuple[float, float, float, float]
+    """From the camera's frame to the arm's."""
+    position_m: tuple[float, float, float]
+    fov_rad: float
+    """From the picture's top to its bottom."""
+    aspect: float
+    """Width over height."""
+
+    def seen(self, points_mm: Floats) -> Floats:
+        """Of points (N, 3) of the arm frame: place in the picture (0 to 1 from the left and
+        from the top) and distance ahead in mm; NaN for what is not ahead."""
+        w, x, y, z = self.wxyz
+        R_arm_cam: Floats = Rotation.from_quat([x, y, z, w]).as_matrix()
+        seen: Floats = (points_mm - np.array(self.position_m) / M_PER_MM) @ R_arm_cam
+        depth = np.where(seen[:, 2] > 0, seen[:, 2], np.nan)
+        half = np.tan(self.fov_rad / 2)
+        seen[:, 0] = 0.5 + 0.5 * seen[:, 0] / (depth * half * self.aspect)
+        seen[:, 1] = 0.5 + 0.5 * seen[:, 1] / (depth * half)
+        seen[:, 2] = depth
+        return seen
+
+
+@dataclass(frozen=True)
+class Rectangle:
+    """Shares of the picture, 0 to 1 from its left and from its top."""
+
+    left: float
+    top: float
+    right: float
+    bottom: float
+
+
+class FrontSurface:
+    """What is seen of a cloud through a rectangle, and not what lies behind it."""
+
+    def __init__(
+        self, camera: ViewCamera, rectangle: Rectangle, shown_mm: Floats, voxel_mm: float
+    ) -> None:
+        """By the points (N, 3) that are shown, which are thinned by cubes of ``voxel_mm``."""
+        self._camera, self._rectangle = camera, rectangle
+        seen = camera.seen(shown_mm)
+        seen = seen[self._within(seen)]
+        self.empty = not len(seen)
+        if self.empty:
+            return
+        width, height = self._size_mm(float(np.median(seen[:, 2])))
+        side = np.sqrt(width * height * POINTS_A_CELL / len(seen))
+        self._across = int(np.clip(width / side, 1, MOST_CELLS))
+        self._down = int(np.clip(height / side, 1, MOST_CELLS))
+        self._deep_mm = DEEP_VOXELS * voxel_mm + DEEP_CELLS * max(
+            width / self._across, height / self._down
+        )
+        self._front_mm = self._front(seen)
+
+    def holds(self, points_mm: Floats) -> NDArray[np.bool_]:
+        """Which of the points (N, 3) lie on it."""
+        seen = self._camera.seen(points_mm)
+        found = self._within(seen)
+        if self.empty:
+            return found
+        front = self._front_mm[self._cells(seen[found])]
+        found[found] = np.abs(seen[found][:, 2] - front) <= self._deep_mm
+        return found
+
+    def _within(self, seen: Floats) -> NDArray[np.bool_]:
+        at = self._rectangle
+        x, y = seen[:, 0], seen[:, 1]
+        return np.asarray((x >= at.left) & (x <= at.right) & (y >= at.top) & (y <= at.bottom))
+
+    def _size_mm(self, depth_mm: float) -> tuple[float, float]:
+        """Width and height of the rectangle so far ahead."""
+        at, whole = self._rectangle, 2 * depth_mm * float(np.tan(self._camera.fov_rad / 2))
+        return (
+            max(at.right - at.left, 1e-6) * whole * self._camera.aspect,
+            max(at.bottom - at.top, 1e-6) * whole,
+        )
+
+    def _cells(self, seen: Floats) -> NDArray[np.int64]:
+        at = self._rectangle
+        column = (seen[:, 0] - at.left) / max(at.right - at.left, 1e-6) * self._across
+        row = (seen[:, 1] - at.top) / max(at.bottom - at.top, 1e-6) * self._down
+        column = np.minimum(column.astype(np.int64), self._across - 1)
+        row = np.minimum(row.astype(np.int64), self._down - 1)
+        return np.asarray(row * self._across + column)
+
+    def _front(self, seen: Floats) -> Floats:
+        """How far ahead the surface is in each cell; NaN where nothing is."""
+        cells = self._cells(seen)
+        order = np.lexsort((seen[:, 2], cells))
+        count = np.bincount(cells, minlength=self._across * self._down)
+        first = np.cumsum(count) - count
+        front = np.full(len(count), np.nan)
+        some = count > 0
+        front[some] = seen[order, 2][(first + FLYING * count).astype(np.int64)[some]]
+        return self._without_gaps(front.reshape(self._down, self._across)).ravel()
+
+    def _without_gaps(self, front: Floats) -> Floats:
+        """Leaves out cells where only chance left a gap in front, by their neighbours."""
+        wide = np.pad(front, 1, constant_values=np.nan)
+        down, across = front.shape
+        nearer = np.zeros(front.shape, dtype=np.int64)
+        for i in range(3):
+            for j in range(3):
+                neighbour = wide[i : i + down, j : j + across]
+                nearer += neighbour < front - self._deep_mm
+        return np.where(nearer >= NEARER_NEIGHBOURS, np.nan, front)
+
+
+MOST_FITTED = 300_000
+"""Of more points in a region, every second, third, and so on is fitted."""
+FRAMES_A_SCAN = 1 << 40
+"""Frames of different scans are told apart by this."""
+
+
+@dataclass(frozen=True)
+class ShownCloud:
+    """A scan in the picture: what is shown of it, and its file once it is complete."""
+
+    points_mm: Floats
+    traits: Traits
+    voxel_mm: float
+    file: Path | None
+
+
+@dataclass(frozen=True)
+class Picked:
+    """Points of a region."""
+
+    points_mm: Floats
+    """(N, 3), evenly out of ``count``."""
+    frame: NDArray[np.int64]
+    """(N,)"""
+    count: int
+    every: bool
+    """Whether files gave all points, or the thinned ones of the picture had to do."""
+
+
+def pick(camera: ViewCamera, rectangle: Rectangle, clouds: list[ShownCloud]) -> Picked:
+    """The points on the surface in front, under a rectangle of the picture.
+
+    Raises:
+        Refusal: there are none.
+    """
+    shown = [cloud.points_mm for cloud in clouds]
+    surface = FrontSurface(
+        camera,
+        rectangle,
+        np.concatenate(shown) if shown else np.zeros((0, 3)),
+        max((cloud.voxel_mm for cloud in clouds), default=0.0),
+    )
+    if surface.empty:
+        raise Refusal(
+            "nothing-picked",
+            "There are no points in the rectangle",
+            remedy="draw it over a part of the cloud",
+        )
+    gathered, every = _Gathered(), True
+    for number, cloud in enumerate(clouds):
+        for points, frame in _points_of(cloud):
+            held = surface.holds(points)
+            gathered.add(points[held], frame[held] + number * FRAMES_A_SCAN)
+        every = every and cloud.file is not None
+    points, frame = gathered.all()
+    return Picked(points, frame, gathered.count, every)
+
+
+def _points_of(cloud: ShownCloud) -> Iterator[tuple[Floats, NDArray[np.int64]]]:
+    if cloud.file is None:
+        # frames are not kept of what is shown; those of one moment stand for one
+        moments = np.unique(cloud.traits["taken_s"], return_inverse=True)[1]
+        yield cloud.points_mm, moments.astype(np.int64)
+        return
+    for points, _ in cloud_pieces(cloud.file):
+        places = np.column_stack([points["x"], points["y"], points["z"]])
+        yield places, points["frame"].astype(np.int64)
+
+
+class _Gathered:
+    """Evenly thinned when it grows too large."""
+
+    def __init__(self) -> None:
+        self.count = 0
+        self._step = 1
+        self._kept = 0
+        self._parts: list[tuple[Floats, NDArray[np.int64]]] = []
+
+    def add(self, points: Floats, frame: NDArray[np.int64]) -> None:
+        first = -self.count % self._step
+        self.count += len(points)
+        part = (points[first :: self._step], frame[first :: self._step])
+        self._parts.append(part)
+        self._kept += len(part[0])
+        if self._kept > 2 * MOST_FITTED:
+            self._thin(2)
+
+    def all(self) -> tuple[Floats, NDArray[np.int64]]:
+        """At most ``MOST_FITTED`` points and their frames."""
+        if self._kept > MOST_FITTED:
+            self._thin(-(-self._kept // MOST_FITTED))
+        points, frame = self._joined()
+        return points, frame
+
+    def _joined(self) -> tuple[Floats, NDArray[np.int64]]:
+        return (
+            np.concatenate([points for points, _ in self._parts]),
+            np.concatenate([frame for _, frame in self._parts]),
+        )
+
+    def _thin(self, by: int) -> None:
+        points, frame = self._joined()
+        self._step *= by
+        self._parts = [(points[::by], frame[::by])]
+        self._kept = len(self._parts[0][0])

@@ -1,0 +1,143 @@
+"""Shapes fitted to what was picked in the 3D view: their figures, and how they are drawn."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.metrology.fitting.cylinder import CylinderFit, across
+from app.metrology.fitting.plane_sphere import PlaneFit, SphereFit
+from app.metrology.fitting.shape import MeasuredShape, ShapeName
+from app.metrology.gauges.errors import ARCSEC_PER_RAD
+from app.metrology.transforms import Floats
+from app.station.view3d.meshes import Mesh, ball, sheet, tube
+
+UM_PER_MM = 1e3
+MARGIN = 0.04
+"""A drawn shape reaches so much beyond the points that it was fitted to."""
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A number with its standard uncertainty, k = 1; None where it is not known."""
+
+    label: str
+    value: float
+    unit: str
+    decimals: int
+    uncertainty: float | None = None
+    uncertainty_unit: str = ""
+
+
+@dataclass(frozen=True)
+class Fitted:
+    """What the operator reads of a fitted shape."""
+
+    id: int
+    shape: ShapeName
+    points: int
+    """That the fit used."""
+    picked: int
+    """That lie in the region, of which evenly as many were fitted as stand above."""
+    every: bool
+    """From all points of the scans, and not only those that are shown."""
+    rms_um: float
+    largest_um: float
+    form_um: float
+    figures: tuple[Figure, ...]
+
+
+def figures_of(measured: MeasuredShape) -> tuple[Figure, ...]:
+    """The shape's parameters, the ones that are asked for first."""
+    fit, known = measured.fit, _Known(measured.covariance)
+    if isinstance(fit, PlaneFit):
+        upright = float(np.arccos(np.clip(abs(fit.normal[2]), 0.0, 1.0)))
+        # known at the middle of its points, and by its tilts from there to the arm's zero
+        lever = np.array([1.0, *(float(side @ fit.centre_mm) for side in across(fit.normal))])
+        return (
+            Figure("From the arm's zero", fit.offset_mm, "mm", 3, known.along_um(lever), "µm"),
+            _angle("Tilt from level", upright, known.angle_arcsec(1)),
+            *_vector("Normal", fit.normal),
+        )
+    if isinstance(fit, SphereFit):
+        return (
+            Figure("Diameter", 2 * fit.radius_mm, "mm", 3, known.um(3, 2.0), "µm"),
+            *(
+                Figure(f"Centre {axis}", float(fit.centre_mm[i]), "mm", 3, known.um(i), "µm")
+                for i, axis in enumerate("XYZ")
+            ),
+        )
+    level = float(np.arcsin(np.clip(abs(fit.direction[2]), 0.0, 1.0)))
+    return (
+        Figure("Diameter", 2 * fit.radius_mm, "mm", 3, known.um(4, 2.0), "µm"),
+        _angle("Axis from level", level, known.angle_arcsec(2)),
+        *_vector("Axis", fit.direction),
+    )
+
+
+class _Known:
+    """Standard uncertainties out of a covariance, where there is one."""
+
+    def __init__(self, covariance: Floats | None) -> None:
+        self._covariance = covariance
+
+    def um(self, parameter: int, factor: float = 1.0) -> float | None:
+        """Of a length."""
+        if self._covariance is None:
+            return None
+        return factor * UM_PER_MM * float(np.sqrt(self._covariance[parameter, parameter]))
+
+    def along_um(self, gradient: Floats) -> float | None:
+        """Of a length that changes so with the parameters (p,)."""
+        if self._covariance is None:
+            return None
+        return UM_PER_MM * float(np.sqrt(gradient @ self._covariance @ gradient))
+
+    def angle_arcsec(self, first: int) -> float | None:
+        """Of a direction with two tilts, towards where it is known worst."""
+        if self._covariance is None:
+            return None
+        tilts = self._covariance[first : first + 2, first : first + 2]
+        return ARCSEC_PER_RAD * float(np.sqrt(np.linalg.eigvalsh(tilts)[-1]))
+
+
+def _angle(label: str, angle_rad: float, known_arcsec: float | None) -> Figure:
+    return Figure(label, float(np.degrees(angle_rad)), "°", 3, known_arcsec, "″")
+
+
+def _vector(label: str, direction: Floats) -> tuple[Figure, ...]:
+    return tuple(
+        Figure(f"{label} {axis}", float(direction[i]), "", 5) for i, axis in enumerate("XYZ")
+    )
+
+
+def fitted_mesh(measured: MeasuredShape, points_mm: Floats) -> Mesh:
+    """The shape where it was fitted to points (N, 3), a little larger."""
+    fit = measured.fit
+    used = points_mm[fit.used]
+    if isinstance(fit, SphereFit):
+        return ball(fit.centre_mm, fit.radius_mm)
+    if isinstance(fit, CylinderFit):
+        along = (used - fit.point_mm) @ fit.direction
+        low, high = _reach(along)
+        ends = fit.point_mm + np.outer([low, high], fit.direction)
+        return tube(ends[0], ends[1], fit.radius_mm, fit.radius_mm)
+    a, b = _main_directions(used, fit)
+    low_a, high_a = _reach((used - fit.centre_mm) @ a)
+    low_b, high_b = _reach((used - fit.centre_mm) @ b)
+    foot = fit.centre_mm - fit.normal * float(fit.normal @ fit.centre_mm - fit.offset_mm)
+    corners = [(low_a, low_b), (high_a, low_b), (high_a, high_b), (low_a, high_b)]
+    return sheet(np.array([foot + u * a + v * b for u, v in corners]))
+
+
+def _main_directions(points: Floats, fit: PlaneFit) -> tuple[Floats, Floats]:
+    """In the plane, along and across the points."""
+    a, b = across(fit.normal)
+    flat = (points - fit.centre_mm) @ np.column_stack([a, b])
+    vectors = np.linalg.eigh(flat.T @ flat)[1]
+    return vectors[0, 1] * a + vectors[1, 1] * b, vectors[0, 0] * a + vectors[1, 0] * b
+
+
+def _reach(along: Floats) -> tuple[float, float]:
+    low, high = (float(x) for x in np.percentile(along, [0.2, 99.8]))
+    margin = MARGIN * (high - low)
+    return low - margin, high + margin

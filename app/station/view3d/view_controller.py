@@ -1,0 +1,319 @@
+"""What everybody sees in the 3D view beside the scan under way: other scans, colours, fits."""
+
+import contextlib
+import logging
+import math
+import threading
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+from app.errors import Refusal
+from app.formats.clouds.pieces import cloud_pieces
+from app.metrology.fitting.shape import MeasuredShape, ShapeName, measure_shape
+from app.station.bus import Bus
+from app.station.view3d.cloud_colouring import Legend, Measure, Target
+from app.station.view3d.scene import Scene
+from app.station.view3d.selection import Picked, Rectangle, ShownCloud, ViewCamera, pick
+from app.station.view3d.shape_fits import UM_PER_MM, Fitted, figures_of, fitted_mesh
+from app.station.working_distance import Distance
+
+log = logging.getLogger(__name__)
+
+PUBLISH_S = 0.2
+CLOUD = "cloud.ply"
+
+
+@dataclass(frozen=True)
+class StoredScan:
+    """A finished scan, as far as showing it needs to know it."""
+
+    id: str
+    name: str
+    folder: Path
+    frames: int
+    seconds: float
+
+
+@dataclass(frozen=True)
+class ShownScan:
+    """A scan in the picture, and how much of it has been read, 0 to 1."""
+
+    id: str
+    points_shown: int
+    loaded: float
+
+
+@dataclass(frozen=True)
+class ViewState:
+    """The 3D view as the browser's panels show it."""
+
+    scans: tuple[ShownScan, ...]
+    measure: Measure
+    legend: Legend | None
+    fits: tuple[Fitted, ...]
+    busy: str
+    """What is being fitted now; empty when nothing is."""
+    distance: Distance | None
+    """Of the stripe, where there is one."""
+    records: int
+    """Counts up when scans were renamed or deleted."""
+
+
+class Viewing:
+    """Changes what is shown, for all viewers; methods may be called from any thread.
+
+    What takes longer is done on threads of its own: reading clouds, and fitting.
+    """
+
+    def __init__(
+        self,
+        bus: Bus,
+        scene: Scene,
+        scans_dir: Path,
+        distance: Callable[[], Distance | None],
+    ) -> None:
+        self._bus, self._scene, self._scans_dir = bus, scene, scans_dir
+        self._distance = distance
+        self._lock = threading.RLock()
+        self._cameras: dict[str, ViewCamera] = {}
+        self._loading: dict[str, float] = {}
+        self._fits: list[tuple[Fitted, MeasuredShape]] = []
+        self._fits_made = 0
+        self._begun = scene.begun
+        self._busy = ""
+        self._records = 0
+        self._published: ViewState | None = None
+        self._closing = threading.Event()
+        self._loader = ThreadPoolExecutor(1, "view-load")
+        self._fitter = ThreadPoolExecutor(1, "view-fit")
+        self._publisher = threading.Thread(target=self._publish_all, name="view", daemon=True)
+        self._publisher.start()
+
+    def close(self) -> None:
+        """Ends what is under way."""
+        self._closing.set()
+        self._publisher.join(5.0)
+        self._loader.shutdown(cancel_futures=True)
+        self._fitter.shutdown(cancel_futures=True)
+
+    def look(self, key: str, camera: ViewCamera) -> None:
+        """Where the browser with this key looks from now."""
+        self._cameras[key] = camera
+
+    def leave(self, key: str, camera: ViewCamera) -> None:
+        """The browser that looked last from there is gone."""
+        if self._cameras.get(key) is camera:
+            del self._cameras[key]
+
+    @property
+    def pages(self) -> int:
+        """Pages that are looking, as far as they have told where from."""
+        return len(self._cameras)
+
+    def state(self) -> ViewState:
+        """The view as of now."""
+        with self._lock:
+            self._drop_old_fits()
+            scans = self._scene.scans
+            return ViewState(
+                scans=tuple(
+                    ShownScan(name, shown, round(self._loading.get(name, 1.0), 2))
+                    for name, shown in scans.items()
+                    if name
+                ),
+                measure=self._scene.measure,
+                legend=self._scene.legend,
+                fits=tuple(fitted for fitted, _ in self._fits),
+                busy=self._busy,
+                distance=self._distance(),
+                records=self._records,
+            )
+
+    def note_records(self) -> None:
+        """Scans were renamed or deleted: browsers read their lists again."""
+        with self._lock:
+            self._records += 1
+            self._publish()
+
+    def show(self, scan: StoredScan) -> None:
+        """Puts a scan into the picture, beside those that are there.
+
+        Raises:
+            Refusal: its cloud is not in the data folder any more.
+        """
+        file = scan.folder / CLOUD
+        if not file.is_file():
+            raise Refusal(
+                "cloud-gone",
+                f"The cloud of {scan.name} is not in the data folder",
+                remedy="rebuild it from its recording with crenel reconstruct",
+            )
+        with self._lock:
+            if scan.id in self._scene.scans:
+                return
+            self._scene.open_scan(scan.id)
+            self._loading[scan.id] = 0.0
+            self._publish()
+        self._loader.submit(self._load, scan)
+
+    def hide(self, scan_id: str) -> None:
+        """Takes a scan out of the picture; its files stay."""
+        with self._lock:
+            self._loading.pop(scan_id, None)
+            self._scene.close_scan(scan_id)
+            self._publish()
+
+    def colour_by(self, measure: Measure, limits: tuple[float, float] | None) -> None:
+        """Colours everything by this, within limits in the legend's unit, or automatic ones.
+
+        Raises:
+            Refusal: the limits are no range, or there is no shape to deviate from.
+        """
+        if limits is not None and not (
+            all(math.isfinite(limit) for limit in limits) and limits[0] < limits[1]
+        ):
+            raise Refusal(
+                "no-range", "The lower limit is not below the upper", remedy="change one of them"
+            )
+        with self._lock:
+            self._drop_old_fits()
+            if measure == "deviation" and not self._fits:
+                raise Refusal(
+                    "no-fit",
+                    "There is no fitted shape yet",
+                    "deviations are distances from one",
+                    "fit a plane, a sphere or a cylinder first",
+                )
+            self._scene.colour_by(measure, limits)
+            self._publish()
+
+    def fit(self, key: str, rectangle: Rectangle, shape: ShapeName) -> None:
+        """Fits a shape to what the browser with this key shows in a rectangle.
+
+        Returns at once; the shape appears in ``state``, or an event says why it does not.
+
+        Raises:
+            Refusal: the browser is not known, or another fit is under way.
+        """
+        with self._lock:
+            camera = self._cameras.get(key)
+            if camera is None:
+                raise Refusal(
+                    "no-view",
+                    "The 3D view of this page is not connected",
+                    remedy="wait a moment, or load the page again",
+                )
+            if self._busy:
+                raise Refusal("busy", self._busy, remedy="wait until it is done")
+            self._busy = f"Fitting a {shape}"
+            self._publish()
+        self._fitter.submit(self._fit, camera, rectangle, shape)
+
+    def remove_fit(self, fit_id: int) -> None:
+        """Takes a fitted shape away; deviations are then from the last one left."""
+        with self._lock:
+            self._fits = [(fitted, found) for fitted, found in self._fits if fitted.id != fit_id]
+            self._scene.hide_shape(fit_id)
+            self._aim()
+            self._publish()
+
+    def _load(self, scan: StoredScan) -> None:
+        """On the loader's thread."""
+        s_a_frame = scan.seconds / max(scan.frames, 1)
+        try:
+            for points, done in cloud_pieces(scan.folder / CLOUD):
+                known = self._scene.add_to_scan(scan.id, points, s_a_frame * points["frame"])
+                if not known or self._closing.is_set():
+                    break
+                with self._lock:
+                    if scan.id in self._loading:
+                        self._loading[scan.id] = done
+        except Refusal as refusal:
+            self.hide(scan.id)
+            self._bus.event("refused", f"{scan.name} cannot be shown: {refusal.line}", "bad")
+        except Exception:
+            log.exception("a cloud could not be shown")
+            self.hide(scan.id)
+            self._bus.event("refused", f"{scan.name} cannot be shown.", "bad")
+        finally:
+            with self._lock:
+                self._loading.pop(scan.id, None)
+
+    def _fit(self, camera: ViewCamera, rectangle: Rectangle, shape: ShapeName) -> None:
+        """On the fitter's thread."""
+        begun = self._scene.begun
+        try:
+            picked = pick(camera, rectangle, self._shown())
+            measured = measure_shape(shape, picked.points_mm, picked.frame)
+            with self._lock:
+                self._drop_old_fits()
+                if begun == self._scene.begun:
+                    self._keep(shape, picked, measured)
+        except Refusal as refusal:
+            self._bus.event("refused", f"No {shape} was fitted: {refusal.line}", "attention")
+        except Exception:
+            log.exception("a shape could not be fitted")
+            self._bus.event("refused", f"No {shape} was fitted: the program failed at it.", "bad")
+        finally:
+            with self._lock:
+                self._busy = ""
+
+    def _keep(self, shape: ShapeName, picked: Picked, measured: MeasuredShape) -> None:
+        self._fits_made += 1
+        fit = measured.fit
+        fitted = Fitted(
+            id=self._fits_made,
+            shape=shape,
+            points=int(fit.used.sum()),
+            picked=picked.count,
+            every=picked.every,
+            rms_um=UM_PER_MM * fit.rms_mm,
+            largest_um=UM_PER_MM * measured.largest_mm,
+            form_um=UM_PER_MM * fit.form_mm,
+            figures=figures_of(measured),
+        )
+        self._fits.append((fitted, measured))
+        mesh = fitted_mesh(measured, picked.points_mm)
+        self._scene.show_shape(fitted.id, mesh, f"{shape.capitalize()} {fitted.id}")
+        self._aim()
+
+    def _aim(self) -> None:
+        """Deviations are from the last fit."""
+        if not self._fits:
+            self._scene.aim_at(None)
+            return
+        measured = self._fits[-1][1]
+        self._scene.aim_at(Target(measured.distances, measured.fit.rms_mm))
+
+    def _shown(self) -> list[ShownCloud]:
+        """All that is in the picture, with the files of the scans that are complete."""
+        found = []
+        for name in self._scene.scans:
+            with contextlib.suppress(KeyError):  # taken out meanwhile
+                points_mm, traits, voxel_mm = self._scene.points_of(name)
+                file = self._scans_dir / name / CLOUD
+                whole = bool(name) and file.is_file()
+                if len(points_mm):
+                    found.append(ShownCloud(points_mm, traits, voxel_mm, file if whole else None))
+        return found
+
+    def _drop_old_fits(self) -> None:
+        """Those of before the present scan began: the scene has dropped them already."""
+        if self._begun != self._scene.begun:
+            self._begun = self._scene.begun
+            self._fits = []
+            self._loading = {}
+
+    def _publish_all(self) -> None:
+        while not self._closing.wait(PUBLISH_S):
+            self._publish()
+
+    def _publish(self) -> None:
+        """Says what is shown, if that has changed."""
+        with self._lock:
+            state = self.state()
+            if state != self._published:
+                self._published = state
+                self._bus.publish("view", state)

@@ -1,0 +1,60 @@
+"""Programs that may read the metrics, each by a token of its own.
+
+Of tokens only the SHA-256 is kept, so that a copied database opens no door.
+"""
+
+import hashlib
+import secrets
+from dataclasses import dataclass
+
+from app.store.database import Database
+from app.timestamps import utc_now
+
+TOKEN_BYTES = 32
+
+
+@dataclass(frozen=True, slots=True)
+class Scraper:
+    """One token, without what opens."""
+
+    id: str
+    name: str
+    made_by: str
+    made_at: str
+
+
+class ScraperStore:
+    """Tokens for ``/metrics``."""
+
+    def __init__(self, database: Database) -> None:
+        self._database = database
+
+    def add(self, name: str, made_by: str) -> tuple[Scraper, str]:
+        """A new one and its token, which is told this once."""
+        token = secrets.token_urlsafe(TOKEN_BYTES)
+        scraper = Scraper(secrets.token_hex(6), name, made_by, utc_now())
+        with self._database.writing() as connection:
+            connection.execute(
+                "INSERT INTO scraper (id, token, name, made_by, made_at) VALUES (?, ?, ?, ?, ?)",
+                (scraper.id, _digest(token), scraper.name, scraper.made_by, scraper.made_at),
+            )
+        return scraper, token
+
+    def all(self) -> list[Scraper]:
+        """Every one, oldest first."""
+        rows = self._database.read("SELECT * FROM scraper ORDER BY made_at")
+        return [Scraper(row["id"], row["name"], row["made_by"], row["made_at"]) for row in rows]
+
+    def good(self, token: str) -> bool:
+        """Whether the token is one of these."""
+        found = self._database.read("SELECT 1 FROM scraper WHERE token = ?", _digest(token))
+        return bool(token) and bool(found)
+
+    def remove(self, scraper_id: str) -> None:
+        """Its token is good for nothing from now on."""
+        with self._database.writing() as connection:
+            connection.execute("DELETE FROM scraper WHERE id = ?", (scraper_id,))
+
+
+def _digest(token: str) -> str:
+    return hashlib.sha256(token.encode()).hexdigest()

@@ -1,0 +1,185 @@
+"""Who is signed in where: browsers by their cookie, wall screens by their link.
+
+A browser in which somebody has signed in before is known by a second cookie, which opens
+nothing: there a password is looked at though others guess at the same name.
+
+Of cookies and links only the SHA-256 is kept, so that a copied database opens no door.
+"""
+
+import hashlib
+import logging
+import secrets
+import sqlite3
+from dataclasses import dataclass
+from datetime import UTC, datetime, timedelta
+
+from app.errors import Refusal
+from app.store.accounts import Role
+from app.store.database import NOT_KEPT, Database
+from app.timestamps import is_moment, moment_of, utc_now
+
+log = logging.getLogger(__name__)
+IDLE = timedelta(hours=14)
+"""A person's browser that was not used for so long must sign in again: longer than a shift."""
+LONGEST = timedelta(days=7)
+"""So long after signing in a person signs in again, used or not: a page may be left open."""
+SEEN_EVERY = timedelta(minutes=1)
+TOKEN_BYTES = 32
+ID_DIGITS = 12
+
+
+@dataclass(frozen=True, slots=True)
+class Visitor:
+    """Who is behind a request."""
+
+    id: str
+    """Of this browser's sign-in; it opens nothing."""
+    name: str
+    role: Role
+    wall: bool
+    """A wall screen, which nobody stands at."""
+
+
+@dataclass(frozen=True, slots=True)
+class WallLink:
+    """A link that shows the station and lets nobody do anything."""
+
+    id: str
+    name: str
+    made_by: str
+    made_at: str
+
+
+class SignInStore:
+    """Cookies that are good, and wall links."""
+
+    def __init__(self, database: Database) -> None:
+        self._database = database
+        self._unkept: dict[str, tuple[str, str]] = {}
+        """Of browsers that were signed in while the disk was full: account and since when."""
+
+    def begin(self, account: str, device: str) -> str:
+        """Signs a browser in; its cookie, which is told this once."""
+        token = secrets.token_urlsafe(TOKEN_BYTES)
+        now = utc_now()
+        try:
+            with self._database.writing() as connection:
+                connection.execute(
+                    "INSERT INTO sign_in (token, account, device, begun_at, seen_at)"
+                    " VALUES (?, ?, ?, ?, ?)",
+                    (_digest(token), account, device[:200], now, now),
+                )
+        except Refusal as refusal:  # a full disk keeps nobody out; the next start does
+            if refusal.code != NOT_KEPT:
+                raise
+            log.warning("a sign-in is kept in memory alone: %s", refusal.why)
+            self._unkept[_digest(token)] = account, now
+        return token
+
+    def visitor(self, token: str) -> Visitor | None:
+        """Whose cookie or wall link it is; None for one that is not good (any more)."""
+        digest = _digest(token)
+        rows = self._database.read(
+            "SELECT sign_in.begun_at, sign_in.seen_at, account.name, account.role FROM sign_in"
+            " JOIN account ON account.name = sign_in.account WHERE token = ?",
+            digest,
+        )
+        if rows:
+            return self._person(digest, rows[0])
+        if digest in self._unkept:
+            return self._unkept_person(digest)
+        links = self._database.read("SELECT * FROM wall_link WHERE token = ?", digest)
+        if links:
+            return Visitor(digest[:ID_DIGITS], links[0]["name"], Role.viewer, wall=True)
+        return None
+
+    def _unkept_person(self, digest: str) -> Visitor | None:
+        account, begun_at = self._unkept[digest]
+        rows = self._database.read("SELECT name, role FROM account WHERE name = ?", account)
+        late = datetime.now(UTC) - datetime.fromisoformat(begun_at) > IDLE
+        if late or not rows:
+            self._unkept.pop(digest, None)
+            return None
+        return Visitor(digest[:ID_DIGITS], rows[0]["name"], Role[rows[0]["role"]], wall=False)
+
+    def _person(self, digest: str, row: sqlite3.Row) -> Visitor | None:
+        now = datetime.now(UTC)
+        if not (is_moment(row["seen_at"]) and is_moment(row["begun_at"])):
+            self._end("token = ?", digest)  # of a damaged page
+            return None
+        idle = now - moment_of(row["seen_at"])
+        if idle > IDLE or now - moment_of(row["begun_at"]) > LONGEST:
+            self._end("token = ?", digest)
+            return None
+        if abs(idle) > SEEN_EVERY:  # or the clock was set back
+            try:
+                with self._database.writing() as connection:
+                    connection.execute(
+                        "UPDATE sign_in SET seen_at = ? WHERE token = ?", (utc_now(), digest)
+                    )
+            except Refusal as refusal:  # a full disk keeps nobody from Stop
+                log.warning("a sign-in is not noted as used: %s", refusal.why)
+        return Visitor(digest[:ID_DIGITS], row["name"], Role[row["role"]], wall=False)
+
+    def end(self, token: str) -> None:
+        """Signs one browser out."""
+        self._unkept.pop(_digest(token), None)
+        self._end("token = ?", _digest(token))
+
+    def end_all(self, account: str) -> None:
+        """Signs a person out everywhere."""
+        for digest, (name, _) in list(self._unkept.items()):
+            if name.casefold() == account.casefold():
+                self._unkept.pop(digest, None)
+        self._end("account = ?", account)
+
+    def know(self, token: str, account: str) -> str:
+        """From now on a browser is known for this account; its token, a new one if it had none."""
+        query = "SELECT 1 FROM known_browser WHERE token = ?"
+        if not self._database.read(query, _digest(token)):
+            token = secrets.token_urlsafe(TOKEN_BYTES)
+        try:
+            with self._database.writing() as connection:
+                connection.execute(
+                    "INSERT OR IGNORE INTO known_browser (token, account, made_at)"
+                    " VALUES (?, ?, ?)",
+                    (_digest(token), account, utc_now()),
+                )
+        except Refusal as refusal:  # it is known from the next time on
+            if refusal.code != NOT_KEPT:
+                raise
+        return token
+
+    def knows(self, token: str, account: str) -> bool:
+        """Whether this account was signed in at the token's browser before."""
+        query = "SELECT 1 FROM known_browser WHERE token = ? AND account = ?"
+        return bool(token) and bool(self._database.read(query, _digest(token), account))
+
+    def _end(self, clause: str, value: str) -> None:
+        with self._database.writing() as connection:
+            connection.execute(f"DELETE FROM sign_in WHERE {clause}", (value,))
+
+    def add_wall(self, name: str, made_by: str) -> tuple[WallLink, str]:
+        """A new wall link and its token, which is told this once."""
+        token = secrets.token_urlsafe(TOKEN_BYTES)
+        link = WallLink(secrets.token_hex(6), name, made_by, utc_now())
+        with self._database.writing() as connection:
+            connection.execute(
+                "INSERT INTO wall_link (id, token, name, made_by, made_at) VALUES (?, ?, ?, ?, ?)",
+                (link.id, _digest(token), link.name, link.made_by, link.made_at),
+            )
+        return link, token
+
+    def walls(self) -> list[WallLink]:
+        """Every wall link, oldest first."""
+        rows = self._database.read("SELECT * FROM wall_link ORDER BY made_at")
+        return [WallLink(row["id"], row["name"], row["made_by"], row["made_at"]) for row in rows]
+
+    def remove_wall(self, link_id: str) -> None:
+        """Its screens show nothing from now on."""
+        with self._database.writing() as connection:
+            connection.execute("DELETE FROM wall_link WHERE id = ?", (link_id,))
+
+
+def _digest(token: str) -> str:
+    return hashlib.sha256(token.encode()).hexdigest()

@@ -1,0 +1,242 @@
+"""The connection to the MQTT broker: this station's words out, the others' in."""
+
+import asyncio
+import contextlib
+import logging
+import ssl
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import aiomqtt
+
+from app.errors import Refusal
+from app.supervision.bounded_client import BoundedClient
+from app.supervision.broker_settings import BrokerSettings
+from app.supervision.inbox import Heard, Inbox
+from app.supervision.messages import (
+    BEAT_S,
+    Payload,
+    Presence,
+    StationEvent,
+    StationReport,
+    topic,
+)
+from app.supervision.remote_stations import Fleet
+
+log = logging.getLogger(__name__)
+KEEPALIVE_S = 2
+"""The broker tells a closed or dead connection's last will after one and a half of it."""
+ANSWER_S = 3.0
+FIRST_BACK_OFF_S, LONGEST_BACK_OFF_S = 0.5, 15.0
+EVENTS_WAITING = 100
+LOOK_S, LOOK_BYTES = 0.1, 1_000_000
+"""Of what has come so much is looked at, so often; the rest waits, or is overtaken."""
+
+
+@dataclass(frozen=True)
+class BrokerState:
+    """How the connection is, for the health page."""
+
+    connected: bool
+    text: str
+    """What went wrong last, while it is not connected."""
+    since_s: float
+    tries: int
+
+
+class Broker:
+    """Keeps one connection for ever; lost, it comes back with growing pauses.
+
+    Everything runs on the event loop. The station works on whether it is there or not: reports
+    are latest-wins, and of events the oldest waiting are dropped.
+    """
+
+    def __init__(
+        self, settings: BrokerSettings, station: str, name: str, instance: str, fleet: Fleet
+    ) -> None:
+        self._settings, self._station, self._name = settings, station, name
+        self._instance, self.fleet = instance, fleet
+        self._report: StationReport | None = None
+        self._changed = asyncio.Event()
+        self._events: asyncio.Queue[StationEvent] = asyncio.Queue(EVENTS_WAITING)
+        self._state = BrokerState(False, "not connected yet", time.monotonic(), 0)
+        self.events_dropped = 0
+        self.doubled_at_s: float | None = None
+        """When another process was last heard under this station's name."""
+        self.on_heard: Callable[[], None] = lambda: None
+        """Called after something of another station came."""
+
+    @property
+    def state(self) -> BrokerState:
+        return self._state
+
+    @property
+    def settings(self) -> BrokerSettings:
+        return self._settings
+
+    def report(self, report: StationReport) -> None:
+        """What is published next; an older one that was not yet sent is forgotten."""
+        self._report = report
+        self._changed.set()
+
+    def event(self, event: StationEvent) -> None:
+        """Is published once; while there is no broker the newest wait."""
+        if self._events.full():
+            self._events.get_nowait()
+            self.events_dropped += 1
+        self._events.put_nowait(event)
+
+    async def run(self) -> None:
+        """Until cancelled; then says that the station has ended in order."""
+        pause_s, tries = FIRST_BACK_OFF_S, 0
+        while True:
+            began_s = time.monotonic()
+            try:
+                await self._connection()
+            except (aiomqtt.MqttError, Refusal, OSError, ssl.SSLError, ValueError) as error:
+                text = error.line if isinstance(error, Refusal) else str(error)
+                if self._state.connected:
+                    log.warning("the connection to the broker was lost: %s", text)
+                    tries = 0
+                if time.monotonic() - began_s > LONGEST_BACK_OFF_S:
+                    pause_s = FIRST_BACK_OFF_S
+                tries += 1
+                since_s = time.monotonic() if self._state.connected else self._state.since_s
+                self._state = BrokerState(False, text, since_s, tries)
+                self.fleet.broker(False)
+                self.on_heard()
+            await asyncio.sleep(pause_s)
+            pause_s = min(2 * pause_s, LONGEST_BACK_OFF_S)
+
+    async def _connection(self) -> None:
+        settings = self._settings
+        tls = None
+        if settings.tls or settings.ca_file is not None:
+            tls = ssl.create_default_context(cafile=settings.ca_file)
+        lost = self._presence("lost")
+        inbox = Inbox(settings.prefix, self.fleet.unread, self._is_known)
+        async with BoundedClient(
+            settings.host,
+            settings.port,
+            inbox.put,
+            user=settings.user,
+            password=await asyncio.to_thread(settings.password),
+            identifier=f"crenel-{self._station}-{self._instance}",
+            will=aiomqtt.Will(self._topic("presence"), lost.model_dump_json(), 1, True),
+            keepalive_s=KEEPALIVE_S,
+            answer_s=ANSWER_S,
+            tls=tls,
+        ) as client:
+            await self._send(client, "presence", self._presence("online"), retain=True)
+            for kind, qos in (("presence", 1), ("report", 0), ("event", 1)):
+                await client.subscribe(f"{settings.prefix}/+/{kind}", qos=qos)
+            _end_if_cancelled()
+            self._state = BrokerState(True, "", time.monotonic(), 0)
+            self.fleet.broker(True)
+            log.info("connected to the broker at %s:%s", settings.host, settings.port)
+            tasks = [
+                asyncio.create_task(self._tell(client)),
+                asyncio.create_task(self._tell_events(client)),
+                asyncio.create_task(self._hear(client, inbox)),
+                asyncio.create_task(_until_lost(client)),
+            ]
+            try:
+                done, _ = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
+                for task in done:
+                    task.result()
+            except asyncio.CancelledError:
+                await _ended(tasks)
+                with contextlib.suppress(aiomqtt.MqttError):
+                    await self._send(client, "presence", self._presence("off"), retain=True)
+                raise
+            finally:
+                await _ended(tasks)
+
+    async def _tell(self, client: aiomqtt.Client) -> None:
+        """Reports, once a beat."""
+        while True:
+            await self._changed.wait()
+            self._changed.clear()
+            if self._report is not None:
+                await self._send(client, "report", self._report, retain=True, qos=0)
+            await asyncio.sleep(BEAT_S)
+
+    async def _tell_events(self, client: aiomqtt.Client) -> None:
+        while True:
+            await self._send(client, "event", await self._events.get(), retain=False)
+
+    async def _hear(self, client: aiomqtt.Client, inbox: Inbox) -> None:
+        """Bounded in what it reads at a time: much that comes holds up nothing else."""
+        while True:
+            await inbox.wait()
+            left_bytes = LOOK_BYTES
+            while left_bytes > 0 and (heard := inbox.take()):
+                for one in heard:
+                    left_bytes -= len(one.payload)
+                    await self._fold(client, one)
+                await asyncio.sleep(0)
+            self.on_heard()
+            await asyncio.sleep(LOOK_S)
+
+    async def _fold(self, client: aiomqtt.Client, heard: Heard) -> None:
+        if heard.station != self._station:
+            self.fleet.take(heard.station, heard.kind, heard.payload, heard.retained)
+        elif self._hear_own(heard.kind, heard.payload, heard.retained):
+            await self._send(client, "presence", self._presence("online"), retain=True)
+
+    def _is_known(self, station: str) -> bool:
+        return station == self._station or self.fleet.knows(station)
+
+    def _hear_own(self, kind: str, payload: bytes, retained: bool) -> bool:
+        """Whether the presence is to be told again: an earlier connection's will came late.
+
+        Two stations of one name would be taken for one: that is noted.
+        """
+        if retained:
+            return False
+        if kind == "report" and self._instance.encode() not in payload:
+            self.doubled_at_s = time.monotonic()
+        return kind == "presence" and b'"state":"online"' not in payload
+
+    async def _send(
+        self, client: aiomqtt.Client, kind: str, payload: Payload, *, retain: bool, qos: int = 1
+    ) -> None:
+        await client.publish(self._topic(kind), payload.model_dump_json(), qos=qos, retain=retain)
+        _end_if_cancelled()
+
+    def _presence(self, state: str) -> Presence:
+        return Presence.model_validate(
+            {
+                "station": self._station,
+                "instance": self._instance,
+                "name": self._name,
+                "state": state,
+            }
+        )
+
+    def _topic(self, kind: str) -> str:
+        return topic(self._settings.prefix, self._station, kind)
+
+
+def _end_if_cancelled() -> None:
+    """Ends the running task where it was cancelled while the client waited for an answer.
+
+    The client waits with ``asyncio.wait_for``, which up to Python 3.11 forgets a cancellation
+    that comes together with the answer.
+    """
+    task = asyncio.current_task()
+    if task is not None and task.cancelling():
+        raise asyncio.CancelledError
+
+
+async def _until_lost(client: aiomqtt.Client) -> None:
+    """Raises once the connection is lost."""
+    async for _ in client.messages:
+        pass
+
+
+async def _ended(tasks: list[asyncio.Task[None]]) -> None:
+    for task in tasks:
+        task.cancel()
+    await asyncio.gather(*tasks, return_exceptions=True)

@@ -1,0 +1,40 @@
+"""Which broker a station talks to, and as whom."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from app.errors import Refusal
+from app.formats.open_file import read_bounded
+
+
+@dataclass(frozen=True)
+class BrokerSettings:
+    """``[mqtt]`` of station.toml."""
+
+    host: str
+    port: int = 1883
+    user: str | None = None
+    password_file: Path | None = None
+    tls: bool = False
+    ca_file: Path | None = None
+    prefix: str = "crenel"
+    station: str | None = None
+    """As a part of topics; else by the station's name."""
+
+    def password(self) -> str | None:
+        """What the password file holds, without the line's end.
+
+        Raises:
+            Refusal: it cannot be read.
+        """
+        if self.password_file is None:
+            return None
+        try:
+            return read_bounded(self.password_file).decode().rstrip("\r\n")
+        except (OSError, UnicodeDecodeError) as error:
+            raise Refusal(
+                "mqtt-password",
+                f"{self.password_file} cannot be read",
+                str(getattr(error, "strerror", None) or error),
+                "Name a file that holds the broker's password alone, readable by the station",
+            ) from error

@@ -1,0 +1,100 @@
+"""What came from the broker and was not looked at yet: bounded, whatever is published there."""
+
+import asyncio
+from collections import OrderedDict, deque
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from app.supervision.messages import EVENTS_KEPT, parts_of
+from app.supervision.unread import Unread
+
+LONGEST_BYTES = {"report": 64 * 1024, "presence": 4 * 1024, "event": 4 * 1024}
+"""A station's own are a tenth of it."""
+MOST_STRANGE, MOST_STRANGE_BYTES = 600, 8_000_000
+"""Of stations that are not known yet so many topics may wait; of the known all may."""
+TOLERATED = 10
+"""So many of one topic may overtake one another before they are looked at: the station was busy."""
+
+
+@dataclass(frozen=True, slots=True)
+class Heard:
+    """One message; ``retained`` where the broker kept it from before."""
+
+    station: str
+    kind: str
+    payload: bytes
+    retained: bool
+
+
+class _Waiting:
+    """The latest of one topic; of events the last few."""
+
+    def __init__(self, kind: str) -> None:
+        self.messages: deque[Heard] = deque(maxlen=EVENTS_KEPT if kind == "event" else 1)
+        self.came = 0
+
+    @property
+    def size(self) -> int:
+        """In bytes."""
+        return sum(len(message.payload) for message in self.messages)
+
+
+class Inbox:
+    """Keeps the latest message of each topic, in the order in which the topics were first heard.
+
+    Known stations come before all others. It is used on the event loop alone; ``put`` never waits.
+    """
+
+    def __init__(self, prefix: str, unread: Unread, is_known: Callable[[str], bool]) -> None:
+        self._prefix, self._unread, self._is_known = prefix, unread, is_known
+        self._known: OrderedDict[tuple[str, str], _Waiting] = OrderedDict()
+        self._strange: OrderedDict[tuple[str, str], _Waiting] = OrderedDict()
+        self._strange_bytes = 0
+        self._filled = asyncio.Event()
+
+    def __len__(self) -> int:
+        """Topics of which something waits."""
+        return len(self._known) + len(self._strange)
+
+    def put(self, topic: str, payload: bytes, retained: bool) -> None:
+        """Takes a message in, or counts it as not read."""
+        parts = parts_of(self._prefix, topic)
+        if parts is None:
+            self._unread.add("strange")
+            return
+        if len(payload) > LONGEST_BYTES[parts[1]]:
+            self._unread.add("long")
+            return
+        lane = self._known if self._is_known(parts[0]) else self._strange
+        waiting = lane.setdefault(parts, _Waiting(parts[1]))
+        before = waiting.size
+        waiting.messages.append(Heard(*parts, payload, retained))
+        waiting.came += 1
+        if waiting.came > TOLERATED:
+            self._unread.add("often")
+        if lane is self._strange:
+            self._strange_bytes += waiting.size - before
+            self._bound()
+        self._filled.set()
+
+    def _bound(self) -> None:
+        while len(self._strange) > MOST_STRANGE or self._strange_bytes > MOST_STRANGE_BYTES:
+            self._unread.add("crowded", len(self._next(self._strange)))
+
+    async def wait(self) -> None:
+        """Until something is there."""
+        await self._filled.wait()
+
+    def take(self) -> list[Heard]:
+        """What waits of the next topic, the oldest first; nothing where none does."""
+        lane = self._known or self._strange
+        if not lane:
+            self._filled.clear()
+            return []
+        return self._next(lane)
+
+    def _next(self, lane: OrderedDict[tuple[str, str], _Waiting]) -> list[Heard]:
+        _, waiting = lane.popitem(last=False)
+        if lane is self._strange:
+            self._strange_bytes -= waiting.size
+        return list(waiting.messages)

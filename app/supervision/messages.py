@@ -1,0 +1,202 @@
+"""What stations tell one another over MQTT: the payloads, and the topics they go to.
+
+Every payload is one JSON object. ``crenel mqtt-schema`` prints the JSON schema of them,
+and docker/SUPERVISION.md describes the rest.
+"""
+
+import re
+import secrets
+import unicodedata
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, TypeAdapter
+
+from app.findings import Quality
+
+BEAT_S = 1.0
+"""A station publishes its report at least so often, changed or not."""
+LONGEST_ID = 40
+EVENTS_KEPT = 6
+"""Of one station, by whoever watches."""
+ID = re.compile(r"[a-z0-9-]{1,40}")
+MOST_DEVICES, MOST_ALARMS = 4, 12
+"""Of one report; more are left out."""
+MOST = 2**53
+"""Of what is counted or measured: the largest number that every reader has exactly."""
+
+
+def _first(number: int) -> BeforeValidator:
+    """Takes the first of a list, and leaves all else as it is."""
+    return BeforeValidator(
+        lambda value: value[:number] if isinstance(value, (list, tuple)) else value
+    )
+
+
+Text = Annotated[str, Field(max_length=400)]
+Name = Annotated[str, Field(max_length=80)]
+Count = Annotated[int, Field(ge=0, le=MOST)]
+Amount = Annotated[float, Field(ge=0, le=MOST, allow_inf_nan=False)]
+Reading = Annotated[float, Field(ge=-MOST, le=MOST, allow_inf_nan=False)]
+Moment = Annotated[str, Field(max_length=40, description="ISO 8601, UTC")]
+Activity = Literal["idle", "calibrating", "verifying", "checking_arm", "scanning", "working"]
+
+
+class Payload(BaseModel):
+    """A later version may add fields; those that are not known are left out."""
+
+    model_config = ConfigDict(frozen=True, extra="ignore")
+
+
+class DeviceReport(Payload):
+    """One device, as fresh as it is."""
+
+    name: Literal["arm", "camera"]
+    state: Literal["connected", "connecting", "lost", "off"]
+    text: Text
+    age_s: Amount | None = Field(description="Age of the newest data when this was written")
+    rate_hz: Amount | None
+    received: Count
+    lost: Count
+    corrupt: Count
+
+
+class ActivityReport(Payload):
+    """What the station is doing."""
+
+    kind: Activity
+    title: Text
+    step: Count = Field(description="Counted from 1; 0 where there are no steps")
+    steps: Count
+    progress: Text
+    points: Count = Field(description="Of the running scan, or of the last")
+    rate_points_s: Amount
+    lost_frames: Count
+
+
+class CalibrationReport(Payload):
+    """The calibration in use."""
+
+    name: Text
+    accepted_at: Moment
+    age_days: Amount
+    total_um: Amount = Field(description="Standard uncertainty of a scanned point, k = 1")
+    quality: Quality
+    due: bool
+    due_in_days: Reading = Field(description="Negative once it is overdue")
+
+
+class VerificationReport(Payload):
+    """The last verification against a gauge."""
+
+    title: Text
+    at: Moment
+    quality: Quality
+    text: Text
+
+
+class Alarm(Payload):
+    """Something that somebody should know of, for as long as it is so."""
+
+    quality: Quality
+    text: Text
+    remedy: Text
+
+
+class StationReport(Payload):
+    """Everything of one station at one moment."""
+
+    format: Literal["crenel/station-report"] = "crenel/station-report"
+    station: Annotated[str, Field(pattern=r"^[a-z0-9-]{1,40}$")]
+    instance: Annotated[str, Field(max_length=32)] = Field(description="Anew at each start")
+    name: Name
+    version: Name
+    simulated: bool
+    address: Annotated[str, Field(max_length=200, pattern="^(https?://.*)?$")] = Field(
+        description="Of its pages, or empty"
+    )
+    at: Moment
+    up_s: Amount
+    devices: Annotated[
+        tuple[DeviceReport, ...], _first(MOST_DEVICES), Field(max_length=MOST_DEVICES)
+    ]
+    laser_on: bool
+    activity: ActivityReport
+    calibration: CalibrationReport | None
+    verification: VerificationReport | None
+    alarms: Annotated[tuple[Alarm, ...], _first(MOST_ALARMS), Field(max_length=MOST_ALARMS)]
+    temperature_c: Reading | None
+    disk_free_gb: Amount
+    control: Name | None = Field(description="Who has control")
+
+
+class Presence(Payload):
+    """Retained: the station's birth, its end in order, or its last will."""
+
+    format: Literal["crenel/station-presence"] = "crenel/station-presence"
+    station: Annotated[str, Field(pattern=r"^[a-z0-9-]{1,40}$")]
+    instance: Annotated[str, Field(max_length=32)]
+    name: Name
+    state: Literal["online", "off", "lost"] = Field(
+        description="off: ended in order; lost: the broker says so in its stead"
+    )
+
+
+class StationEvent(Payload):
+    """Something that happened once; not retained."""
+
+    format: Literal["crenel/station-event"] = "crenel/station-event"
+    station: Annotated[str, Field(pattern=r"^[a-z0-9-]{1,40}$")]
+    instance: Annotated[str, Field(max_length=32)]
+    number: Count = Field(description="Counts up by one, of one instance")
+    at: Moment
+    kind: Name
+    quality: Quality
+    text: Text
+
+
+KINDS: dict[str, type[Payload]] = {
+    "report": StationReport,
+    "presence": Presence,
+    "event": StationEvent,
+}
+"""The payload of each topic ``PREFIX/STATION/KIND``."""
+
+
+def topic(prefix: str, station: str, kind: str) -> str:
+    """Where a payload goes."""
+    return f"{prefix}/{station}/{kind}"
+
+
+def parts_of(prefix: str, name: str) -> tuple[str, str] | None:
+    """Station and kind of a topic; None for one that is not of these."""
+    if not name.startswith(f"{prefix}/"):
+        return None
+    station, _, kind = name[len(prefix) + 1 :].partition("/")
+    return (station, kind) if kind in KINDS and ID.fullmatch(station) else None
+
+
+def station_id(name: str) -> str:
+    """A station's name as a part of a topic."""
+    plain = unicodedata.normalize("NFKD", name).encode("ascii", "ignore").decode().lower()
+    return re.sub(r"[^a-z0-9]+", "-", plain).strip("-")[:LONGEST_ID].strip("-") or "station"
+
+
+def new_instance() -> str:
+    """A name of this start of a station."""
+    return secrets.token_hex(6)
+
+
+def schema() -> dict[str, object]:
+    """The JSON schema of all payloads, each under ``$defs``, by the topic it goes to."""
+    any_of: TypeAdapter[StationReport | Presence | StationEvent] = TypeAdapter(
+        StationReport | Presence | StationEvent
+    )
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "What Crenel stations publish over MQTT",
+        "topics": {
+            f"PREFIX/STATION/{kind}": {"$ref": f"#/$defs/{model.__name__}"}
+            for kind, model in KINDS.items()
+        },
+        **any_of.json_schema(mode="serialization"),
+    }

@@ -1,0 +1,54 @@
+"""What somebody who is away wants to be told of: done, at fault, due."""
+
+import time
+from collections.abc import Callable
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from app.station.bus import Event
+from app.supervision.messages import Count, Moment, Name, Payload, Text
+
+NoticeKind = Literal["done", "fault", "due", "test"]
+DONE = {"accepted", "scan-saved", "replay"}
+AGAIN_S = 60.0
+"""The same words are told once in so long: a loose cable is no reason for a hundred messages."""
+
+
+class Notice(Payload):
+    """One message; the body of a webhook's request."""
+
+    format: Literal["crenel/notice"] = "crenel/notice"
+    number: Count = Field(description="Counts up by one, of one instance")
+    station: Annotated[str, Field(pattern=r"^[a-z0-9-]{1,40}$")]
+    instance: Annotated[str, Field(max_length=32)]
+    name: Name = Field(description="The station's, for people")
+    kind: NoticeKind
+    at: Moment
+    text: Text
+
+
+def kind_of(event: Event) -> NoticeKind | None:
+    """What an event is to somebody who is away; None for most."""
+    if event.quality == "bad" and event.kind != "refused":
+        return "fault"
+    if event.kind in DONE and event.quality == "good":
+        return "done"
+    return None
+
+
+class Repeats:
+    """Whether the same was told lately."""
+
+    def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
+        self._clock = clock
+        self._told: dict[tuple[str, str], float] = {}
+
+    def is_new(self, kind: str, text: str) -> bool:
+        """Notes it; False where it was told within the last minute."""
+        now_s = self._clock()
+        self._told = {key: at for key, at in self._told.items() if now_s - at < AGAIN_S}
+        new = (kind, text) not in self._told
+        if new:
+            self._told[kind, text] = now_s
+        return new

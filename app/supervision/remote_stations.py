@@ -1,0 +1,177 @@
+"""The stations that are heard of, and which of them is lost."""
+
+import math
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Literal
+
+from pydantic import BaseModel, ConfigDict, ValidationError
+
+from app.supervision.messages import EVENTS_KEPT, KINDS, Presence, StationEvent, StationReport
+from app.supervision.unread import Unread
+
+LOST_AFTER_S = 3.5
+"""Without a report: three beats missed, so that one late message is no alarm."""
+MOST_STATIONS = 200
+"""Whatever may be on the broker."""
+STANDING_S = 60.0
+"""A station that was heard for so long is kept before those that just came."""
+
+State = Literal["live", "lost", "off", "waiting", "unknown"]
+
+
+class StationShown(BaseModel):
+    """One station as the browser shows it."""
+
+    model_config = ConfigDict(frozen=True)
+
+    id: str
+    name: str
+    state: State
+    """waiting: kept by the broker, and not heard yet; unknown: the broker itself is lost."""
+    silent_s: float | None
+    """Since its last report; null before the first."""
+    report: StationReport | None
+    """With the worst of its alarms alone."""
+    alarms: int
+    events: tuple[StationEvent, ...]
+    """The newest, if any."""
+
+
+@dataclass
+class _Station:
+    name: str
+    known_s: float
+    """Since when it is waited for."""
+    first_s: float | None = None
+    """When its first report came."""
+    heard_s: float | None = None
+    said: Literal["online", "off", "lost"] = "online"
+    instance: str = ""
+    report: StationReport | None = None
+    events: list[StationEvent] = field(default_factory=list)
+
+
+class Fleet:
+    """Folds messages into stations. It is used on one thread.
+
+    A station is lost when the broker says so by its will, and also when no report came for
+    ``LOST_AFTER_S`` though its connection stands: a process that hangs keeps its socket open.
+    """
+
+    def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
+        self._clock = clock
+        self._stations: dict[str, _Station] = {}
+        self._broker_since: float | None = None
+        self.unread = Unread(clock)
+
+    def broker(self, connected: bool) -> None:
+        """The connection to the broker was made, or lost."""
+        self._broker_since = self._clock() if connected else None
+
+    def take(self, station: str, kind: str, payload: bytes, retained: bool) -> None:
+        """A message; ``retained`` where the broker kept it from before."""
+        if not payload:  # the way to remove what the broker keeps
+            if kind == "presence":
+                self._stations.pop(station, None)
+            return
+        try:
+            message = KINDS[kind].model_validate_json(payload)
+        except ValidationError:
+            self.unread.add("strange")
+            return
+        if getattr(message, "station", None) != station:
+            self.unread.add("strange")
+            return
+        if station not in self._stations and not self._has_room(retained):
+            self.unread.add("crowded")
+            return
+        known = self._stations.setdefault(station, _Station(station, self._clock()))
+        self._fold(known, message, retained)
+
+    def knows(self, station: str) -> bool:
+        return station in self._stations
+
+    def _has_room(self, retained: bool) -> bool:
+        """Whether one more may come; for it the one that is silent longest goes.
+
+        None goes that still sends, so that however many are invented hide none that was there
+        before; and what the broker kept of somebody is no reason to forget another.
+        """
+        if len(self._stations) < MOST_STATIONS:
+            return True
+        if retained:
+            return False
+        id_, silent = min(self._stations.items(), key=lambda item: _standing(item[1]))
+        if silent.heard_s is not None and self._clock() - silent.heard_s <= LOST_AFTER_S:
+            return False
+        del self._stations[id_]
+        return True
+
+    def _fold(self, known: _Station, message: BaseModel, retained: bool) -> None:
+        if isinstance(message, Presence):
+            older = known.heard_s is not None and message.instance != known.instance
+            if older and message.state != "online":
+                return  # the last will of an earlier start, come late
+            known.name, known.said = message.name, message.state
+            known.instance = message.instance
+            if message.state == "online" and not retained:
+                known.known_s = self._clock()
+        elif isinstance(message, StationReport):
+            known.name, known.report = message.name, message
+            if not retained:
+                known.heard_s = self._clock()
+                known.first_s = known.heard_s if known.first_s is None else known.first_s
+                known.said, known.instance = "online", message.instance
+        elif isinstance(message, StationEvent) and not retained:
+            known.events = [*known.events, message][-EVENTS_KEPT:]
+
+    def shown(self) -> tuple[StationShown, ...]:
+        """All as of now by name, those that were heard for a while before those that just came."""
+        stations = sorted(self._stations.items(), key=lambda item: (*_place(item[1]), item[0]))
+        return tuple(self._shown(id_, known) for id_, known in stations)
+
+    def _shown(self, id_: str, known: _Station) -> StationShown:
+        silent_s = None if known.heard_s is None else self._clock() - known.heard_s
+        return StationShown(
+            id=id_,
+            name=known.name,
+            state=self._state(known, silent_s),
+            silent_s=silent_s,
+            report=_brief(known.report),
+            alarms=len(known.report.alarms) if known.report else 0,
+            events=tuple(known.events[-1:]),
+        )
+
+    def _state(self, known: _Station, silent_s: float | None) -> State:
+        if self._broker_since is None:
+            return "unknown"
+        if known.said != "online":
+            return known.said
+        now = self._clock()
+        # what was missed while the broker was away is nobody's fault
+        waited_s = now - max(known.known_s, self._broker_since)
+        if silent_s is None or silent_s > LOST_AFTER_S:
+            return "waiting" if waited_s <= LOST_AFTER_S else "lost"
+        return "live"
+
+
+def _standing(known: _Station) -> tuple[bool, float]:
+    """Small for those that are to be forgotten first: briefly heard, then long silent."""
+    if known.first_s is None or known.heard_s is None:
+        return False, -math.inf
+    return known.heard_s - known.first_s >= STANDING_S, known.heard_s
+
+
+def _place(known: _Station) -> tuple[int, str]:
+    """In the list: those that were heard for a while, then those heard at all, then the rest."""
+    standing, heard_s = _standing(known)
+    return -(standing + (heard_s > -math.inf)), known.name.lower()
+
+
+def _brief(report: StationReport | None) -> StationReport | None:
+    if report is None or len(report.alarms) < 2:
+        return report
+    worst = min(report.alarms, key=lambda alarm: alarm.quality != "bad")
+    return report.model_copy(update={"alarms": (worst,)})

@@ -1,0 +1,251 @@
+"""Notices by HTTP to an address of the administrator's choice.
+
+Each is one POST of a JSON ``Notice`` with the headers
+
+    Crenel-Delivery: INSTANCE-NUMBER, the same at each try
+    Crenel-Timestamp: seconds since 1970
+    Crenel-Signature: sha256=HEX, where there is a secret
+
+the signature being the HMAC-SHA256 of ``TIMESTAMP.BODY`` by the secret. Any answer of 200 to
+299 is taken for received; 408, 425, 429, 5xx and no answer are tried again.
+"""
+
+import asyncio
+import hashlib
+import hmac
+import logging
+import math
+import ssl
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Annotated
+from urllib.parse import urlsplit
+
+import httpx
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from app.errors import Refusal
+from app.formats.atomic_write import atomic_path
+from app.formats.open_file import read_bounded
+from app.supervision.notifications import Notice
+
+log = logging.getLogger(__name__)
+FILE = "notifications.json"
+ANSWER_S = 10.0
+PAUSES_S = (1.0, 2.0, 5.0, 15.0, 30.0, 60.0)
+LOOK_S = 0.2
+WAITING = 100
+TRIES_AT_ONCE = 4
+AGAIN = {408, 425, 429}
+
+
+class WebhookSettings(BaseModel):
+    """What is told, and where to; without an address nothing is sent."""
+
+    model_config = ConfigDict(frozen=True, extra="ignore")
+
+    url: Annotated[str, Field(max_length=500)] = ""
+    secret: Annotated[str, Field(max_length=200)] = ""
+    done: bool = True
+    fault: bool = True
+    due: bool = True
+
+    @property
+    def host(self) -> str:
+        """Of the address; the rest of it may be a secret."""
+        return urlsplit(self.url).hostname or ""
+
+
+def checked(url: str) -> str:
+    """The address, without spaces about it.
+
+    Raises:
+        Refusal: it is none of http or https.
+    """
+    url = url.strip()
+    try:
+        parts = urlsplit(url)
+        good = parts.scheme in ("http", "https") and bool(parts.hostname) and parts.port != 0
+    except ValueError:
+        good = False
+    if url and not good:
+        raise Refusal(
+            "webhook-url",
+            "The address is none that a message can be sent to",
+            "it must begin with http:// or https:// and name a machine",
+            "Copy it whole from the service that receives",
+        )
+    return url
+
+
+class WebhookStore:
+    """One file in the data folder, which only its owner can read."""
+
+    def __init__(self, folder: Path) -> None:
+        self._path = folder / FILE
+
+    def read(self) -> WebhookSettings:
+        """What was kept; nothing where the file is missing or no such."""
+        try:
+            return WebhookSettings.model_validate_json(read_bounded(self._path))
+        except (OSError, ValidationError):
+            return WebhookSettings()
+
+    def keep(self, settings: WebhookSettings) -> None:
+        """Raises ``Refusal`` where the disk does not take it."""
+        with atomic_path(self._path) as part:
+            part.touch(mode=0o600)
+            part.write_text(settings.model_dump_json(indent=1) + "\n")
+
+
+class Webhook:
+    """Sends notices on the event loop, each apart from the others; whoever offers one never waits.
+
+    One that is not taken is tried again later while the others go on.
+    """
+
+    def __init__(self, settings: WebhookSettings, pauses_s: tuple[float, ...] = PAUSES_S) -> None:
+        self.settings = settings
+        self._pauses_s = pauses_s
+        self._offered: asyncio.Queue[Notice] = asyncio.Queue(WAITING)
+        self._deliveries: list[asyncio.Task[None]] = []
+        """The oldest first."""
+        self._tries = asyncio.Semaphore(TRIES_AT_ONCE)
+        self.sent = self.failed = 0
+        """Received there; given up."""
+        self.trouble = ""
+        """Of the last try; empty once one was received."""
+        self.on_change: Callable[[], None] = lambda: None
+
+    @property
+    def waiting(self) -> int:
+        return self._offered.qsize() + len(self._deliveries)
+
+    def offer(self, notice: Notice) -> None:
+        """Sends it if its kind is wanted; where too many wait, the oldest is given up."""
+        if not self.settings.url:
+            return
+        if not (notice.kind == "test" or getattr(self.settings, notice.kind)):
+            return
+        if self.waiting >= WAITING:
+            self._give_up_oldest()
+        self._offered.put_nowait(notice)
+
+    def _give_up_oldest(self) -> None:
+        if self._deliveries:
+            self._deliveries.pop(0).cancel()
+        else:
+            self._offered.get_nowait()
+        self.failed += 1
+
+    async def run(self) -> None:
+        """Until cancelled."""
+        trusted = await asyncio.to_thread(_trusted)
+        async with (
+            httpx.AsyncClient(
+                timeout=ANSWER_S, trust_env=False, follow_redirects=False, verify=trusted
+            ) as client,
+            asyncio.TaskGroup() as group,
+        ):
+            while True:
+                notice = await self._offered.get()
+                self._deliveries.append(group.create_task(self._send(client, notice)))
+
+    async def _send(self, client: httpx.AsyncClient, notice: Notice) -> None:
+        """Delivers the notice, and counts it as sent or failed as soon as it no longer waits."""
+        delivery = asyncio.current_task()
+        try:
+            delivered = await self._deliver(client, notice)
+        finally:
+            self._deliveries = [other for other in self._deliveries if other is not delivery]
+        if delivered:
+            self.sent, self.trouble = self.sent + 1, ""
+        else:
+            self.failed += 1
+            log.warning("a notification was given up: %s", self.trouble)
+        self.on_change()
+
+    async def _deliver(self, client: httpx.AsyncClient, notice: Notice) -> bool:
+        for pause_s in (*self._pauses_s, None):
+            async with self._tries:
+                settings = self.settings
+                if not settings.url:
+                    return False
+                again, self.trouble = await self._try_present(client, notice)
+            if not self.trouble:
+                return True
+            self.on_change()
+            if not again or pause_s is None:
+                return False
+            await self._corrected(settings, pause_s)
+        return False
+
+    async def _try_present(self, client: httpx.AsyncClient, notice: Notice) -> tuple[bool, str]:
+        """One try; another in its place where the settings are corrected meanwhile."""
+        while True:
+            settings = self.settings
+            trying = asyncio.ensure_future(self._try(client, settings, notice))
+            corrected = asyncio.ensure_future(self._corrected(settings))
+            try:
+                await asyncio.wait((trying, corrected), return_when=asyncio.FIRST_COMPLETED)
+                if trying.done():
+                    return trying.result()
+            finally:
+                trying.cancel()
+                corrected.cancel()
+
+    async def _corrected(self, settings: WebhookSettings, pause_s: float = math.inf) -> None:
+        """Waits until other settings are in force, for a pause at most."""
+        until_s = time.monotonic() + pause_s
+        while self.settings is settings and (left_s := until_s - time.monotonic()) > 0:
+            await asyncio.sleep(min(left_s, LOOK_S))
+
+    async def _try(
+        self, client: httpx.AsyncClient, settings: WebhookSettings, notice: Notice
+    ) -> tuple[bool, str]:
+        """Whether another try may help, and what went wrong; empty where nothing did."""
+        body = notice.model_dump_json().encode()
+        headers = {
+            "Content-Type": "application/json",
+            "User-Agent": "Crenel",
+            "Crenel-Delivery": f"{notice.instance}-{notice.number}",
+            **signature(settings.secret, body, int(time.time())),
+        }
+        try:
+            # only how it begins is read, however long an answer is and however slowly it comes
+            async with (
+                asyncio.timeout(ANSWER_S),
+                client.stream("POST", settings.url, content=body, headers=headers) as answer,
+            ):
+                status, good = answer.status_code, answer.is_success
+        except (httpx.HTTPError, httpx.InvalidURL, TimeoutError, ValueError) as error:
+            return True, _words(error)
+        return status in AGAIN or status >= 500, "" if good else f"status {status}"
+
+
+def signature(secret: str, body: bytes, at: int) -> dict[str, str]:
+    """The headers by which the receiver knows that it was this station, and when."""
+    headers = {"Crenel-Timestamp": str(at)}
+    if secret:
+        signed = hmac.new(secret.encode(), f"{at}.".encode() + body, hashlib.sha256)
+        headers["Crenel-Signature"] = f"sha256={signed.hexdigest()}"
+    return headers
+
+
+def _trusted() -> ssl.SSLContext:
+    """The public authorities, and those that this machine trusts: an own network's among them."""
+    context = httpx.create_ssl_context(trust_env=False)
+    context.load_default_certs()
+    return context
+
+
+def _words(error: Exception) -> str:
+    """Without the address, which may hold a secret."""
+    if isinstance(error, (httpx.TimeoutException, TimeoutError)):
+        return f"no answer within {ANSWER_S:.0f} s"
+    if "CERTIFICATE_VERIFY_FAILED" in str(error):
+        return "its certificate is not trusted here"
+    if isinstance(error, httpx.ConnectError):
+        return "no connection"
+    return "the request failed"

@@ -1,0 +1,334 @@
+"""What the server sends and takes; field for field the shapes of frontend/src/api."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+from app.findings import Finding, Quality
+from app.formats.datasheets.gauge import Shape
+from app.formats.results.verification import Result
+from app.guide.common import validity as due
+from app.guide.common.view import FlowView, ResultPicture
+from app.metrology.fitting.shape import ShapeName
+from app.metrology.stripe import Choice
+from app.station.scan import state as scan_state
+from app.station.view3d.cloud_colouring import Measure
+
+
+class Request(BaseModel):
+    """What a client sends: nothing missing, nothing beyond."""
+
+    model_config = ConfigDict(extra="forbid", strict=True)
+
+
+class FlowCommand(Request):
+    name: Annotated[str, Field(max_length=64)]
+    args: dict[str, object]
+    rev: int
+    key: Annotated[str, Field(min_length=1, max_length=128)]
+
+
+class ArmStart(Request):
+    purpose: Literal["check", "tip", "identify"]
+
+
+class ScanStart(Request):
+    name: Annotated[str, Field(max_length=120)] = ""
+
+
+class Switch(Request):
+    on: bool
+
+
+class Exposure(Request):
+    exposure_us: Annotated[float, Field(gt=0, allow_inf_nan=False, strict=False)]
+
+
+class Temperature(Request):
+    celsius: Annotated[float, Field(ge=-20, le=60, allow_inf_nan=False, strict=False)]
+
+
+class Rename(Request):
+    name: Annotated[str, Field(min_length=1, max_length=120)]
+
+
+Limit = Annotated[float, Field(allow_inf_nan=False, strict=False)]
+Share = Annotated[float, Field(ge=0, le=1, strict=False)]
+
+
+class Colouring(Request):
+    measure: Measure
+    low: Limit | None = None
+    high: Limit | None = None
+
+
+class Region(Request):
+    """A rectangle of a page's 3D view, in shares of it from its left and its top."""
+
+    view: Annotated[str, Field(max_length=64)]
+    shape: ShapeName
+    left: Share
+    top: Share
+    right: Share
+    bottom: Share
+
+
+class SettingsChange(Request):
+    """The whole of the settings; null is automatic. Their ranges are the station's."""
+
+    threshold: float | None
+    min_width_px: float | None
+    choice: Choice
+    exposure_us: float | None
+    zones: list[list[list[float]]]
+    blur_limit_mm: float | None
+    record_pictures: bool
+
+
+class PreviewRequest(Request):
+    type: Literal["preview"]
+    on: bool
+
+
+class StationsRequest(Request):
+    """Whether this tab shows what other stations do."""
+
+    type: Literal["stations"]
+    on: bool
+
+
+class PreviewAck(Request):
+    type: Literal["preview_ack"]
+    seq: int
+
+
+class Beat(Request):
+    """Every few seconds, so that whoever has control keeps it."""
+
+    type: Literal["beat"]
+
+
+LiveRequest = Annotated[
+    PreviewRequest | PreviewAck | StationsRequest | Beat, Field(discriminator="type")
+]
+
+
+@dataclass(frozen=True)
+class Problem:
+    """RFC 9457; ``view`` comes with the 409 of a stale flow command."""
+
+    type: str
+    title: str
+    status: int
+    detail: str
+    code: str
+    remedy: str
+    view: FlowView | None = None
+
+
+@dataclass(frozen=True)
+class ScanState(scan_state.ScanState):
+    """The station's scan state, and whether the twin's hand is at it."""
+
+    hand_running: bool
+
+
+@dataclass(frozen=True)
+class CalibrationSummary:
+    id: str
+    name: str
+    accepted_at: str
+    age_days: float
+    total_um: float
+    verdict: Quality
+    active: bool
+    arm_serial: str
+    sensor_serial: str
+    object_serial: str
+
+
+@dataclass(frozen=True)
+class ScanSummary:
+    id: str
+    name: str
+    started_at: str
+    points: int
+    frames: int
+    seconds: float
+    calibration_id: str
+    note: str
+    """What is wrong with its recording, or why it ended early; mostly empty."""
+
+
+@dataclass(frozen=True)
+class Station:
+    name: str
+    version: str
+    has_hand: bool
+    simulated: bool
+
+
+@dataclass(frozen=True)
+class Home:
+    station: Station
+    calibration: CalibrationSummary | None
+    checks: tuple[due.Validity, ...]
+    temperature_c: float | None
+    """Of the room, where somebody or a thermometer told it lately."""
+    findings: tuple[Finding, ...]
+    next: due.Next
+
+
+Secret = Annotated[str, Field(max_length=256)]
+Name = Annotated[str, Field(max_length=80)]
+RoleName = Literal["viewer", "operator", "admin"]
+
+
+class SignIn(Request):
+    name: Name
+    password: Secret
+
+
+class Code(Request):
+    code: Secret
+
+
+class FirstAdmin(Request):
+    code: Secret
+    name: Name
+    password: Secret
+
+
+class NewPassword(Request):
+    old: Secret
+    new: Secret
+
+
+class NewAccount(Request):
+    name: Name
+    role: RoleName
+    password: Secret
+
+
+class AccountChange(Request):
+    """What is not given stays."""
+
+    role: RoleName | None = None
+    password: Secret | None = None
+
+
+class NewWall(Request):
+    name: Annotated[str, Field(min_length=1, max_length=60)]
+
+
+class Answer(Request):
+    give: bool
+
+
+class Reason(Request):
+    reason: Annotated[str, Field(max_length=200)] = ""
+
+
+@dataclass(frozen=True)
+class You:
+    """Who is signed in at this browser; ``id`` is the sign-in's, as in ``Control``."""
+
+    id: str
+    name: str
+    role: RoleName
+    wall: bool
+
+
+@dataclass(frozen=True)
+class Session:
+    """``first_start``: the console's code makes the administrator; ``by_code``: it lets in."""
+
+    station: str
+    you: You | None
+    first_start: bool
+    by_code: bool
+
+
+@dataclass(frozen=True)
+class AccountSummary:
+    name: str
+    role: RoleName
+    made_at: str
+
+
+@dataclass(frozen=True)
+class WallSummary:
+    """``token`` only where it was made just now."""
+
+    id: str
+    name: str
+    made_by: str
+    made_at: str
+    token: str | None = None
+
+
+@dataclass(frozen=True)
+class RecordedCalibration:
+    """An accepted calibration; ``operator`` and ``station`` are empty where not written down."""
+
+    summary: CalibrationSummary
+    operator: str
+    station: str
+    temperature_c: float | None
+    picture: ResultPicture
+    findings: Sequence[Finding]
+
+
+@dataclass(frozen=True)
+class CalibrationPoint:
+    """One calibration of the history, and what moved since the one before of the same arm and
+    sensor (null for the first); ``expected_…`` is what their uncertainties let expect of a
+    sensor that did not move, k = 2."""
+
+    id: str
+    name: str
+    accepted_at: str
+    total_um: float
+    verdict: Quality
+    good_um: float | None
+    temperature_c: float | None
+    arm_serial: str
+    sensor_serial: str
+    sensor_um: float | None
+    sensor_arcsec: float | None
+    plane_um: float | None
+    plane_arcsec: float | None
+    points_um: float | None
+    expected_um: float | None
+    expected_arcsec: float | None
+
+
+@dataclass(frozen=True)
+class VerificationSummary:
+    id: str
+    accepted_at: str
+    calibration_id: str
+    calibration: str
+    """Its name."""
+    result: Result
+    text: str
+    shape: Shape
+    gauge: str
+    clouds: int
+    touched: bool
+    operator: str
+
+
+@dataclass(frozen=True)
+class StudyState:
+    """Of the clouds rebuilt with every calibration: under way, or done, or neither."""
+
+    running: bool
+    text: str
+    fraction: float | None
+    accepted: int
+    """How many calibrations there are by now."""
+    study: Mapping[str, object] | None
+    """``study.json``."""

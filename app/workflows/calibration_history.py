@@ -1,0 +1,129 @@
+"""What became of a sensor's calibrations over time, from their files."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+
+import numpy as np
+
+from app.errors import Refusal
+from app.formats.results.acceptance import read_acceptance
+from app.formats.results.calibration import CalibrationFile, calibration_in
+from app.metrology.calibration.drift import Drift, Mounted, drift
+
+# Expanded uncertainty, k = 2, of a shift between two calibrations.
+K = 2.0
+REMEMBERED = 1024
+
+
+@dataclass(frozen=True)
+class Since:
+    """What moved since the calibration before of the same arm and sensor.
+
+    ``expected_um`` and ``expected_arcsec`` are what the uncertainties of the two let expect of
+    a sensor that did not move (k = 2); the angle is of a plane swept straight across.
+    """
+
+    id: str
+    drift: Drift
+    expected_um: float
+    expected_arcsec: float | None
+
+
+@dataclass(frozen=True)
+class HistoryEntry:
+    """One calibration of the history."""
+
+    id: str
+    good_um: float | None
+    temperature_c: float | None
+    since: Since | None
+
+
+@dataclass(frozen=True)
+class _Stamped:
+    """A file as it is now: what was read of it holds until it is written anew."""
+
+    path: Path
+    written_ns: int
+
+
+@dataclass(frozen=True)
+class _Head:
+    arm: str
+    sensor: str
+    good_um: float | None
+    temperature_c: float | None
+
+
+@dataclass(frozen=True)
+class _Moved:
+    drift: Drift
+    expected_um: float
+    expected_arcsec: float | None
+
+
+def history(files: Sequence[tuple[str, Path]]) -> list[HistoryEntry]:
+    """Of calibrations by their ids and files, the oldest first.
+
+    A file that cannot be read any more is passed over. What was read once is remembered.
+    """
+    entries: list[HistoryEntry] = []
+    newest: dict[tuple[str, str], tuple[str, _Stamped]] = {}
+    for name, path in files:
+        try:
+            file = _Stamped(path, path.stat().st_mtime_ns)
+            head = _head(file)
+        except (Refusal, OSError):
+            continue
+        of = (head.arm, head.sensor)
+        before = newest.get(of)
+        moved = _moved(before[1], file) if before else None
+        since = (
+            Since(before[0], moved.drift, moved.expected_um, moved.expected_arcsec)
+            if before and moved
+            else None
+        )
+        entries.append(HistoryEntry(name, head.good_um, head.temperature_c, since))
+        newest[of] = (name, file)
+    return entries
+
+
+@lru_cache(maxsize=REMEMBERED)
+def _head(file: _Stamped) -> _Head:
+    sheet, accepted = CalibrationFile.read(file.path), read_acceptance(file.path.parent)
+    return _Head(
+        sheet.serial_numbers.arm,
+        sheet.serial_numbers.sensor,
+        accepted.good_um if accepted else None,
+        accepted.temperature_c if accepted else None,
+    )
+
+
+@lru_cache(maxsize=REMEMBERED)
+def _moved(before: _Stamped, now: _Stamped) -> _Moved | None:
+    old, new = (CalibrationFile.read(file.path) for file in (before, now))
+    was, known = old.uncertainty, new.uncertainty
+    if was is None or known is None or known.map is None:
+        return None
+    inside = np.array(known.map.calibrated)
+    uv_px = np.array(known.map.uv_px).reshape(-1, 2)
+    found = drift(_mounted(old), _mounted(new), uv_px[inside] if inside.any() else uv_px)
+    if found is None:
+        return None
+    planes = (was.plane, known.plane)
+    return _Moved(
+        found,
+        expected_um=K * float(np.hypot(was.total_um, known.total_um)),
+        expected_arcsec=(
+            K * float(np.hypot(planes[0].angle_arcsec, planes[1].angle_arcsec))
+            if planes[0] is not None and planes[1] is not None
+            else None
+        ),
+    )
+
+
+def _mounted(sheet: CalibrationFile) -> Mounted:
+    found = calibration_in(sheet)
+    return Mounted(found.camera, found.plane, found.T_flange_sensor)

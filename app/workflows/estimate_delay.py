@@ -1,0 +1,189 @@
+"""The delay between arm and camera from a recording, and the file that keeps it."""
+
+import os
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import numpy as np
+
+from app.errors import Refusal
+from app.formats.clouds.points import Points
+from app.formats.file_names import shown_path
+from app.formats.io_errors import refusals_naming
+from app.formats.recording.joint_samples import JointReader
+from app.formats.recording.joint_track import JointTrack
+from app.formats.recording.reader import Recording, open_recording
+from app.formats.recording.stream import Block, blocks
+from app.formats.results.calibration import Calibration
+from app.formats.results.delay import Sync
+from app.metrology.arm.joint_interpolation import Stamps
+from app.metrology.arm.kinematics import Arm, flange_poses
+from app.metrology.time_delay.delay import ClockDelay, clock_delay
+from app.metrology.time_delay.plane_pass import PlanePass
+from app.metrology.transforms import Floats
+from app.progress import Progress, no_progress
+from app.workflows.compatibility import check_content, check_serials, check_station
+from app.workflows.reconstruct_frames import Placing, placed
+
+MOST_POINTS = 150
+"""Of a frame that are used: the arm's noise, which all share, is the larger part."""
+MOST_FRAMES = 20_000
+LEAST_SIGMA_MM = 1e-4
+
+
+def sync(
+    recording_path: Path,
+    calibration: Calibration,
+    arm: Arm,
+    progress: Progress = no_progress,
+    named: str = "",
+) -> Sync:
+    """Estimates the delay from a recorded back-and-forth pass over a plane.
+
+    ``named`` is what whoever asks knows the recording by, where that is not its path.
+    The stamps are taken as they were recorded: a delay that the station applied when the
+    pass was taken has no part in it.
+
+    Raises:
+        Refusal: calibration, arm and recording do not belong together, or the pass does
+            not tell the delay (``clock_delay``).
+    """
+    check_serials(calibration, arm)
+    passed, recording = plane_pass(recording_path, calibration, arm, progress)
+    named = named or str(recording_path)
+    with refusals_naming(named):
+        found = clock_delay(passed)
+    progress(1.0, "")
+    return sheet_of(
+        found,
+        arm.serial_number or recording.station.get("arm_serial", ""),
+        calibration.serial_numbers.sensor or recording.station.get("sensor_serial", ""),
+        named,
+    )
+
+
+def read_sync(path: Path, calibration: Calibration, arm: Arm) -> Sync:
+    """Reads ``sync.json``; raises ``Refusal`` where it is of another sensor or arm."""
+    sheet = Sync.read(path)
+    for device, of, known in (
+        ("sensor", sheet.sensor_serial, calibration.serial_numbers.sensor),
+        ("arm", sheet.arm_serial, arm.serial_number),
+    ):
+        if of and known and of != known:
+            raise Refusal(
+                f"{device}-of-another-serial",
+                f"{shown_path(path)} is of {device} {of}",
+                f"the other files are of {device} {known}",
+                "Give the files that belong together",
+            )
+    return sheet
+
+
+def sheet_of(found: ClockDelay, arm_serial: str, sensor_serial: str, recording: str) -> Sync:
+    """The file's content."""
+    return Sync(
+        delay_ms=found.delay_ms,
+        standard_uncertainty_ms=found.standard_uncertainty_ms,
+        frames=found.frames,
+        reversals=found.reversals,
+        seconds=found.seconds,
+        speed_mm_s=found.speed_mm_s,
+        rms_without_um=found.rms_without_um,
+        rms_um=found.rms_um,
+        arm_serial=arm_serial,
+        sensor_serial=sensor_serial,
+        recording=recording,
+    )
+
+
+def plane_pass(
+    recording_path: Path, calibration: Calibration, arm: Arm, progress: Progress = no_progress
+) -> tuple[PlanePass, Recording]:
+    """What a recording holds of its pass, in the sensor frame.
+
+    Raises:
+        Refusal: it holds no frames or no joints, too many frames, or frames of another size.
+    """
+    recording = open_recording(recording_path)
+    reading = _Reading(recording, calibration, arm)
+    with ThreadPoolExecutor(os.cpu_count() or 1, "sync") as pool:
+        for block in blocks(recording, pool, 2):
+            reading.take(block)
+            progress(0.5 * recording.bytes_read / max(recording.size, 1), "")
+    return reading.passed(), recording
+
+
+class _Reading:
+    """One pass through a recording."""
+
+    def __init__(self, recording: Recording, calibration: Calibration, arm: Arm) -> None:
+        self._recording, self._calibration, self._arm = recording, calibration, arm
+        self._joints = JointReader(recording.path, arm)
+        self._track = JointTrack(arm.joint_count)
+        self._points: list[Points] = []
+        self._stamps_ns: list[int] = []
+
+    def take(self, block: Block) -> None:
+        """The block's joints, and its frames' points."""
+        for samples in block.joints:
+            self._track.extend(*self._joints.readings(samples))
+        known = set(self._stamps_ns[-1000:])
+        frames = [frame for frame in block.frames if frame.stamp_ns not in known]
+        if not frames:
+            return
+        if not self._stamps_ns:
+            check_station(self._recording, self._calibration, self._arm)
+        if len(self._stamps_ns) + len(frames) > MOST_FRAMES:
+            raise Refusal(
+                "recording-too-long",
+                f"{shown_path(self._recording.path)} holds more than {MOST_FRAMES} frames",
+                "a pass of half a minute is enough",
+                "Record one pass over a plane",
+            )
+        placing = Placing(self._recording.path, self._calibration)
+        first = len(self._stamps_ns)
+        here = np.tile(np.eye(4), (len(frames), 1, 1))
+        found, _ = placed(placing, block, frames, here, first)
+        self._points.append(_thinned(found))
+        self._stamps_ns += [frame.stamp_ns for frame in frames]
+
+    def passed(self) -> PlanePass:
+        check_content(self._recording, len(self._stamps_ns), len(self._track))
+        points, stamps_ns = np.concatenate(self._points), np.array(self._stamps_ns)
+        order = np.argsort(stamps_ns, kind="stable")
+        place = np.argsort(order)[points["frame"]]
+        points = points[np.argsort(place, kind="stable")]
+        counts = np.bincount(place, minlength=len(stamps_ns))
+        sigma_mm = 1e-3 * points["uncertainty_um"].astype(np.float64)
+        return PlanePass(
+            stamps_ns[order],
+            np.concatenate([[0], np.cumsum(counts)]),
+            np.column_stack([points[axis] for axis in "xyz"]),
+            np.maximum(sigma_mm, LEAST_SIGMA_MM),
+            _poses(self._track, self._arm, self._calibration.T_flange_sensor),
+        )
+
+
+def _thinned(points: Points) -> Points:
+    """Not more than ``MOST_POINTS`` of each frame, evenly spread."""
+    frame = points["frame"]
+    if not len(frame):
+        return points
+    begins = np.flatnonzero(np.diff(frame, prepend=frame[0] - 1))
+    counts = np.diff(np.append(begins, len(frame)))
+    number = np.arange(len(frame)) - np.repeat(begins, counts)
+    every = np.repeat(-(-counts // MOST_POINTS), counts)
+    return np.asarray(points[number % every == 0])
+
+
+def _poses(track: JointTrack, arm: Arm, T_flange_sensor: Floats) -> Callable[[Stamps], Floats]:
+    def at(stamps_ns: Stamps) -> Floats:
+        q_rad = track.at_all(stamps_ns)
+        known = np.isfinite(q_rad).all(axis=1)
+        found = np.full((len(stamps_ns), 4, 4), np.nan)
+        if known.any():
+            found[known] = flange_poses(arm, q_rad[known]) @ T_flange_sensor
+        return found
+
+    return at

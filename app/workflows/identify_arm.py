@@ -1,0 +1,227 @@
+"""From a folder of seats, spheres and ball bars to an identified ``arm.json``."""
+
+import os
+from dataclasses import asdict, dataclass
+from datetime import UTC, datetime
+from pathlib import Path
+
+import numpy as np
+
+from app.formats.atomic_write import checked_target
+from app.formats.datasheets.arm import ArmFile, arm_sheet
+from app.formats.datasheets.arm_identification import (
+    CorrelationPart,
+    DeviationsPart,
+    HeldPart,
+    IdentificationInput,
+    IdentificationPart,
+    ParameterPart,
+    ValidationPart,
+)
+from app.formats.io_errors import refusals_naming
+from app.formats.json_document import sha256_of
+from app.formats.session.arm_session import TABLES, read_arm_session, read_observations
+from app.formats.software import SOFTWARE
+from app.metrology.arm.identification.cross_validation import Deviations, Validation
+from app.metrology.arm.identification.identify import Identification, Outlier, identify
+from app.metrology.transforms import Floats
+from app.progress import Progress, no_progress
+
+
+@dataclass(frozen=True)
+class Signature:
+    """Where and by whom an arm is identified, as far as it is known."""
+
+    operator: str = ""
+    station: str = ""
+    simulated: bool = False
+    temperature_c: float | None = None
+
+
+def identify_folder(
+    folder: Path,
+    output: Path,
+    check: Path | None = None,
+    progress: Progress = no_progress,
+    signature: Signature = Signature(),
+) -> tuple[ArmFile, Identification]:
+    """Identifies the arm of a folder and writes it to ``output``.
+
+    Args:
+        check: a folder of places that the fit must not see.
+        signature: what the file says of where and by whom it was made.
+
+    Raises:
+        Refusal: the folder or the place to write to is not in order, or no better arm
+            follows from it; nothing is then written.
+    """
+    checked_target(output)
+    session = read_arm_session(folder)
+    held_out = None if check is None else read_observations(check, session.arm)
+    inputs = [*session.files]
+    if check is not None:
+        inputs += [check / name for name in TABLES if (check / name).exists()]
+    checked_target(output, inputs)
+    with refusals_naming(folder):
+        result = identify(session.arm, session.observations, held_out, progress)
+    sheet = arm_sheet(result.arm, identification_part(result, inputs, folder, signature))
+    sheet.write(output)
+    return sheet, result
+
+
+def identification_part(
+    result: Identification, inputs: list[Path], folder: Path, signature: Signature
+) -> IdentificationPart:
+    """What the file says of an identification, made now."""
+    return IdentificationPart(
+        created_at=datetime.now(UTC).isoformat(timespec="seconds"),
+        **asdict(signature),
+        parameters=tuple(
+            ParameterPart(
+                name=_in_degrees(moved.name),
+                before=moved.before * _scale(moved.name),
+                after=moved.after * _scale(moved.name),
+                standard_uncertainty=moved.standard_uncertainty * _scale(moved.name),
+            )
+            for moved in result.moved
+        ),
+        covariance=tuple(tuple(row) for row in _covariance_in_degrees(result).tolist()),
+        held=tuple(HeldPart(name=_in_degrees(h.name), reason=h.why) for h in result.held),
+        correlated=tuple(
+            CorrelationPart(first=first, second=second, coefficient=rho)
+            for first, second, rho in correlations_of(result)
+        ),
+        volume_before_um=result.volume_before_mm * 1e3,
+        volume_after_um=result.volume_after_mm * 1e3,
+        size_known=result.size_known,
+        scatter_um=result.scatter_mm * 1e3,
+        validation=_validation_part(result.validation),
+        outliers=tuple(outlier_text(outlier) for outlier in result.outliers),
+        warnings=result.warnings,
+        inputs=tuple(
+            IdentificationInput(
+                file=Path(os.path.relpath(path, folder)).as_posix(), sha256=sha256_of(path)
+            )
+            for path in inputs
+        ),
+        software=SOFTWARE,
+    )
+
+
+def outlier_text(outlier: Outlier) -> str:
+    """One point that was left out, in words."""
+    far_mm = outlier.distance_mm
+    far = f"{far_mm * 1e3:.0f} µm" if far_mm < 1.0 else f"{far_mm:.1f} mm"
+    return f"{outlier.place}, point {outlier.number}: {far} off"
+
+
+def figures_of(result: Identification) -> list[tuple[str, str]]:
+    """What an operator wants to know of an identification: names and values to print."""
+    before, after = result.validation.before, result.validation.after
+    kind = "a separate set" if result.validation.separate else "held out in turn"
+    figures = [
+        (
+            "tip over the reach",
+            f"was off by {result.volume_before_mm * 1e3:.0f} µm rms, now known to "
+            f"{result.volume_after_mm * 1e3:.1f} µm (k = 1)"
+            + ("" if result.size_known else ", apart from the arm's size"),
+        ),
+        (f"on {result.validation.places} places {kind}", "before       after"),
+    ]
+    for title, was, now in (
+        ("  seats", before.seats_um, after.seats_um),
+        ("  spheres", before.spheres_um, after.spheres_um),
+        ("  ball bars' lengths", before.lengths_um, after.lengths_um),
+    ):
+        if was is not None and now is not None:
+            figures.append((title, f"{was:8.1f} µm {now:8.1f} µm rms"))
+    figures += [
+        ("  in standard deviations", f"{before.normalised:8.1f}    {after.normalised:8.2f}"),
+        ("scatter beyond the encoders", f"{result.scatter_mm * 1e3:.1f} µm a coordinate"),
+    ]
+    if result.radius_excess_sd_mm is not None:
+        sd_um = 2e3 * result.radius_excess_sd_mm
+        figures.append(
+            ("spheres' diameters seen", f"{2e3 * result.radius_excess_mm:+.1f} ± {sd_um:.1f} µm")
+        )
+    for k, outlier in enumerate(result.outliers):
+        figures.append(("left out" if k == 0 else "", outlier_text(outlier)))
+    return figures
+
+
+def parameter_lines(result: Identification) -> list[dict[str, str | float]]:
+    """Each parameter moved, in the file's units: name, unit, before, after, uncertainty."""
+    return [
+        {
+            "name": _in_degrees(moved.name),
+            "unit": "°" if moved.name.endswith("_rad") else "mm",
+            "before": moved.before * _scale(moved.name),
+            "after": moved.after * _scale(moved.name),
+            "standard_uncertainty": moved.standard_uncertainty * _scale(moved.name),
+        }
+        for moved in result.moved
+    ]
+
+
+def parameter_rows(result: Identification) -> list[list[str]]:
+    """The same to print: name, before, after, change and standard uncertainty."""
+    rows: list[list[str]] = []
+    for moved in result.moved:
+        scale = _scale(moved.name)
+        before, after = moved.before * scale, moved.after * scale
+        decimals = 6 if moved.name.endswith("_rad") else 4
+        rows.append(
+            [
+                _in_degrees(moved.name),
+                f"{before:.{decimals}f}",
+                f"{after:.{decimals}f}",
+                f"{after - before:+.{decimals}f}",
+                f"{moved.standard_uncertainty * scale:.{decimals}f}",
+            ]
+        )
+    return rows
+
+
+def held_figures(result: Identification) -> list[tuple[str, str]]:
+    """The D-H parameters that kept their values, by reason."""
+    by_reason: dict[str, list[str]] = {}
+    for held in result.held:
+        if ".error." not in held.name or held.reason in ("redundant", "unobserved"):
+            by_reason.setdefault(held.why, []).append(_in_degrees(held.name))
+    return [(", ".join(names), why) for why, names in by_reason.items()]
+
+
+def correlations_of(result: Identification) -> list[tuple[str, str, float]]:
+    """Pairs of moved parameters that the places hardly tell apart, by the file's names."""
+    return [(_in_degrees(a), _in_degrees(b), rho) for a, b, rho in result.correlated]
+
+
+def correlated_figures(result: Identification) -> list[tuple[str, str]]:
+    """The same to print."""
+    return [(f"{a}, {b}", f"{rho:+.3f}") for a, b, rho in correlations_of(result)]
+
+
+def _validation_part(validation: Validation) -> ValidationPart:
+    return ValidationPart(
+        method="separate" if validation.separate else "cross-validation",
+        places=validation.places,
+        before=_deviations_part(validation.before),
+        after=_deviations_part(validation.after),
+    )
+
+
+def _deviations_part(deviations: Deviations) -> DeviationsPart:
+    return DeviationsPart(**asdict(deviations))
+
+
+def _in_degrees(name: str) -> str:
+    return name.removesuffix("_rad") + "_deg" if name.endswith("_rad") else name
+
+
+def _scale(name: str) -> float:
+    return float(np.rad2deg(1.0)) if name.endswith("_rad") else 1.0
+
+
+def _covariance_in_degrees(result: Identification) -> Floats:
+    scales = np.array([_scale(moved.name) for moved in result.moved])
+    return np.asarray(result.covariance * np.outer(scales, scales))

@@ -1,0 +1,136 @@
+"""A recording of a gauge, rebuilt with a calibration and measured: one cloud of a verification."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, ClassVar
+
+import numpy as np
+from pydantic import Field
+
+from app.formats.clouds.points import Points
+from app.formats.datasheets.gauge import GaugeFile
+from app.formats.json_document import Document, NotNegative, Number, Part, Positive, Vector3
+from app.formats.results.calibration import Calibration
+from app.metrology.arm.kinematics import Arm
+from app.metrology.fitting.deviation_map import deviation_map
+from app.metrology.fitting.plane_sphere import PlaneFit, SphereFit
+from app.metrology.gauges.scanned_gauge import GaugeCloud, gauge_plane, gauge_sphere
+from app.metrology.transforms import Floats
+from app.workflows.reconstruct import Rebuilt, rebuild_into
+
+MAP = "map.json"
+
+
+class Fit(Part):
+    """The shape fitted to a cloud, as the journal keeps it."""
+
+    points: int
+    used: int
+    frames: int
+    rms_um: NotNegative
+    form_um: NotNegative
+    centre_mm: Vector3
+    normal: Vector3 | None = None
+    offset_mm: Number | None = None
+    radius_mm: Positive | None = None
+    covariance: tuple[tuple[Number, ...], ...] = ()
+    """k = 1, mm and rad; of a plane the shift and two tilts, of a sphere centre and radius.
+    Empty where too few frames took part to tell."""
+    warnings: tuple[str, ...] = ()
+
+    @property
+    def plane(self) -> PlaneFit:
+        """The plane of a cloud of one, without its points."""
+        assert self.normal is not None
+        assert self.offset_mm is not None
+        return PlaneFit(
+            np.array(self.normal),
+            self.offset_mm,
+            np.array(self.centre_mm),
+            self.rms_um / 1e3,
+            self.form_um / 1e3,
+            np.zeros(0, dtype=np.bool_),
+        )
+
+    def sd(self, index: slice) -> float:
+        """Of the worst direction of some of the parameters, k = 1; by the scatter of single
+        points where the covariance is not known."""
+        if not self.covariance:
+            return self.rms_um / 1e3
+        part = np.array(self.covariance)[index, index]
+        return float(np.sqrt(max(float(np.linalg.eigvalsh(part)[-1]), 0.0)))
+
+
+class MapFile(Document):
+    """``map.json``: a cloud's deviations from its fitted shape, as ``DeviationMap``."""
+
+    FORMAT: ClassVar[str] = "crenel/deviations"
+
+    cell_mm: Positive
+    x_mm: Annotated[tuple[Number, ...], Field(default_factory=tuple)]
+    y_mm: Annotated[tuple[Number, ...], Field(default_factory=tuple)]
+    deviation_um: Annotated[tuple[Number, ...], Field(default_factory=tuple)]
+
+
+@dataclass(frozen=True)
+class Measured:
+    """One cloud: what was fitted, and its map."""
+
+    fit: Fit
+    map: MapFile
+
+
+def measure_recording(
+    recording: Path, calibration: Calibration, arm: Arm, gauge: GaugeFile
+) -> Measured:
+    """Rebuilds a recording's points and fits the gauge's shape to them.
+
+    Raises:
+        Refusal: as ``rebuild``; or the cloud does not show the gauge, or too little of it.
+    """
+    kept: list[Points] = []
+    rebuilt = rebuild_into(recording, calibration, arm, lambda points, _: kept.append(points))
+    points = np.concatenate(kept)
+    xyz: Floats = np.column_stack([points[axis] for axis in "xyz"])
+    frame = points["frame"].astype(np.int64)
+    if gauge.shape == "plane":
+        found = gauge_plane(xyz, frame)
+    else:
+        assert gauge.radius_mm is not None
+        found = gauge_sphere(xyz, frame, gauge.radius_mm)
+    return Measured(_fit_of(found, rebuilt), _map_of(found))
+
+
+def _fit_of(found: GaugeCloud, rebuilt: Rebuilt) -> Fit:
+    fit = found.shape.fit
+    covariance = found.shape.covariance
+    values: dict[str, object] = {
+        "points": found.points,
+        "used": found.used,
+        "frames": rebuilt.frames,
+        "rms_um": fit.rms_mm * 1e3,
+        "form_um": found.form_mm * 1e3,
+        "covariance": () if covariance is None else covariance.tolist(),
+        "warnings": rebuilt.warnings,
+    }
+    if isinstance(fit, PlaneFit):
+        values |= {
+            "centre_mm": fit.centre_mm.tolist(),
+            "normal": fit.normal.tolist(),
+            "offset_mm": fit.offset_mm,
+        }
+    elif isinstance(fit, SphereFit):
+        values |= {"centre_mm": fit.centre_mm.tolist(), "radius_mm": fit.radius_mm}
+    return Fit.model_validate(values)
+
+
+def _map_of(found: GaugeCloud) -> MapFile:
+    fit = found.shape.fit
+    assert isinstance(fit, PlaneFit | SphereFit)
+    cells = deviation_map(fit, found.points_mm)
+    return MapFile(
+        cell_mm=cells.cell_mm,
+        x_mm=tuple(np.round(cells.x_mm, 3).tolist()),
+        y_mm=tuple(np.round(cells.y_mm, 3).tolist()),
+        deviation_um=tuple(np.round(cells.deviation_um, 2).tolist()),
+    )

@@ -1,0 +1,312 @@
+"""From a recording to a cloud: frames, stripes, joints at their stamps, Eq. 9."""
+
+import os
+from collections import deque
+from collections.abc import Callable
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from app.errors import Refusal
+from app.formats.clouds.files import cloud_writer
+from app.formats.clouds.points import Points
+from app.formats.recording.clock_check import ClockReport, ClockWatch
+from app.formats.recording.joint_samples import JointReader
+from app.formats.recording.joint_track import JointTrack
+from app.formats.recording.reader import Recording, open_recording
+from app.formats.recording.stream import Block, Frame, blocks
+from app.formats.results.calibration import Calibration
+from app.metrology.arm.kinematics import Arm, flange_poses
+from app.metrology.transforms import Floats
+from app.progress import Progress, no_progress
+from app.workflows.compatibility import check_content, check_serials, check_station
+from app.workflows.reconstruct_frames import Placing, placed
+from app.workflows.reconstruct_messages import clock_words, implausible, left_out, no_joints_around
+
+Take = Callable[[Points, int], None]
+"""Given points as they are made, and the stamp of the last frame they come from."""
+REMEMBERED = 4096
+"""A frame's picture stands at most so many frames from its stripe."""
+
+
+@dataclass(frozen=True)
+class Rebuilt:
+    """What became of a recording."""
+
+    points: int
+    frames: int
+    """That gave points."""
+    frames_without_stripe: int
+    frames_without_joints: int
+    first_without_joints_s: float | None
+    """The first of these, in seconds from the recording's first message."""
+    joint_samples: int
+    joint_samples_unusable: int
+    frame_holes: int
+    """Places where frames are missing, by the usual period."""
+    joint_holes: int
+    """The same of joint samples."""
+    clock_jumps: int
+    """Places where a clock was set back or forth."""
+    seconds: float
+    """From the recording's first message to its last."""
+    cut: str
+    """Where and why the recording ended early; empty for a whole one."""
+    warnings: tuple[str, ...]
+    """What whoever asked for the cloud should know, one sentence each."""
+
+    @property
+    def all_frames(self) -> int:
+        return self.frames + self.frames_without_stripe + self.frames_without_joints
+
+
+@dataclass(frozen=True)
+class _Waiting:
+    """Frames of one block that wait for the joints around them."""
+
+    block: Block
+    frames: list[Frame]
+    first_number: int
+    last_ns: int
+
+
+@dataclass(frozen=True)
+class _Made:
+    """What became of a block's frames."""
+
+    points: Points
+    placed: int
+    dark: int
+    unplaced_ns: list[int]
+    last_ns: int
+
+
+def rebuild(
+    recording_path: Path,
+    calibration: Calibration,
+    arm: Arm,
+    cloud_path: Path,
+    progress: Progress = no_progress,
+    delay_ns: int | None = None,
+) -> Rebuilt:
+    """Reconstructs a recording's cloud in the arm frame and writes it, as its name says.
+
+    The recording is opened, and points are made, on all cores; only a few blocks of it
+    are in memory at a time.
+
+    Args:
+        delay_ns: by how much the arm's stamps are later than the camera's; None as the
+            station applied it, where the recording says so.
+
+    Raises:
+        Refusal: calibration, arm and recording do not belong together, the recording
+            holds no frames or no joints, or none of its frames has joints around its
+            stamp; the cloud is then not written.
+    """
+    with cloud_writer(cloud_path) as cloud:
+        return rebuild_into(
+            recording_path,
+            calibration,
+            arm,
+            lambda points, _: cloud.append(points),
+            progress,
+            delay_ns,
+        )
+
+
+def rebuilt_points(
+    recording_path: Path, calibration: Calibration, arm: Arm, delay_ns: int | None = None
+) -> tuple[Floats, Rebuilt]:
+    """As ``rebuild``, the points (N, 3) in memory."""
+    kept: list[Floats] = []
+    result = rebuild_into(
+        recording_path,
+        calibration,
+        arm,
+        lambda points, _: kept.append(np.column_stack([points[axis] for axis in "xyz"])),
+        delay_ns=delay_ns,
+    )
+    return np.concatenate(kept), result
+
+
+def rebuild_into(
+    recording_path: Path,
+    calibration: Calibration,
+    arm: Arm,
+    take: Take,
+    progress: Progress = no_progress,
+    delay_ns: int | None = None,
+) -> Rebuilt:
+    """As ``rebuild``, the points handed to ``take`` in their order, on the caller's thread."""
+    check_serials(calibration, arm)
+    job = _Job(open_recording(recording_path), calibration, arm, take, delay_ns)
+    workers = os.cpu_count() or 1
+    with ThreadPoolExecutor(workers, "rebuild") as pool:
+        try:
+            job.run(pool, 2 * workers, progress)
+        except BaseException:
+            pool.shutdown(cancel_futures=True)
+            raise
+    return job.result()
+
+
+class _Job:
+    """One pass over a recording."""
+
+    def __init__(
+        self,
+        recording: Recording,
+        calibration: Calibration,
+        arm: Arm,
+        take: Take,
+        delay_ns: int | None,
+    ) -> None:
+        self._recording = recording
+        self._calibration = calibration
+        self._arm = arm
+        self._take_points = take
+        self._given_delay_ns = delay_ns
+        self._points = 0
+        self._joints = JointReader(recording.path, arm)
+        self._track = JointTrack(arm.joint_count)
+        self._recent: deque[int] = deque(maxlen=REMEMBERED)
+        self._known: set[int] = set()
+        self._numbered = 0
+        self._waiting: deque[_Waiting] = deque()
+        self._making: deque[Future[_Made]] = deque()
+        self._frames = self._dark = 0
+        self._unplaced_ns: list[int] = []
+        self._joint_clock, self._frame_clock = ClockWatch(), ClockWatch()
+
+    def run(self, pool: ThreadPoolExecutor, window: int, progress: Progress) -> None:
+        for block in blocks(self._recording, pool, window):
+            self._take(block)
+            if len(self._track):
+                self._settle(pool, self._track.last_ns)
+            while len(self._making) > window:
+                self._write()
+            progress(self._recording.bytes_read / max(self._recording.size, 1), "")
+        self._track.extend(*self._joints.rest())
+        self._joints.refuse_another_arm()
+        self._settle(pool, None)
+        while self._making:
+            self._write()
+        progress(1.0, "")
+
+    def result(self) -> Rebuilt:
+        """The counts; raises ``Refusal`` where there are no points."""
+        self._refuse_nothing()
+        unplaced, start_ns = self._unplaced_ns, self._recording.first_ns or 0
+        joints, frames = self._joint_clock.report(), self._frame_clock.report()
+        return Rebuilt(
+            points=self._points,
+            frames=self._frames,
+            frames_without_stripe=self._dark,
+            frames_without_joints=len(unplaced),
+            first_without_joints_s=(unplaced[0] - start_ns) / 1e9 if unplaced else None,
+            joint_samples=len(self._track),
+            joint_samples_unusable=self._joints.unusable,
+            frame_holes=frames.holes,
+            joint_holes=joints.holes,
+            clock_jumps=frames.jumps + joints.jumps,
+            seconds=((self._recording.last_ns or start_ns) - start_ns) / 1e9,
+            cut=self._recording.cut,
+            warnings=tuple(self._warnings(joints, frames)),
+        )
+
+    @property
+    def _delay_ns(self) -> int:
+        given = self._given_delay_ns
+        return self._recording.delay_ns if given is None else given
+
+    def _take(self, block: Block) -> None:
+        """The block's joints to the track, its frames to those that wait."""
+        for samples in block.joints:
+            self._joint_clock.add(samples.stamps_ns, samples.log_ns)
+            self._track.extend(*self._joints.readings(samples))
+        frames = [frame for frame in block.frames if self._is_new(frame.stamp_ns)]
+        if not frames:
+            return
+        if not self._numbered:
+            check_station(self._recording, self._calibration, self._arm)
+        stamps_ns = np.array([frame.stamp_ns for frame in frames])
+        self._frame_clock.add(stamps_ns, np.array([frame.log_ns for frame in frames]))
+        self._waiting.append(_Waiting(block, frames, self._numbered, int(stamps_ns.max())))
+        self._numbered += len(frames)
+
+    def _is_new(self, stamp_ns: int) -> bool:
+        """False where a frame's stripe was recorded beside its picture."""
+        if stamp_ns in self._known:
+            return False
+        if len(self._recent) == REMEMBERED:
+            self._known.discard(self._recent[0])
+        self._recent.append(stamp_ns)
+        self._known.add(stamp_ns)
+        return True
+
+    def _settle(self, pool: ThreadPoolExecutor, up_to_ns: int | None) -> None:
+        """Has points made of frames that joints reach past; None: no more will come."""
+        delay_ns = self._delay_ns
+        while self._waiting and (
+            up_to_ns is None or self._waiting[0].last_ns + delay_ns <= up_to_ns
+        ):
+            waiting = self._waiting.popleft()
+            stamps_ns = np.array([frame.stamp_ns for frame in waiting.frames])
+            q_rad = self._track.at_all(stamps_ns + delay_ns)
+            self._making.append(pool.submit(self._made, waiting, q_rad))
+            if up_to_ns is None and len(self._making) > 2 * (os.cpu_count() or 1):
+                self._write()
+
+    def _made(self, waiting: _Waiting, q_rad: Floats) -> _Made:
+        """On a worker's thread: the points of a block's frames (Eq. 9)."""
+        known = np.asarray(np.isfinite(q_rad).all(axis=1))
+        poses = np.full((len(known), 4, 4), np.nan)
+        if known.any():
+            T_arm_flange = flange_poses(self._arm, q_rad[known])
+            poses[known] = T_arm_flange @ self._calibration.T_flange_sensor
+        placing = Placing(self._recording.path, self._calibration)
+        points, counts = placed(placing, waiting.block, waiting.frames, poses, waiting.first_number)
+        unplaced = [
+            frame.stamp_ns
+            for frame, count, good in zip(waiting.frames, counts, known, strict=True)
+            if count and not good
+        ]
+        dark = int((counts == 0).sum())
+        return _Made(points, len(counts) - dark - len(unplaced), dark, unplaced, waiting.last_ns)
+
+    def _write(self) -> None:
+        made = self._making.popleft().result()
+        self._points += len(made.points)
+        self._take_points(made.points, made.last_ns)
+        self._frames += made.placed
+        self._dark += made.dark
+        self._unplaced_ns += made.unplaced_ns
+
+    def _warnings(self, joints: ClockReport, frames: ClockReport) -> list[str]:
+        said = [self._recording.cut] if self._recording.cut else []
+        start_ns, unplaced = self._recording.first_ns or 0, self._unplaced_ns
+        if unplaced:
+            said.append(left_out(unplaced, self._numbered, self._track, self._delay_ns, start_ns))
+        if self._joints.unusable:
+            said.append(f"{self._joints.unusable} joint samples left out: not numbers")
+        first = self._joints.first_implausible
+        if first is not None:
+            said.append(implausible(self._joints.implausible, first, start_ns))
+        said += clock_words("joint samples", joints, start_ns)
+        return said + clock_words("frames", frames, start_ns)
+
+    def _refuse_nothing(self) -> None:
+        if self._points:
+            return
+        named = check_content(self._recording, self._numbered, len(self._track))
+        if self._unplaced_ns:
+            start_ns = self._recording.first_ns or 0
+            raise no_joints_around(named, self._unplaced_ns, self._track, start_ns)
+        raise Refusal(
+            "recording-without-stripes",
+            f"{named}: no laser stripe in front of the sensor in any frame of {self._numbered}",
+            "the laser was off, too weak, or the part out of range",
+            "Scan again",
+        )

@@ -1,0 +1,111 @@
+"""Points of recorded frames in the arm frame (Eq. 9), ready to be written."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.errors import Refusal
+from app.formats.clouds.points import Points, packed
+from app.formats.file_names import shown_path
+from app.formats.recording.blocks import Profiles, profiles
+from app.formats.recording.reader import StripeRecord
+from app.formats.recording.stream import Block, Frame
+from app.formats.recording.wire_format import AXIS, HEIGHT, WIDTH
+from app.formats.results.calibration import Calibration
+from app.metrology.sensor.triangulation import scan_points
+from app.metrology.stripe import extract_stripe
+from app.metrology.transforms import Floats
+
+Counts = NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class Placing:
+    """Of which recording frames are, and by which calibration they become points."""
+
+    path: Path
+    calibration: Calibration
+
+    def check_size(self, number: int, width_px: int, height_px: int) -> None:
+        """Raises ``Refusal`` where a frame is not of the calibrated sensor's size."""
+        camera = self.calibration.camera
+        if (width_px, height_px) != (camera.width_px, camera.height_px):
+            raise Refusal(
+                "image-size",
+                f"{shown_path(self.path)}: frame {number} has {width_px} × {height_px} pixels",
+                f"the calibration is for {camera.width_px} × {camera.height_px}",
+                "Give the calibration of the sensor that took this recording",
+            )
+
+
+def placed(
+    placing: Placing, block: Block, frames: Sequence[Frame], poses: Floats, first_number: int
+) -> tuple[Points, Counts]:
+    """Points of a block's frames, and how many pixels of stripe each frame has (F,).
+
+    Args:
+        poses: (F, 4, 4) ``T_arm_sensor`` at each frame's stamp; NaN where it is not known.
+        first_number: of the first frame; the others count on.
+
+    Raises:
+        Refusal: a frame is of another size than the calibration's, or not to be read.
+    """
+    pieces: list[Points] = []
+    counts = np.zeros(len(frames), dtype=np.int64)
+    for first, last, stripes in _runs(placing, block, frames, first_number):
+        counts[first:last] = stripes.count
+        pieces.append(_points(placing, stripes, poses[first:last], first_number + first))
+    return np.concatenate(pieces), counts
+
+
+def _runs(
+    placing: Placing, block: Block, frames: Sequence[Frame], first_number: int
+) -> list[tuple[int, int, Profiles]]:
+    """Stretches of frames whose stripes are taken together, by their first and last + 1."""
+    rows = [frame.source for frame in frames if isinstance(frame.source, int)]
+    if len(rows) == len(frames):
+        table = block.stripes[rows]
+        for i, row in enumerate(table[:, [WIDTH, HEIGHT]].tolist()):
+            placing.check_size(first_number + i, *row)
+        if (table[:, AXIS] == table[0, AXIS]).all():
+            return [(0, len(frames), profiles(block.opened, table))]
+    return [
+        (i, i + 1, _single(placing, block, frame, first_number + i))
+        for i, frame in enumerate(frames)
+    ]
+
+
+def _single(placing: Placing, block: Block, frame: Frame, number: int) -> Profiles:
+    """One frame's stripe, extracted where its picture was recorded."""
+    source = frame.source
+    if isinstance(source, int):
+        placing.check_size(number, *block.stripes[source, [WIDTH, HEIGHT]].tolist())
+        return profiles(block.opened, block.stripes[source : source + 1])
+    if isinstance(source, StripeRecord):
+        placing.check_size(number, source.width_px, source.height_px)
+        stripe = source.stripe
+    else:
+        picture = source.picture()
+        placing.check_size(number, picture.shape[1], picture.shape[0])
+        stripe = extract_stripe(picture, placing.calibration.stripe_axis)
+    count = np.array([len(stripe.u)])
+    return Profiles(count, stripe.u, stripe.v, stripe.intensity, stripe.sigma_px, stripe.axis)
+
+
+def _points(placing: Placing, stripes: Profiles, poses: Floats, first_number: int) -> Points:
+    use = placing.calibration
+    points_mm, spread = scan_points(
+        use.camera,
+        use.plane,
+        stripes.u,
+        stripes.v,
+        stripes.sigma_px,
+        stripes.axis,
+        stripes.count,
+        poses,
+    )
+    numbers = first_number + np.arange(len(poses))
+    return packed(points_mm, stripes.intensity, spread, np.repeat(numbers, stripes.count))

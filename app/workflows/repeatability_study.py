@@ -1,0 +1,202 @@
+"""The paper's study: clouds of one plane, each rebuilt with each of several calibrations.
+
+Whatever a calibration has wrong shows as a plane that turns and shifts from one
+calibration to the next; what the arm and the scanning add, from one cloud to the next.
+"""
+
+import csv
+import io
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from app.errors import Refusal
+from app.formats.atomic_write import write_atomically
+from app.formats.datasheets.gauge_nominal import read_nominal
+from app.formats.io_errors import refusals_naming
+from app.formats.results.calibration import Calibration
+from app.metrology.arm.kinematics import Arm
+from app.metrology.fitting.plane_sphere import PlaneFit, fit_plane
+from app.metrology.gauges.errors import (
+    ARCSEC_PER_RAD,
+    NominalPlane,
+    angle_between_rad,
+    angle_ranges_arcsec,
+    offset_ranges_um,
+)
+from app.metrology.transforms import Floats
+from app.progress import Progress, no_progress
+from app.workflows.reconstruct import rebuilt_points
+
+PAPER_ARCSEC, PAPER_UM = 230.0, 100.0
+"""Mean ranges between calibrations in the paper, section 4."""
+PAPER_CLOUDS_ARCSEC, PAPER_CLOUDS_UM = 500.0, 110.0
+"""Its ranges between clouds of one calibration."""
+ONE_PLANE_RAD = np.deg2rad(2.0)
+COLUMNS = ("recording", "calibration", "points", "rms_um", "angle_arcsec", "offset_um")
+
+
+@dataclass(frozen=True)
+class Row:
+    """One recording rebuilt with one calibration."""
+
+    recording: str
+    calibration: str
+    points: int
+    rms_um: float
+    angle_arcsec: float
+    """Between its plane and the nominal, or where there is none the mean of all planes."""
+    offset_um: float
+    """Of its plane from that one, along its normal, in the middle of all clouds."""
+
+
+@dataclass(frozen=True)
+class Ranges:
+    """How far the planes of one recording, or of one calibration, lie apart."""
+
+    of: str
+    angle_arcsec: float
+    offset_um: float
+
+
+@dataclass(frozen=True)
+class Study:
+    """All planes, and how they scatter."""
+
+    rows: tuple[Row, ...]
+    between_calibrations: tuple[Ranges, ...]
+    """Of each recording; empty for one calibration."""
+    between_recordings: tuple[Ranges, ...]
+    """Of each calibration; empty for one recording."""
+    warnings: tuple[str, ...]
+
+    def write_csv(self, path: Path) -> None:
+        """The table, one row a recording and calibration; raises ``Refusal``."""
+        text = io.StringIO()
+        table = csv.writer(text, lineterminator="\n")
+        table.writerow(COLUMNS)
+        for row in self.rows:
+            figures = (f"{x:.3f}" for x in (row.rms_um, row.angle_arcsec, row.offset_um))
+            table.writerow((row.recording, row.calibration, row.points, *figures))
+        write_atomically(path, text.getvalue().encode())
+
+
+def study(
+    recordings: Sequence[Path],
+    calibrations: Sequence[tuple[Path, Calibration]],
+    arm: Arm,
+    nominal_path: Path | None = None,
+    progress: Progress = no_progress,
+) -> Study:
+    """Rebuilds every recording with every calibration and fits a plane to each cloud.
+
+    Raises:
+        Refusal: as ``rebuild``; a cloud fixes no plane; the nominal is none of a
+            plane; there is but one cloud in all.
+    """
+    if len(recordings) * len(calibrations) < 2:
+        raise Refusal(
+            "too-few-clouds",
+            "one recording and one calibration give one plane",
+            "a study compares several",
+            "Give more recordings of the plane, or more calibrations",
+        )
+    nominal = None if nominal_path is None else read_nominal(nominal_path)
+    if nominal is not None and not isinstance(nominal, NominalPlane):
+        raise Refusal(
+            "nominal-of-another-shape",
+            f"{nominal_path}: it is of a sphere",
+            "the study is of a plane",
+            "Give the plane's own nominal",
+        )
+    fits: list[list[PlaneFit]] = []
+    warnings: list[str] = []
+    total = len(recordings) * len(calibrations)
+    for c, (name, calibration) in enumerate(calibrations):
+        fits.append([])
+        for r, path in enumerate(recordings):
+            begun = (c * len(recordings) + r) / total
+            progress(begun, f"{path.name} × {name.name}")
+            points_mm, rebuilt = rebuilt_points(path, calibration, arm)
+            if not c:
+                warnings += rebuilt.warnings
+            with refusals_naming(path):
+                fits[-1].append(fit_plane(points_mm))
+    return _compared(recordings, [name for name, _ in calibrations], fits, nominal, warnings)
+
+
+def _compared(
+    recordings: Sequence[Path],
+    calibrations: Sequence[Path],
+    fits: list[list[PlaneFit]],
+    nominal: NominalPlane | None,
+    warnings: list[str],
+) -> Study:
+    normals = np.array([[fit.normal for fit in row] for row in fits])  # (C, R, 3)
+    first = normals[0, 0] if nominal is None else nominal.normal
+    normals *= np.sign(normals @ first)[..., None]
+    centres = np.array([[fit.centre_mm for fit in row] for row in fits])
+    middle, mean = centres.mean(axis=(0, 1)), normals.mean(axis=(0, 1))
+    normal: Floats = mean / np.linalg.norm(mean) if nominal is None else nominal.normal
+    # how high each plane passes over the middle, along the normal
+    heights = np.einsum("crk,crk->cr", normals, centres - middle) / (normals @ normal)
+    zero = float(heights.mean()) if nominal is None else nominal.offset_mm - normal @ middle
+    turned = max(angle_between_rad(n, normals[0, 0]) for n in normals[0])
+    if turned > ONE_PLANE_RAD:
+        warnings.append(
+            f"the recordings are turned by up to {np.rad2deg(turned):.1f}° to one another: "
+            "they are not of one plane, and their ranges mean nothing"
+        )
+    rows = [
+        Row(
+            str(recording),
+            str(calibration),
+            int(fits[c][r].used.sum()),
+            fits[c][r].rms_mm * 1e3,
+            angle_between_rad(normals[c, r], normal) * ARCSEC_PER_RAD,
+            float(heights[c, r] - zero) * 1e3,
+        )
+        for r, recording in enumerate(recordings)
+        for c, calibration in enumerate(calibrations)
+    ]
+    across = normals.swapaxes(0, 1)
+    return Study(
+        tuple(rows),
+        _ranges(recordings, normals, heights) if len(calibrations) > 1 else (),
+        _ranges(calibrations, across, heights.T) if len(recordings) > 1 else (),
+        tuple(warnings),
+    )
+
+
+def _ranges(names: Sequence[Path], normals: Floats, heights: Floats) -> tuple[Ranges, ...]:
+    """Over the first axis, of each of the second."""
+    angles, offsets = angle_ranges_arcsec(normals), offset_ranges_um(heights)
+    return tuple(
+        Ranges(str(name), float(angle), float(offset))
+        for name, angle, offset in zip(names, angles, offsets, strict=True)
+    )
+
+
+def range_rows(done: Study) -> list[tuple[str, ...]]:
+    """The mean ranges to print, the paper's beside them."""
+    rows: list[tuple[str, ...]] = []
+    for title, ranges, arcsec, um in (
+        ("between calibrations", done.between_calibrations, PAPER_ARCSEC, PAPER_UM),
+        ("between clouds", done.between_recordings, PAPER_CLOUDS_ARCSEC, PAPER_CLOUDS_UM),
+    ):
+        if ranges:
+            angle = np.array([one.angle_arcsec for one in ranges])
+            offset = np.array([one.offset_um for one in ranges])
+            rows.append(
+                (
+                    title,
+                    f"{angle.mean():.1f}″",
+                    f"{angle.max():.1f}″",
+                    f"{offset.mean():.1f} µm",
+                    f"{offset.max():.1f} µm",
+                    f"{arcsec:.0f}″, {um:.0f} µm",
+                )
+            )
+    return rows

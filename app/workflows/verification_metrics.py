@@ -1,0 +1,217 @@
+"""What the clouds of a gauge show against its paper, the probe and the limits: figures, verdict."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from typing import Literal
+
+import numpy as np
+
+from app.formats.datasheets.gauge import GaugeFile, VerificationLimits
+from app.formats.results.verification import FigureName, FigurePart, Result, VerificationVerdict
+from app.metrology.gauges.conformity import decide
+from app.metrology.gauges.errors import ARCSEC_PER_RAD, angle_between_rad, compare_plane
+from app.metrology.gauges.probed_gauge import TouchedPlane, TouchedSphere
+from app.workflows.measure_gauge import Fit
+
+Touched = TouchedPlane | TouchedSphere
+K = 2.0
+UNIFORM = float(np.sqrt(12.0))
+TITLES: dict[FigureName, str] = {
+    "rms": "Scatter of the points (rms)",
+    "form": "Form of the cloud (95 % of the points)",
+    "angle": "Angle to the touched plane",
+    "offset": "Distance from the touched plane",
+    "z_error": "Height above the touched plane, along Z",
+    "radius_error": "Error of the radius",
+    "centre_error": "Distance from the touched centre",
+    "angle_range": "Angle between clouds",
+    "offset_range": "Distance between clouds",
+    "centre_range": "Distance between the clouds' centres",
+}
+ANGLES: tuple[FigureName, ...] = ("angle", "angle_range")
+ORDER = ("fail", "uncertain", "pass", "none")
+
+
+@dataclass(frozen=True)
+class Errors:
+    """Of one cloud against the probe and the paper; None where there is nothing to compare."""
+
+    angle_arcsec: float | None = None
+    z_error_um: float | None = None
+    offset_error_um: float | None = None
+    radius_error_um: float | None = None
+    centre_error_um: float | None = None
+
+
+def errors_of(fit: Fit, gauge: GaugeFile, touched: Touched | None) -> Errors:
+    """One cloud's errors (Eq. 10-12; for a sphere as in the paper's section 4)."""
+    if gauge.shape == "plane":
+        if not isinstance(touched, TouchedPlane):
+            return Errors()
+        check = compare_plane(fit.plane, touched.nominal)
+        return Errors(check.angle_arcsec, check.z_error_um, check.offset_um)
+    assert fit.radius_mm is not None
+    assert gauge.radius_mm is not None
+    radius = (gauge.radius_mm - fit.radius_mm) * 1e3
+    if not isinstance(touched, TouchedSphere):
+        return Errors(radius_error_um=radius)
+    away = np.array(fit.centre_mm) - touched.nominal.centre_mm
+    centre = float(np.linalg.norm(away)) * 1e3
+    return Errors(radius_error_um=radius, centre_error_um=centre)
+
+
+def figures_of(
+    fits: Sequence[Fit], gauge: GaugeFile, touched: Touched | None, limits: VerificationLimits
+) -> tuple[FigurePart, ...]:
+    """Every figure that these clouds allow, each with its uncertainty and its limit."""
+    if not fits:
+        return ()
+    errors = [errors_of(fit, gauge, touched) for fit in fits]
+    paper_um = float(np.hypot(gauge.standard_uncertainty_um, gauge.form_um / UNIFORM))
+    found: list[FigurePart] = []
+
+    def add(name: FigureName, values: Sequence[float | None], standard: float) -> None:
+        known = [value for value in values if value is not None]
+        if len(known) == len(fits):
+            found.append(_figure(name, known, K * standard, getattr(limits, name, None)))
+
+    add("form", [fit.form_um for fit in fits], paper_um)
+    add("rms", [fit.rms_um for fit in fits], paper_um)
+    if gauge.shape == "plane":
+        _add_plane(add, fits, errors, touched, paper_um)
+    else:
+        of_fit = max(fit.sd(slice(3, 4)) for fit in fits) * 1e3
+        add("radius_error", [e.radius_error_um for e in errors], float(np.hypot(of_fit, paper_um)))
+        of_fit = max(fit.sd(slice(0, 3)) for fit in fits) * 1e3
+        of_touch = touched.centre_sd_mm * 1e3 if isinstance(touched, TouchedSphere) else 0.0
+        add("centre_error", [e.centre_error_um for e in errors], float(np.hypot(of_fit, of_touch)))
+    return (*found, *_ranges(fits, gauge, limits))
+
+
+def _add_plane(
+    add: Callable[[FigureName, Sequence[float | None], float], None],
+    fits: Sequence[Fit],
+    errors: Sequence[Errors],
+    touched: Touched | None,
+    paper_um: float,
+) -> None:
+    if not isinstance(touched, TouchedPlane):
+        return
+    tilt = max(_tilt_sd(fit) for fit in fits)
+    add(
+        "angle",
+        [e.angle_arcsec for e in errors],
+        float(np.hypot(tilt, touched.angle_sd_rad)) * ARCSEC_PER_RAD,
+    )
+    variances = [
+        fit.sd(slice(0, 1)) ** 2 + touched.height_sd_mm(np.array(fit.centre_mm)) ** 2
+        for fit in fits
+    ]
+    height = float(np.hypot(np.sqrt(max(variances)) * 1e3, paper_um))
+    add("offset", [e.offset_error_um for e in errors], height)
+    add("z_error", [e.z_error_um for e in errors], height)
+
+
+def _tilt_sd(fit: Fit) -> float:
+    """Rad, in the worst direction; by the points' scatter where the fit does not tell."""
+    if fit.covariance:
+        return fit.sd(slice(1, 3))
+    return fit.rms_um / 1e3 / 10.0
+
+
+def _ranges(fits: Sequence[Fit], gauge: GaugeFile, limits: VerificationLimits) -> list[FigurePart]:
+    """How far the clouds lie apart: of any two the largest."""
+    if len(fits) < 2:
+        return []
+    two = float(np.sqrt(2.0))
+    if gauge.shape == "sphere":
+        centres = [np.array(fit.centre_mm) for fit in fits]
+        apart = max(float(np.linalg.norm(a - b)) for a, b in combinations(centres, 2)) * 1e3
+        sd = two * max(fit.sd(slice(0, 3)) for fit in fits) * 1e3
+        return [_range("centre_range", apart, K * sd, limits.centre_range)]
+    planes = [fit.plane for fit in fits]
+    turned = max(angle_between_rad(a.normal, b.normal) for a, b in combinations(planes, 2))
+    first = planes[0]
+    middle = np.mean([plane.centre_mm for plane in planes], axis=0)
+    heights = [
+        (plane.offset_mm - plane.normal @ middle) / (plane.normal @ first.normal)
+        for plane in planes
+    ]
+    tilt = two * max(_tilt_sd(fit) for fit in fits) * ARCSEC_PER_RAD
+    shift = two * max(fit.sd(slice(0, 1)) for fit in fits) * 1e3
+    return [
+        _range("angle_range", turned * ARCSEC_PER_RAD, K * tilt, limits.angle_range),
+        _range("offset_range", float(np.ptp(heights)) * 1e3, K * shift, limits.offset_range),
+    ]
+
+
+def _figure(
+    name: FigureName, values: Sequence[float], expanded: float, limit: float | None
+) -> FigurePart:
+    worst = max(values, key=abs)
+    figure = _range(name, worst, expanded, limit)
+    several = len(values) > 1
+    return figure.model_copy(
+        update={
+            "clouds": tuple(values),
+            "mean": float(np.mean(values)) if several else None,
+            "standard_deviation": float(np.std(values, ddof=1)) if several else None,
+        }
+    )
+
+
+def _range(name: FigureName, value: float, expanded: float, limit: float | None) -> FigurePart:
+    unit: Literal["µm", "″"] = "″" if name in ANGLES else "µm"
+    decision = decide(value, limit, expanded)
+    return FigurePart(
+        name=name,
+        title=TITLES[name],
+        unit=unit,
+        value=value,
+        expanded_uncertainty=expanded,
+        limit=limit,
+        decision=decision,
+        reason=_reason(TITLES[name], value, expanded, limit, decision, unit),
+    )
+
+
+def _reason(
+    title: str, value: float, expanded: float, limit: float | None, decision: str, unit: str
+) -> str:
+    space = "" if unit == "″" else " "
+    own = f"{abs(value):.0f}{space}{unit}"
+    if limit is None:
+        return f"{title}: {own}; there is no limit."
+    sure = f"{expanded:.0f}{space}{unit} (k = 2)"
+    of = f"the limit of {limit:.0f}{space}{unit}"
+    words = {
+        "pass": f"within {of}, by more than its uncertainty of {sure}",
+        "fail": f"beyond {of}, by more than its uncertainty of {sure}",
+        "uncertain": f"nearer to {of} than its uncertainty of {sure}, so it is not decided",
+    }
+    return f"{title}: {own}, {words[decision]}."
+
+
+WORDS: dict[Result, str] = {
+    "pass": "Every figure keeps its limit.",
+    "fail": "Not every figure keeps its limit.",
+    "uncertain": "Not every figure is known well enough to be judged.",
+}
+
+
+def verdict_of(figures: Sequence[FigurePart], touched: bool) -> VerificationVerdict:
+    """As bad as the worst of the figures (ISO 14253-1)."""
+    decisions = [figure.decision for figure in figures]
+    result: Result = "pass"
+    if "fail" in decisions:
+        result = "fail"
+    elif "uncertain" in decisions or set(decisions) <= {"none"}:
+        result = "uncertain"
+    ordered = sorted(figures, key=lambda figure: ORDER.index(figure.decision))
+    text = WORDS[result]
+    if not touched:
+        text = f"{text[:-1]}; scan and probe were not compared."
+    return VerificationVerdict(
+        result=result, text=text, reasons=tuple(figure.reason for figure in ordered)
+    )

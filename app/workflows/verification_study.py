@@ -1,0 +1,201 @@
+"""The paper's test on the clouds of a verification: each rebuilt with every calibration.
+
+What a calibration has wrong shows from one calibration to the next, what arm and scanning
+add from one cloud to the next (Figs. 7-11).
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, ClassVar
+
+import numpy as np
+from pydantic import Field
+
+from app.errors import Refusal
+from app.formats.datasheets.arm import read_arm
+from app.formats.datasheets.gauge import GaugeFile, Shape, read_gauge
+from app.formats.file_names import shown_path
+from app.formats.json_document import Document, NotNegative, Number, Part
+from app.formats.results.calibration import read_calibration
+from app.formats.results.verification import GAUGE, TOUCHES, read_verification
+from app.formats.session.calibration_session import ARM, read_contacts
+from app.metrology.arm.kinematics import Arm
+from app.metrology.gauges.errors import NominalPlane, NominalSphere
+from app.metrology.gauges.probed_gauge import (
+    TouchedPlane,
+    TouchedSphere,
+    touched_plane,
+    touched_sphere,
+)
+from app.progress import Progress, no_progress
+from app.workflows.measure_gauge import Fit, measure_recording
+from app.workflows.verification_metrics import Touched, errors_of
+
+STUDY_CALIBRATION = "calibration.json"
+
+
+@dataclass(frozen=True)
+class Source:
+    """An accepted calibration; its folder holds the arm that it was made on, too."""
+
+    id: str
+    name: str
+    folder: Path
+
+
+class StudyRow(Part):
+    """One cloud with one calibration; plane: angle and Z, sphere: radius and centre."""
+
+    cloud: int
+    """Index among the study's clouds; ``calibration`` likewise."""
+    calibration: int
+    rms_um: NotNegative
+    angle_arcsec: NotNegative | None = None
+    z_error_um: Number | None = None
+    """Along Z (Eq. 11-12); of a steep plane along its normal."""
+    radius_error_um: Number | None = None
+    centre_error_um: NotNegative | None = None
+
+
+class StudyRange(Part):
+    """Largest minus smallest of a figure over the clouds of a calibration, or the other way."""
+
+    of: int
+    first: NotNegative
+    """Of the angle, or of the radius error."""
+    second: NotNegative
+    """Of Z, or of the centre error."""
+
+
+class StudyFile(Document):
+    """``study.json``"""
+
+    FORMAT: ClassVar[str] = "crenel/study"
+
+    shape: Shape
+    against_probe: bool
+    """Else against the mean of all, where the gauge was not touched."""
+    clouds: tuple[str, ...]
+    calibrations: tuple[str, ...]
+    """Names; ids beside them."""
+    calibration_ids: tuple[str, ...]
+    rows: tuple[StudyRow, ...]
+    between_clouds: tuple[StudyRange, ...] = ()
+    """Of each calibration (Figs. 9-10)."""
+    between_calibrations: tuple[StudyRange, ...] = ()
+    """Of each cloud."""
+    left_out: Annotated[tuple[str, ...], Field(default_factory=tuple)]
+    """Calibrations that do not belong to these recordings, one sentence each."""
+
+
+def study_verification(
+    folder: Path, sources: Sequence[Source], progress: Progress = no_progress
+) -> StudyFile:
+    """Rebuilds every cloud of a verification with every calibration.
+
+    Raises:
+        Refusal: the verification cannot be read, or none of the calibrations belongs to it.
+    """
+    record, gauge = read_verification(folder), read_gauge(folder / GAUGE)
+    fits: list[list[Fit]] = []
+    used: list[tuple[Source, Arm]] = []
+    left_out: list[str] = []
+    total = max(len(sources) * len(record.clouds), 1)
+    for c, source in enumerate(sources):
+        try:
+            arm = read_arm(source.folder / ARM)
+            calibration = read_calibration(source.folder / STUDY_CALIBRATION)
+            row = []
+            for r, cloud in enumerate(record.clouds):
+                progress((c * len(record.clouds) + r) / total, f"{cloud.name}, {source.name}")
+                row.append(measure_recording(folder / cloud.recording, calibration, arm, gauge).fit)
+        except Refusal as refusal:
+            left_out.append(f"{source.name}: {refusal.what.replace(f'{shown_path(folder)}/', '')}.")
+            continue
+        used.append((source, arm))
+        fits.append(row)
+    if not used:
+        raise Refusal(
+            "no-calibration-fits",
+            "None of the calibrations belongs to these recordings",
+            "; ".join(left_out),
+        )
+    touched = [_touched(folder, arm, gauge) for _, arm in used]
+    probe = all(one is not None for one in touched)
+    references = touched if probe else [_mean(fits, gauge)] * len(used)
+    rows = tuple(
+        _row(r, c, fit, gauge, references[c])
+        for c, row in enumerate(fits)
+        for r, fit in enumerate(row)
+    )
+    count = len(record.clouds)
+    return StudyFile(
+        shape=gauge.shape,
+        against_probe=probe,
+        clouds=tuple(cloud.name for cloud in record.clouds),
+        calibrations=tuple(source.name for source, _ in used),
+        calibration_ids=tuple(source.id for source, _ in used),
+        rows=rows,
+        between_clouds=_ranges(rows, "calibration", len(used)) if count > 1 else (),
+        between_calibrations=_ranges(rows, "cloud", count) if len(used) > 1 else (),
+        left_out=tuple(left_out),
+    )
+
+
+def _touched(folder: Path, arm: Arm, gauge: GaugeFile) -> Touched | None:
+    """By this arm, which may be known better than when it touched."""
+    if not (folder / TOUCHES).is_file():
+        return None
+    q_rad = read_contacts(folder / TOUCHES, arm, ("gauge",)).q_rad
+    if gauge.radius_mm is None:
+        return touched_plane(arm, q_rad)
+    return touched_sphere(arm, q_rad, gauge.radius_mm)
+
+
+def _mean(fits: Sequence[Sequence[Fit]], gauge: GaugeFile) -> Touched:
+    """What the clouds agree on, in the place of the touches."""
+    every = [fit for row in fits for fit in row]
+    centre = np.mean([fit.centre_mm for fit in every], axis=0)
+    nothing = np.zeros(0)
+    if gauge.radius_mm is not None:
+        nominal = NominalSphere(centre, gauge.radius_mm)
+        return TouchedSphere(nominal, nothing, np.zeros((3, 3)), gauge.radius_mm, 0.0)
+    normals = np.array([fit.plane.normal for fit in every])
+    normals *= np.sign(normals @ normals[0])[:, None]
+    normal = normals.mean(axis=0)
+    normal /= np.linalg.norm(normal)
+    return TouchedPlane(NominalPlane(centre, normal), nothing, np.zeros((3, 3)))
+
+
+def _row(
+    cloud: int, calibration: int, fit: Fit, gauge: GaugeFile, touched: Touched | None
+) -> StudyRow:
+    errors = errors_of(fit, gauge, touched)
+    z = errors.z_error_um if errors.z_error_um is not None else errors.offset_error_um
+    return StudyRow(
+        cloud=cloud,
+        calibration=calibration,
+        rms_um=fit.rms_um,
+        angle_arcsec=errors.angle_arcsec,
+        z_error_um=z,
+        radius_error_um=errors.radius_error_um,
+        centre_error_um=errors.centre_error_um,
+    )
+
+
+def _ranges(rows: Sequence[StudyRow], of: str, count: int) -> tuple[StudyRange, ...]:
+    found = []
+    for index in range(count):
+        some = [row for row in rows if getattr(row, of) == index]
+        first = [
+            (r.angle_arcsec if r.angle_arcsec is not None else r.radius_error_um) or 0.0
+            for r in some
+        ]
+        second = [
+            (r.z_error_um if r.z_error_um is not None else r.centre_error_um) or 0.0 for r in some
+        ]
+        found.append(
+            StudyRange(of=index, first=max(first) - min(first), second=max(second) - min(second))
+        )
+    return tuple(found)

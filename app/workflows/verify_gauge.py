@@ -1,0 +1,165 @@
+"""Clouds of gauges checked against their nominals (Eq. 10-12), as a report."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+
+from app.errors import Refusal
+from app.formats.clouds.files import read_cloud
+from app.formats.datasheets.gauge_nominal import read_nominal
+from app.formats.io_errors import refusals_naming
+from app.formats.results.gauge_report import CloudReport, GaugeReport, SpreadReport
+from app.metrology.gauges.errors import (
+    NominalPlane,
+    NominalSphere,
+    check_plane,
+    check_sphere,
+    spread,
+)
+from app.metrology.transforms import Floats
+from app.progress import Progress, no_progress
+
+Shape = Literal["plane", "sphere"]
+
+FIGURES = {
+    "angle_arcsec": ("angle ″", 1),
+    "z_error_um": ("Z error µm", 1),
+    "offset_error_um": ("offset µm", 1),
+    "radius_mm": ("radius mm", 4),
+    "radius_error_um": ("radius error µm", 1),
+    "centre_error_um": ("centre error µm", 1),
+    "rms_um": ("rms µm", 1),
+    "form_um": ("form µm", 1),
+}
+"""Their headings and decimals."""
+
+
+def verify(
+    shape: Shape,
+    clouds: Sequence[Path],
+    nominal_path: Path | None = None,
+    progress: Progress = no_progress,
+) -> GaugeReport:
+    """Fits every cloud and, given a nominal, says how far it is off.
+
+    Raises:
+        Refusal: a cloud or the nominal cannot be read, the nominal is of another
+            shape, or a cloud fixes no plane or sphere.
+    """
+    nominal = None if nominal_path is None else read_nominal(nominal_path)
+    found: list[CloudReport] = []
+    for done, path in enumerate(clouds):
+        progress(done / len(clouds), path.name)
+        points_mm = read_cloud(path).points_mm
+        with refusals_naming(path):
+            found.append(_checked(shape, path, points_mm, nominal))
+    progress(1.0, "")
+    return GaugeReport(
+        shape=shape,
+        nominal=None if nominal_path is None else str(nominal_path),
+        clouds=tuple(found),
+        spread=_spreads(found),
+    )
+
+
+def _checked(
+    shape: Shape,
+    path: Path,
+    points_mm: Floats,
+    nominal: NominalPlane | NominalSphere | None,
+) -> CloudReport:
+    if shape == "plane":
+        if isinstance(nominal, NominalSphere):
+            raise _of_another_shape("sphere", shape)
+        return _plane_report(path, points_mm, nominal)
+    if isinstance(nominal, NominalPlane):
+        raise _of_another_shape("plane", shape)
+    return _sphere_report(path, points_mm, nominal)
+
+
+def _plane_report(path: Path, points_mm: Floats, nominal: NominalPlane | None) -> CloudReport:
+    check = check_plane(points_mm, nominal)
+    fit = check.fit
+    nx, ny, nz = fit.normal.tolist()
+    x, y, z = fit.centre_mm.tolist()
+    return CloudReport(
+        file=str(path),
+        points=len(points_mm),
+        used=int(np.sum(fit.used)),
+        rms_um=fit.rms_mm * 1e3,
+        form_um=fit.form_mm * 1e3,
+        normal=(nx, ny, nz),
+        offset_mm=fit.offset_mm,
+        centre_mm=(x, y, z),
+        angle_arcsec=check.angle_arcsec,
+        z_error_um=check.z_error_um,
+        offset_error_um=check.offset_um,
+    )
+
+
+def _sphere_report(path: Path, points_mm: Floats, nominal: NominalSphere | None) -> CloudReport:
+    check = check_sphere(points_mm, nominal)
+    fit = check.fit
+    x, y, z = fit.centre_mm.tolist()
+    return CloudReport(
+        file=str(path),
+        points=len(points_mm),
+        used=int(np.sum(fit.used)),
+        rms_um=fit.rms_mm * 1e3,
+        form_um=fit.form_mm * 1e3,
+        centre_mm=(x, y, z),
+        radius_mm=fit.radius_mm,
+        radius_error_um=check.radius_error_um,
+        centre_error_um=check.centre_error_um,
+    )
+
+
+def _of_another_shape(found: Shape, wanted: Shape) -> Refusal:
+    return Refusal(
+        "nominal-of-another-shape",
+        f"the nominal is of a {found}",
+        f"a {wanted} is to be verified",
+        "Give the gauge's own nominal",
+    )
+
+
+def _spreads(clouds: Sequence[CloudReport]) -> dict[str, SpreadReport]:
+    if len(clouds) < 2:
+        return {}
+    found: dict[str, SpreadReport] = {}
+    for name in FIGURES:
+        values = [getattr(cloud, name) for cloud in clouds]
+        if None not in values:
+            over = spread(values)
+            found[name] = SpreadReport(
+                mean=over.mean, standard_deviation=over.standard_deviation, range=over.range
+            )
+    return found
+
+
+def report_table(report: GaugeReport) -> tuple[list[str], list[list[str]]]:
+    """Headings and rows to print: one row a cloud, then the spread over several."""
+    shown = [name for name in FIGURES if getattr(report.clouds[0], name) is not None]
+    headings = ["cloud", "points", "used", *(FIGURES[name][0] for name in shown)]
+    rows = [
+        [
+            cloud.file,
+            str(cloud.points),
+            str(cloud.used),
+            *(f"{getattr(cloud, name):.{FIGURES[name][1]}f}" for name in shown),
+        ]
+        for cloud in report.clouds
+    ]
+    if report.spread:
+        for title, field in (
+            ("mean", "mean"),
+            ("standard deviation", "standard_deviation"),
+            ("range", "range"),
+        ):
+            figures = (
+                f"{getattr(report.spread[name], field):.{FIGURES[name][1]}f}" for name in shown
+            )
+            rows.append([title, "", "", *figures])
+    return headings, rows

@@ -1,0 +1,196 @@
+"""The simulated arm as its cable sees it: encoders, buttons, a clock of its own, packets.
+
+Speaks the encoder protocol of ``hardware/arm/protocol.py``, written from its
+description alone.
+"""
+
+import struct
+import threading
+import zlib
+from collections import deque
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hardware.clock import now_ns
+from hardware.interfaces import Button
+from hardware.simulator.devices.faults import Faults
+from hardware.simulator.devices.motion import Motion
+from hardware.simulator.devices.ports import Line
+
+SYNC = b"\xa7\x5c"
+VERSION, SAMPLE, HELLO = 1, 0x01, 0x02
+HELLO_REQUEST = bytes.fromhex("a75c0181002f1a1bdc")
+BUTTON_BIT = {Button.PRIMARY: 1, Button.UNDO: 2, Button.BACK: 4}
+BATCH_S = 0.002
+"""Samples leave in batches as often as this, each with its own time."""
+CATCH_UP_NS = 500_000_000
+"""A device that was not scheduled for longer than this loses what it should have taken."""
+
+
+@dataclass(frozen=True)
+class Encoders:
+    """How the joints are measured, and what the device says of itself."""
+
+    rate_hz: float = 1000.0
+    counts_per_revolution: int = 1 << 22
+    noise_rad: float = 1e-5
+    drift: float = 2.3e-5
+    """How much faster the device's clock runs than the host's."""
+    name: str = "Simulated arm"
+    serial_number: str = "TWIN-A1"
+    firmware: str = "1.0.0"
+
+
+def packet(kind: int, payload: bytes) -> bytes:
+    """A whole packet around a payload."""
+    body = bytes([VERSION, kind, len(payload)]) + payload
+    return SYNC + body + struct.pack("<I", zlib.crc32(body) & 0xFFFFFFFF)
+
+
+def sample_packet(sequence: int, device_us: int, buttons: int, counts: list[int]) -> bytes:
+    """One reading of all encoders."""
+    head = struct.pack("<IQBB", sequence & 0xFFFFFFFF, device_us, buttons, len(counts))
+    return packet(SAMPLE, head + struct.pack(f"<{len(counts)}i", *counts))
+
+
+def hello_packet(joints: int, encoders: Encoders) -> bytes:
+    """What the arm answers when asked who it is."""
+
+    def text(value: str, size: int) -> bytes:
+        return value.encode()[:size].ljust(size, b"\0")
+
+    head = struct.pack("<BI", joints, round(encoders.rate_hz * 1000))
+    counts = struct.pack("<I", encoders.counts_per_revolution) * joints
+    texts = text(encoders.name, 32) + text(encoders.serial_number, 16) + text(encoders.firmware, 16)
+    return packet(HELLO, head + counts + texts)
+
+
+class ArmDevice:
+    """Runs on a thread of its own between ``start`` and ``stop``.
+
+    ``requests`` counts the hellos that clients asked for.
+    """
+
+    def __init__(
+        self, motion: Motion, line: Line, encoders: Encoders, faults: Faults, seed: int = 0
+    ) -> None:
+        self.requests = 0
+        self._motion, self._line, self._encoders, self._faults = motion, line, encoders, faults
+        self._rng = np.random.default_rng(seed)
+        self._joints = len(motion.at(now_ns()))
+        self._buttons: deque[tuple[int, int]] = deque([(0, 0)], maxlen=64)
+        self._button_lock = threading.Lock()
+        self._born_ns = now_ns() - int(self._rng.integers(1, 4_000)) * 1_000_000_000
+        self._sequence = int(self._rng.integers(0, 1 << 31))
+        self._held_up: deque[tuple[int, bytes]] = deque()
+        self._free_ns = 0
+        self._heard = b""
+        self._stopping = threading.Event()
+        self._thread: threading.Thread | None = None
+        self._skip = 0
+        self._stands: int | None = None
+
+    def start(self) -> None:
+        self._stopping.clear()
+        self._thread = threading.Thread(target=self._run, name="twin-arm", daemon=True)
+        self._thread.start()
+
+    def stop(self) -> None:
+        """Ends the thread and cuts the line; idempotent."""
+        self._stopping.set()
+        if self._thread is not None:
+            self._thread.join()
+            self._thread = None
+        self._line.release()
+
+    def press(self, button: Button, pressed: bool, at_ns: int | None = None) -> None:
+        """A button goes down or up, now or at a moment to come (none may be earlier)."""
+        with self._button_lock:
+            bits = self._buttons[-1][1]
+            bits = bits | BUTTON_BIT[button] if pressed else bits & ~BUTTON_BIT[button]
+            self._buttons.append((at_ns or now_ns(), bits))
+
+    def skip(self, count: int) -> None:
+        """The next samples are taken and not sent."""
+        self._skip += count
+
+    def _bits_at(self, stamp_ns: int) -> int:
+        with self._button_lock:
+            return next((bits for at, bits in reversed(self._buttons) if at <= stamp_ns), 0)
+
+    def _run(self) -> None:
+        period_ns = 1e9 / self._encoders.rate_hz
+        start_ns, taken = now_ns(), 0
+        while not self._stopping.wait(BATCH_S):
+            if self._faults.unplugged:
+                self._line.unplug()
+            else:
+                self._line.plug_in()
+            self._answer(self._line.poll())
+            now = now_ns()
+            due = int((now - start_ns) / period_ns) + 1  # those latched by now
+            if now - start_ns - taken * period_ns > CATCH_UP_NS:
+                self._sequence += due - taken
+                taken = due
+            if due > taken:
+                stamps = start_ns + np.rint(np.arange(taken, due) * period_ns).astype(np.int64)
+                self._take(stamps)
+                taken = due
+            self._let_go(now)
+
+    def _take(self, stamps_ns: NDArray[np.int64]) -> None:
+        q = self._motion.at_all(stamps_ns)
+        q = q + self._rng.normal(0.0, self._encoders.noise_rad, q.shape)
+        counts = np.rint(q * (self._encoders.counts_per_revolution / (2 * np.pi))).astype(int)
+        for stamp, row in zip(stamps_ns.tolist(), counts.tolist(), strict=True):
+            device_us = int((stamp - self._born_ns) * (1 + self._encoders.drift) / 1000)
+            self._sequence += 1
+            self._lie(row)
+            made = sample_packet(self._sequence, device_us, self._bits_at(stamp), row)
+            self._dispatch(made, stamp)
+
+    def _lie(self, counts: list[int]) -> None:
+        """Makes of the encoders' counts what lying ones say."""
+        faults, frozen = self._faults, self._faults.frozen_joint
+        if frozen is None:
+            self._stands = None
+        else:
+            self._stands = counts[frozen] if self._stands is None else self._stands
+            counts[frozen] = self._stands
+        if faults.odd_joint is not None and self._sequence % faults.odd_every == 0:
+            per_rad = self._encoders.counts_per_revolution / (2 * np.pi)
+            counts[faults.odd_joint] += round(faults.odd_rad * per_rad)
+
+    def _dispatch(self, made: bytes, stamp_ns: int) -> None:
+        """Lets a sample go, or what the faults leave of it."""
+        faults, chance = self._faults, self._rng.random(4)
+        if self._skip > 0:
+            self._skip -= 1
+            return
+        if faults.stalled or chance[0] < faults.drop_rate:
+            return
+        if chance[1] < faults.corrupt_rate:
+            at = int(self._rng.integers(2, len(made)))
+            made = made[:at] + bytes([made[at] ^ 0x55]) + made[at + 1 :]
+        if chance[2] < faults.garbage_rate:
+            made = self._rng.bytes(int(self._rng.integers(1, 40))) + made
+        if chance[3] < faults.late_rate:
+            self._free_ns = max(self._free_ns, stamp_ns + round(faults.late_s * 1e9))
+        self._held_up.append((max(self._free_ns, stamp_ns), made))
+
+    def _let_go(self, now: int) -> None:
+        ready = b""
+        while self._held_up and self._held_up[0][0] <= now:
+            ready += self._held_up.popleft()[1]
+        if ready:
+            self._line.send(ready)
+
+    def _answer(self, said: bytes) -> None:
+        self._heard = (self._heard + said)[-256:]
+        while HELLO_REQUEST in self._heard:
+            self._heard = self._heard.split(HELLO_REQUEST, 1)[1]
+            self.requests += 1
+            if not self._faults.stalled:
+                self._held_up.append((now_ns(), hello_packet(self._joints, self._encoders)))

@@ -1,0 +1,1 @@
+"""The simulated operator: plans and carries out moves of the arm."""

@@ -1,0 +1,301 @@
+"""The scripted hand: it moves the true arm as an operator would, touches, holds and scans.
+
+Moves block until they are done. Any other thread may read ``state`` and ``cancel``.
+"""
+
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+
+import numpy as np
+
+from hardware.interfaces import Button
+from hardware.simulator.devices.kinematics import (
+    ArmModel,
+    Floats,
+    UnreachableError,
+    flange_pose,
+    translation,
+)
+from hardware.simulator.devices.motion import JointPath, Motion
+from hardware.simulator.operator.contact import BOARD, contact_spot, outward, reachable_faces
+from hardware.simulator.operator.holding import Sight, sensor_over_block, sensor_over_board
+from hardware.simulator.operator.moving import HandState, Moving
+from hardware.simulator.operator.passing import SECONDS, passing_poses
+from hardware.simulator.operator.paths import Ways
+from hardware.simulator.operator.sweeping import sweep_poses, sweeps_of
+from hardware.simulator.operator.swinging import (
+    BALL_MM,
+    BAR_MM,
+    LIFT_MM,
+    LIFT_S,
+    bar_end,
+    plate_spot,
+    seat_centre,
+    swing_path,
+    way_into_seat,
+    way_onto_ball,
+    way_onto_plate,
+)
+from hardware.simulator.scene.world import Ball, Board, Box, Comb, Scene
+
+CLEAR_MM = 3.0
+"""From here the tip goes straight to the face, and back."""
+APPROACH_S, RETRACT_S = 0.09, 0.06
+TRIES = 12
+GAUGE = "gauge"
+"""Instead of a face's name, after a gauge was touched."""
+WAYS = 8
+"""Of which the hand takes the shortest."""
+BESIDE = (0.0, 0.3, 0.6, -0.3)
+"""Places on a sphere between its numbered ones, tried where the arm does not get to one."""
+LEAST_HEIGHT = 0.15
+"""Over a sphere's middle, as a share of its radius, that is touched: its foot is below."""
+
+
+class Hand:
+    """Moves one station's arm.
+
+    Args:
+        press: called with a button, whether it goes down, and when.
+        pace: 1 is an operator's speed; 2 is twice as fast.
+    """
+
+    def __init__(
+        self,
+        arm: ArmModel,
+        motion: Motion,
+        scene: Scene,
+        sight: Sight,
+        press: Callable[[Button, bool, int], None],
+        contact_sd_mm: float = 0.006,
+        pace: float = 1.0,
+        seed: int = 0,
+    ) -> None:
+        self._arm, self._scene = arm, scene
+        self._sight, self._T_sensor_flange = sight, np.linalg.inv(sight.T_flange_sensor)
+        self._contact_sd_mm = contact_sd_mm
+        self._rng = np.random.default_rng(seed)
+        self.ways = Ways(arm, motion, pace, contact_sd_mm, self._rng)
+        self._moving = Moving(motion, press, self._forget_touched)
+        self._touched: str | None = None
+        block = scene.thing("block")
+        assert isinstance(block.shape, Comb)
+        self.faces = reachable_faces(block.shape, arm.tip_diameter_mm / 2)
+        """Faces of the block that ``touch`` takes."""
+        self.parts = tuple(
+            thing.name for thing in scene.things if sweeps_of(thing) and thing.name != "block"
+        )
+        """Parts that ``scan_part`` takes."""
+
+    @property
+    def state(self) -> HandState:
+        return self._moving.state
+
+    @property
+    def bar_mm(self) -> float:
+        """The ball bar's length."""
+        return BAR_MM
+
+    @property
+    def ball_mm(self) -> float:
+        """The sphere's diameter."""
+        return BALL_MM
+
+    def cancel(self) -> None:
+        """Makes the move under way stop smoothly and end; later moves are not affected."""
+        self._moving.cancel()
+
+    def touch(self, face: str, index: int) -> bool:
+        """Touches the ``index``-th place of a face and presses the primary button.
+
+        Returns False when cancelled. Raises KeyError for what is neither in ``faces`` nor
+        "board", UnreachableError where the arm cannot get there.
+        """
+        if face not in (*self.faces, BOARD):
+            known = ", ".join((*self.faces, BOARD))
+            raise KeyError(f"the hand cannot touch {face!r}; it can touch {known}")
+        thing = self._scene.thing("board" if face == BOARD else "block")
+        assert isinstance(thing.shape, Comb | Board)
+        with self._moving.move(
+            "touching the board" if face == BOARD else f"touching the {face} face"
+        ):
+            spot = contact_spot(thing.shape, face, index, self._arm.tip_diameter_mm / 2, self._rng)
+            away = thing.T_arm_obj[:3, :3] @ outward(face)
+            clear = (CLEAR_MM + _depth(thing.shape, face)) * away
+            left = None if self._touched == GAUGE else self._touched
+            to_spot, contact = self.ways.to_touch(thing.T_arm_obj, face, spot, clear, left)
+            self._moving.play(to_spot, 0.0, 0.4)
+            slower = 1.5 if face == "floor" else 1.0
+            self._moving.play(self.ways.straight(contact, slower * APPROACH_S), 0.4, 0.5)
+            self._moving.press_primary()
+            lifted = translation(*clear.tolist()) @ contact
+            self._moving.play(self.ways.straight(lifted, slower * RETRACT_S), 0.9, 1.0)
+            self._touched = face
+            return True
+        return False
+
+    def hold_over(self, name: str, view: int = 0) -> bool:
+        """Holds the sensor where the camera frames the "block", or the "board" in the
+        ``view``-th of ``holding.VIEWS``.
+
+        Returns False when cancelled. Raises KeyError for any other name.
+        """
+        thing = self._scene.thing(name)
+        if not isinstance(thing.shape, Comb | Board):
+            raise KeyError(f"the hand does not hold the sensor over {name!r}")
+        with self._moving.move("placing the sensor"):
+            for _ in range(TRIES):
+                T = thing.T_arm_obj @ self._held_over(thing.shape, view)
+                try:
+                    path = self.ways.to(T @ self._T_sensor_flange, 60.0)
+                except UnreachableError:
+                    continue
+                self._moving.play(path, 0.0, 1.0, trembles=True)
+                return True
+            raise UnreachableError(f"the arm cannot hold the sensor over the {name}")
+        return False
+
+    def _held_over(self, shape: Comb | Board, view: int) -> Floats:
+        """``T_obj_sensor`` (4, 4), another one each time."""
+        if isinstance(shape, Board):
+            return sensor_over_board(shape, self._sight, view, self._rng)
+        return sensor_over_block(shape, self._rng)
+
+    def hold_at(self, q_rad: Sequence[float]) -> bool:
+        """Holds the arm at joint angles, as well as a hand can; False when cancelled."""
+        with self._moving.move("going to the next pose"):
+            self._moving.play(self.ways.turned_to(np.asarray(q_rad, dtype=np.float64)), 0.0, 0.9)
+            self._moving.play(self.ways.turned_to(self.ways.now()), 0.9, 1.0, trembles=True)
+            return True
+        return False
+
+    def scan_part(self, name: str) -> bool:
+        """Sweeps the sensor over one of ``parts``; False when cancelled. Raises KeyError."""
+        if name not in self.parts:
+            raise KeyError(f"there is no part {name!r}; there are {', '.join(self.parts)}")
+        thing = self._scene.thing(name)
+        with self._moving.move(f"scanning the {name}"):
+            sweeps = sweeps_of(thing)
+            for i, sweep in enumerate(sweeps):
+                begin, share = i / len(sweeps), 1 / len(sweeps)
+                start = thing.T_arm_obj @ sweep.start @ self._T_sensor_flange
+                self._moving.play(self.ways.to(start, 50.0), begin, begin + 0.25 * share)
+                poses = sweep_poses(thing.T_arm_obj, sweep) @ self._T_sensor_flange
+                path = self.ways.over(poses, sweep.seconds)
+                self._moving.play(path, begin + 0.25 * share, begin + share)
+            return True
+        return False
+
+    def pass_over_plate(self) -> bool:
+        """Goes over the plate and back, nearer and away again; False when cancelled."""
+        plate = self._scene.thing("plate")
+        assert isinstance(plate.shape, Box)
+        with self._moving.move("passing over the plate"):
+            poses = passing_poses(plate.T_arm_obj, 0.7 * plate.shape.high_mm[1])
+            poses = poses @ self._T_sensor_flange
+            self._moving.play(self.ways.to(poses[0], 50.0), 0.0, 0.2)
+            self._moving.play(self.ways.over(poses, SECONDS), 0.2, 1.0)
+            return True
+        return False
+
+    def go_to_seat(self, seat: int, posture: int = 0) -> bool:
+        """Puts the tip into the ``seat``-th seat about the reach; False when cancelled.
+
+        A ``posture`` other than 0: with the elbow or the wrist turned over.
+        """
+        return self._go_into(f"seat {seat + 1}", seat_centre(self._arm, seat), posture)
+
+    def go_to_bar(self, position: int, end: int, posture: int = 0) -> bool:
+        """Puts the tip into an end (0 or 1) of the ball bar; False when cancelled."""
+        return self._go_into("the bar", bar_end(self._arm, position, end), posture)
+
+    def touch_ball(self, ball: int, index: int) -> bool:
+        """Touches the sphere in its ``ball``-th place and presses the primary button."""
+        with self._moving.move("touching the sphere"):
+            centre = seat_centre(self._arm, ball)
+            self._tap(lambda q: self._onto_ball(centre, BALL_MM / 2, index, q))
+            return True
+        return False
+
+    def touch_gauge(self, name: str, index: int) -> bool:
+        """Touches the ``index``-th place of the plate or the sphere on the table and presses
+        the primary button; False when cancelled. Raises KeyError for any other name."""
+        thing = self._scene.thing(name)
+        shape, T = thing.shape, thing.T_arm_obj
+        if not isinstance(shape, Ball | Box):
+            raise KeyError(f"{name!r} is no gauge")
+        with self._moving.move(f"touching the {name}"):
+            if isinstance(shape, Ball):
+                radius, centre = shape.radius_mm, T[:3, 3]
+                self._tap(lambda q: self._onto_ball(centre, radius, index, q, LEAST_HEIGHT, WAYS))
+            else:
+                low, high = np.array(shape.low_mm), np.array(shape.high_mm)
+                spot = plate_spot(low, high, index, self._rng)
+                self._tap(
+                    lambda q: way_onto_plate(self._arm, T, spot, self.ways.gap_mm(), q, self._rng)
+                )
+            return True
+        return False
+
+    def _forget_touched(self) -> None:
+        self._touched = None
+
+    def _onto_ball(
+        self,
+        centre: Floats,
+        radius_mm: float,
+        index: int,
+        q: Floats,
+        lowest: float = -0.1,
+        ways: int = 1,
+    ) -> JointPath:
+        reach_mm = radius_mm + self.ways.gap_mm()
+        for beside in BESIDE:
+            with suppress(UnreachableError):
+                place = index + beside
+                return way_onto_ball(self._arm, centre, reach_mm, place, q, self._rng, lowest, ways)
+        raise UnreachableError("the arm cannot touch the ball there")
+
+    def _tap(self, way: Callable[[Floats], JointPath]) -> None:
+        """Goes the way onto something from where the arm is, presses, and goes back off."""
+        onto = self.ways.paced(way(self.ways.now()))
+        up = translation(0.0, 0.0, LIFT_MM) @ flange_pose(self._arm, self.ways.now())
+        if self._touched != GAUGE:
+            with suppress(UnreachableError):
+                self._moving.play(self.ways.straight(up, LIFT_S), 0.0, 0.1)
+        self._moving.play(self.ways.turned_to(onto.q_rad[0]), 0.1, 0.5)
+        self._moving.play(onto, 0.5, 0.6)
+        self._moving.press_primary()
+        self._moving.play(JointPath(onto.times_s, onto.q_rad[::-1].copy()), 0.9, 1.0)
+        self._touched = GAUGE
+
+    def _go_into(self, name: str, centre_mm: Floats, posture: int) -> bool:
+        with self._moving.move(f"going to {name}"):
+            limits = self._arm.limits_rad
+            start = (
+                0.8 * self._rng.uniform(limits[:, 0], limits[:, 1]) if posture else self.ways.now()
+            )
+            into = way_into_seat(self._arm, centre_mm, start, self._rng, self.ways.pace)
+            up = translation(0.0, 0.0, LIFT_MM) @ flange_pose(self._arm, self.ways.now())
+            with suppress(UnreachableError):
+                self._moving.play(self.ways.straight(up, LIFT_S), 0.0, 0.1)
+            self._moving.play(self.ways.turned_to(into.q_rad[0]), 0.1, 0.8)
+            self._moving.play(into, 0.8, 1.0)
+            self._touched = None
+            return True
+        return False
+
+    def swing_in_seat(self) -> bool:
+        """Swings the arm about the tip where it is; False when cancelled."""
+        with self._moving.move("swinging the arm"):
+            path = swing_path(self._arm, self.ways.now(), self._rng, self._contact_sd_mm / 4)
+            self._moving.play(self.ways.paced(path), 0.0, 1.0)
+            return True
+        return False
+
+
+def _depth(shape: Comb | Board, face: str) -> float:
+    """How far (mm) a face lies below what is around it."""
+    if isinstance(shape, Comb) and face == "floor":
+        return shape.crest_z_mm - shape.floor_z_mm
+    return 0.0

@@ -1,0 +1,1 @@
+"""The simulated camera: rendered images with light, noise and degradations."""

@@ -1,0 +1,124 @@
+"""What the detector adds: shot and read noise, speckle, and the limits of its numbers."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from app.native.arguments import F32, I64, U8, U16, Array, Function, Real, Whole
+from hardware.simulator.native import SIMULATOR
+from hardware.simulator.rendering.casting import Image
+
+Digits = NDArray[np.uint8] | NDArray[np.uint16]
+
+POOL = 1 << 21
+TILE = 512
+GRAIN = 256
+
+
+@dataclass(frozen=True)
+class Detector:
+    """Brightness in 8-bit digits at the exposure ``nominal_exposure_us``, and its noise."""
+
+    crest_dn: float = 120.0
+    """A white face square to the room's light, above the dark level."""
+    stripe_dn: float = 190.0
+    """The stripe's peak on a white face square to the laser."""
+    haze_dn: float = 20.0
+    """Even veil of the room's light."""
+    dark_dn: float = 6.0
+    read_dn: float = 1.5
+    shot_dn: float = 0.045
+    """Variance of the shot noise per digit of signal; 0 for none."""
+    blur_px: float = 0.7
+    """Sigma of the lens' point spread."""
+    speckle_contrast: float = 0.17
+    speckle_px: float = 0.9
+    """Sigma of the field filter that makes the grains; they are about twice as wide."""
+    bits: int = 8
+    nominal_exposure_us: float = 5000.0
+
+
+QUIET = Detector(read_dn=0.0, shot_dn=0.0, speckle_contrast=0.0)
+"""No noise of any kind; the optics stay."""
+
+
+def blank(height: int, width: int, detector: Detector) -> Digits:
+    """An image to be filled, of the detector's kind of digits."""
+    if detector.bits <= 8:
+        return np.zeros((height, width), dtype=np.uint8)
+    return np.zeros((height, width), dtype=np.uint16)
+
+
+def speckle_tile(detector: Detector, rng: np.random.Generator) -> Image:
+    """(512, 512) of mean 1, seamless: intensities of summed independent speckle fields."""
+    if detector.speckle_contrast <= 0:
+        return np.ones((TILE, TILE), dtype=np.float32)
+    looks = max(1, round(1 / detector.speckle_contrast**2))
+    sigma = detector.speckle_px
+    reach = int(np.ceil(4 * sigma))
+    inside = slice(reach, reach + TILE)
+    tile = np.zeros((TILE, TILE), dtype=np.float32)
+    for _ in range(looks):
+        field = rng.standard_normal((TILE, TILE, 2), dtype=np.float32)  # real, imaginary
+        wide = cv2.copyMakeBorder(field, reach, reach, reach, reach, cv2.BORDER_WRAP)
+        smooth = cv2.GaussianBlur(wide, (2 * reach + 1, 2 * reach + 1), sigma)[inside, inside]
+        tile += np.sum(smooth**2, axis=2)
+    return np.asarray(tile / tile.mean(), dtype=np.float32)
+
+
+def grain_tile(rng: np.random.Generator) -> Image:
+    """(256, 256) of mean 0 and sd 1, seamless and smooth: a surface's weak texture."""
+    frequency = np.fft.fftfreq(GRAIN)
+    radius2 = frequency[:, None] ** 2 + frequency[None] ** 2
+    low_pass = np.exp(-2 * (np.pi * 2.0) ** 2 * radius2)
+    tile = np.real(np.fft.ifft2(np.fft.fft2(rng.normal(size=(GRAIN, GRAIN))) * low_pass))
+    return np.asarray((tile - tile.mean()) / tile.std(), dtype=np.float32)
+
+
+LIGHT = Array(F32, "height", "width")
+speckle = Function(
+    SIMULATOR,
+    "speckle",
+    Array(F32, "height", "width", written=True),
+    Array(F32, TILE, TILE),
+    Whole(),
+    Whole(),
+)
+"""Multiplies the laser's light by the speckle, shifted by rows and columns, in place."""
+
+
+def _digitise(name: str, digits: np.dtype[Any]) -> Function:
+    """Of the light, the pool, where each row begins in it, ``Detector`` numbers, and digits."""
+    pool, offsets, numbers = Array(F32, "pool"), Array(I64, "height"), [Real()] * 7
+    out = Array(digits, "height", "width", written=True)
+    return Function(SIMULATOR, name, LIGHT, pool, offsets, *numbers, out)
+
+
+_DIGITISE = {digits: _digitise(f"digitise_{8 * digits.itemsize}", digits) for digits in (U8, U16)}
+
+
+def digitise(
+    light: Image,
+    gain: float,
+    haze: float,
+    detector: Detector,
+    pool: Image,
+    offsets: NDArray[np.int64],
+    out: Digits,
+) -> None:
+    """Digits of a frame from its light, with noise; saturates.
+
+    Args:
+        light: (H, W).
+        gain: 8-bit digits per unit of light.
+        haze: even light that is added, in 8-bit digits.
+        pool: of normal deviates.
+        offsets: (H,) where each row's begin in the pool.
+        out: (H, W) filled.
+    """
+    d, scale = detector, 2.0 ** (detector.bits - 8)
+    numbers = (gain, d.dark_dn, haze, d.read_dn, d.shot_dn, 256.0 - 1.0 / scale, scale)
+    _DIGITISE[out.dtype](light, pool, offsets, *numbers, out)

@@ -1,0 +1,213 @@
+"""The simulated sensor: a camera with a laser line, as a driver.
+
+Frames show the scene as it was at the middle of their exposure, the arm where it
+truly was then. Rendering takes its time; a frame that is not ready when the next is
+due delays it, as a camera that is read out slowly would. On a machine with little to
+spare the frames are far apart, and the sensor is there nevertheless.
+"""
+
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from hardware.clock import now_ns
+from hardware.errors import DeviceError
+from hardware.interfaces import Frame, LinkHealth, SensorInfo
+from hardware.simulator.devices.faults import Faults
+from hardware.simulator.devices.kinematics import Floats
+from hardware.simulator.rendering.noise import Digits
+from hardware.simulator.rendering.render import QUICK, SMEARED, Renderer
+
+EXPOSURE_RANGE_US = (50.0, 20_000.0)
+READOUT_NS = 3_000_000
+STILL, HELD = 55, 34
+"""Rays over a pixel at an edge: while nothing moves at all; and while a hand holds the sensor
+and trembles."""
+SMEAR_MM = 0.15
+"""The sensor's way in one exposure from which on its pictures of the room are smeared."""
+LEVER_MM = 130.0
+SHARE_OF_A_CORE = 0.5
+"""Rendering takes no more of the machine than this; the frame rate gives way."""
+LONGEST_GAP_S = 10.0
+"""Pictures are no further apart, however busy the machine; a lost camera says so at once."""
+WAKE_S = 0.05
+STALE_NS = 300_000_000
+"""Frames that nobody asked for this long are forgotten, as in a camera's ring of buffers."""
+FIRST_EXPOSURE_US = 5000.0
+
+
+@dataclass
+class Lamps:
+    """The light that falls on the scene; set at any time."""
+
+    room: float = 1.0
+    """The room's light; 0 is dark, 1 is what the nominal exposure is made for."""
+    room_with_laser: bool = False
+    """False: the sensor shuts the room's light out while its laser is on (a pair of
+    pictures); True: pictures with the laser show both."""
+
+
+class Studio:
+    """The one renderer of a station, and where its sensor is; drivers take turns."""
+
+    def __init__(
+        self,
+        make: Callable[[], Renderer],
+        sensor_pose: Callable[[int], Floats],
+        resting: Callable[[int], bool],
+        lamps: Lamps,
+        faults: Faults,
+    ) -> None:
+        self._make, self._sensor_pose, self._resting = make, sensor_pose, resting
+        self.lamps, self.faults = lamps, faults
+        self._lock = threading.Lock()
+        self._renderer: Renderer | None = None
+        self._last: Floats | None = None
+
+    def prepare(self) -> None:
+        """Builds the renderer, which takes a second; before the sensor is opened."""
+        with self._lock:
+            if self._renderer is None:
+                self._renderer = self._make()
+
+    def expose(self, mid_ns: int, exposure_us: float, laser_on: bool) -> Digits:
+        """What the camera sees; ``mid_ns`` is the middle of the exposure."""
+        with self._lock:
+            renderer = self._renderer
+            assert renderer is not None, "prepare comes first"
+            share = exposure_us / renderer.detector.nominal_exposure_us
+            lit = self.lamps.room if self.lamps.room_with_laser or not laser_on else 0.0
+            T = self._sensor_pose(mid_ns)
+            rays = self._rays(T, mid_ns, exposure_us)
+            self._last = T
+            return renderer.picture(T, lit * share, share if laser_on else 0.0, rays)
+
+    def _rays(self, T: Floats, mid_ns: int, exposure_us: float) -> int:
+        """How finely it is worth to render a picture taken at a pose."""
+        if self._last is not None and np.array_equal(T, self._last):
+            return STILL
+        if self._resting(mid_ns):
+            return HELD
+        half_ns = round(exposure_us * 500)
+        first, last = self._sensor_pose(mid_ns - half_ns), self._sensor_pose(mid_ns + half_ns)
+        way = float(np.linalg.norm(last[:3, 3] - first[:3, 3]))
+        turn = float(np.linalg.norm(last[:3, :3] - first[:3, :3])) / np.sqrt(2)
+        return SMEARED if way + LEVER_MM * turn > SMEAR_MM else QUICK
+
+
+def _rest_ns(cost_ns: float) -> float:
+    """How long to rest after a picture; the next may well cost as much."""
+    return cost_ns * (1 / SHARE_OF_A_CORE - 1)
+
+
+class TwinSensor:
+    """Meets ``SensorDriver``."""
+
+    def __init__(
+        self,
+        studio: Studio,
+        info: SensorInfo,
+        rate_hz: float,
+        seed: int = 0,
+        early_ns: int = 0,
+    ) -> None:
+        """``early_ns``: by how much its stamps are before the middle of the exposure."""
+        self._early_ns = early_ns
+        self._studio, self._info, self._period_ns = studio, info, 1e9 / rate_hz
+        self._rng = np.random.default_rng(seed)
+        self._health = LinkHealth()
+        self._state = threading.Condition()
+        self._open = False
+        self._exposure_us = FIRST_EXPOSURE_US
+        self._laser_on = False
+        self._sequence = 0
+        self._due_ns = 0.0
+
+    @property
+    def health(self) -> LinkHealth:
+        return self._health
+
+    def open(self) -> SensorInfo:
+        with self._state:
+            self._check_camera()
+            if not self._open:
+                self._open = True
+                self._health = LinkHealth()
+                self._sequence = 0
+                self._due_ns = float(now_ns())
+            return self._info
+
+    def read(self, timeout_s: float) -> Frame | None:
+        deadline_ns = now_ns() + round(timeout_s * 1e9)
+        while True:
+            with self._state:
+                if not self._wait_for_readout(deadline_ns):
+                    return None
+                mid_ns, sequence = round(self._due_ns), self._sequence
+                exposure_us, laser_on = self._exposure_us, self._laser_on
+                self._sequence += 1
+            before_s = time.thread_time()
+            image = self._studio.expose(mid_ns, exposure_us, laser_on)
+            cost_ns = (time.thread_time() - before_s) * 1e9
+            with self._state:
+                self._check_open()
+                late_ns = now_ns() - mid_ns - exposure_us * 500 - READOUT_NS - self._period_ns
+                wait_ns = max(self._period_ns + max(0.0, late_ns), cost_ns + _rest_ns(cost_ns))
+                self._due_ns = max(self._due_ns, mid_ns + wait_ns)
+                if self._rng.random() < self._studio.faults.frame_drop_rate:
+                    self._health.lost += 1
+                    continue
+                self._health.received += 1
+            return Frame(sequence, mid_ns - self._early_ns, image, exposure_us, laser_on)
+
+    def _wait_for_readout(self, deadline_ns: int) -> bool:
+        """Until the frame that is due has been exposed and read out; False at the deadline."""
+        if now_ns() - self._due_ns > STALE_NS:
+            self._due_ns = float(now_ns())
+        while True:
+            self._check_open()
+            now = now_ns()
+            ready_ns = self._due_ns + self._exposure_us * 500 + READOUT_NS
+            if now >= ready_ns:
+                return True
+            if now >= deadline_ns:
+                return False
+            self._state.wait(min((min(ready_ns, deadline_ns) - now) / 1e9, WAKE_S))
+
+    def set_exposure_us(self, exposure_us: float) -> None:
+        low, high = EXPOSURE_RANGE_US
+        with self._state:
+            self._exposure_us = float(min(max(exposure_us, low), high))
+            self._expose_afresh()
+
+    def set_laser(self, on: bool) -> None:
+        with self._state:
+            if self._laser_on != on:
+                self._laser_on = on
+                self._expose_afresh()
+
+    def _expose_afresh(self) -> None:
+        """The next frame's exposure lies wholly behind a change of its settings."""
+        self._due_ns = max(self._due_ns, now_ns() + self._exposure_us * 500)
+        self._state.notify_all()
+
+    def close(self) -> None:
+        with self._state:
+            self._open = False
+            self._laser_on = False
+            self._state.notify_all()
+
+    def _check_camera(self) -> None:
+        if self._studio.faults.camera_lost:
+            self._open = False
+            raise DeviceError(
+                "The simulated camera is lost", "Its fault switch camera_lost is on; turn it off."
+            )
+
+    def _check_open(self) -> None:
+        if not self._open:
+            raise DeviceError("The simulated sensor is not open")
+        self._check_camera()

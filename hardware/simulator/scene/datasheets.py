@@ -1,0 +1,162 @@
+"""The operator's papers: what the makers of arm, block, sensor and gauges state of them.
+
+Plain dictionaries, in the files' own layout; true errors are not in them.
+"""
+
+import json
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from hardware.simulator.devices.kinematics import ArmModel, Floats
+from hardware.simulator.scene.camera import LaserSheet, Optics, to_pixels
+from hardware.simulator.scene.world import Ball, Board, Comb
+
+Paper = dict[str, object]
+
+BOARD_FLATNESS_MM = 0.005
+"""By how much the maker of a chessboard says that it may bend."""
+
+
+def arm_paper(arm: ArmModel) -> Paper:
+    """arm.json of the arm as it was meant to be."""
+    joints = []
+    for i, link in enumerate(arm.links):
+        joints.append(
+            {
+                "name": f"J{i + 1}",
+                "a_mm": link.a_mm,
+                "alpha_deg": float(np.degrees(link.alpha_rad)),
+                "d_mm": link.d_mm,
+                "theta_deg": float(np.degrees(link.theta_rad)),
+                "sign": link.sign,
+                "limits_deg": [float(np.degrees(limit)) for limit in link.limits_rad],
+                "encoder_sd_deg": float(np.degrees(arm.encoder_sd_rad)),
+            }
+        )
+    x, y, z = arm.tip_mm
+    return {
+        "format": "crenel/arm",
+        "version": 1,
+        "name": arm.name,
+        "serial_number": arm.serial_number,
+        "convention": "dh-standard",
+        "joints": joints,
+        "tip": {"x_mm": x, "y_mm": y, "z_mm": z, "diameter_mm": arm.tip_diameter_mm},
+    }
+
+
+def object_paper(
+    certificate: Comb,
+    standard_uncertainty_mm: float,
+    name: str = "Simulated crenellated block",
+    serial_number: str = "TWIN-B1",
+) -> Paper:
+    """object.json as the block's certificate has it."""
+    return {
+        "format": "crenel/object",
+        "version": 1,
+        "name": name,
+        "serial_number": serial_number,
+        "certificate": "simulated",
+        "edges_x_mm": list(certificate.edges_x_mm),
+        "front_y_mm": certificate.front_y_mm,
+        "back_y_mm": certificate.back_y_mm,
+        "crest_z_mm": certificate.crest_z_mm,
+        "floor_z_mm": certificate.floor_z_mm,
+        "base_z_mm": certificate.base_z_mm,
+        "standard_uncertainty_mm": standard_uncertainty_mm,
+    }
+
+
+def board_paper(
+    certificate: Board,
+    standard_uncertainty_mm: float,
+    name: str = "Simulated chessboard",
+    serial_number: str = "TWIN-C1",
+) -> Paper:
+    """The file of an object as the chessboard's certificate has it; its squares are square."""
+    return {
+        "format": "crenel/object",
+        "version": 1,
+        "kind": "chessboard",
+        "name": name,
+        "serial_number": serial_number,
+        "certificate": "simulated",
+        "inner_corners": list(certificate.inner_corners),
+        "square_mm": certificate.square_x_mm,
+        "standard_uncertainty_mm": standard_uncertainty_mm,
+        "flatness_mm": BOARD_FLATNESS_MM,
+    }
+
+
+def sensor_paper(
+    optics: Optics,
+    sheet: LaserSheet,
+    name: str = "Simulated stripe sensor",
+    serial_number: str = "TWIN-S1",
+) -> Paper:
+    """sensor.json: the image's size and the way that the stripe runs in it."""
+    return {
+        "format": "crenel/sensor",
+        "version": 1,
+        "name": name,
+        "serial_number": serial_number,
+        "width_px": optics.width_px,
+        "height_px": optics.height_px,
+        "stripe_axis": stripe_axis(optics, sheet),
+        "laser_wavelength_nm": 660,
+    }
+
+
+def stripe_axis(optics: Optics, sheet: LaserSheet) -> str:
+    """ "u" where the stripe has one point a column, "v" where it has one a row."""
+    along = np.cross(sheet.normal, [0.0, 0.0, 1.0])
+    middle = np.array(sheet.normal) * sheet.offset_mm
+    ends = to_pixels(optics, np.stack([middle - 5 * along, middle + 5 * along]))
+    du, dv = np.abs(ends[1] - ends[0])
+    return "u" if du >= dv else "v"
+
+
+def plane_paper(point_mm: Floats, normal: Floats) -> Paper:
+    """*.nominal.json of a gauge plane, in the arm frame."""
+    return {
+        "format": "crenel/nominal",
+        "version": 1,
+        "shape": "plane",
+        "point_mm": [float(value) for value in point_mm],
+        "normal": [float(value) for value in normal],
+        "name": "Simulated gauge plate",
+        "serial_number": "TWIN-P1",
+        "certificate": "simulated",
+        "standard_uncertainty_um": 0.5,
+        "form_um": 1.0,
+    }
+
+
+def sphere_paper(centre_mm: Floats, ball: Ball) -> Paper:
+    """*.nominal.json of a gauge sphere, in the arm frame."""
+    return {
+        "format": "crenel/nominal",
+        "version": 1,
+        "shape": "sphere",
+        "centre_mm": [float(value) for value in centre_mm],
+        "radius_mm": ball.radius_mm,
+        "name": "Simulated gauge sphere",
+        "serial_number": "TWIN-K1",
+        "certificate": "simulated",
+        "standard_uncertainty_um": 0.3,
+        "form_um": 1.0,
+    }
+
+
+def write_paper(path: Path, paper: Paper) -> None:
+    """Writes one paper as JSON."""
+    path.write_text(json.dumps(paper, indent=1) + "\n", encoding="utf-8")
+
+
+def write_table(path: Path, header: Sequence[str], rows: Sequence[Sequence[object]]) -> None:
+    """Writes a comma-separated table with one header row."""
+    lines = [",".join(header)] + [",".join(str(cell) for cell in row) for row in rows]
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")

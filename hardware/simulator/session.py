@@ -1,0 +1,296 @@
+"""Whole calibration sessions with their truth, rendered into a folder.
+
+``render_session`` makes another block, arm and sensor for every seed: the folder is
+what an operator would bring (docs/formats.md), ``truth.json`` beside it is what only nature
+knows.
+"""
+
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import cv2
+import numpy as np
+
+from hardware.simulator.devices.kinematics import (
+    ArmModel,
+    Floats,
+    UnreachableError,
+    WrongIn,
+    imperfect,
+    reach,
+    rotation_about,
+    translation,
+)
+from hardware.simulator.operator.contact import contact_pose, contact_spot
+from hardware.simulator.rendering.noise import Detector, Digits
+from hardware.simulator.rendering.render import Renderer
+from hardware.simulator.scene.camera import LaserSheet, Optics, to_pixels
+from hardware.simulator.scene.datasheets import (
+    Paper,
+    arm_paper,
+    object_paper,
+    sensor_paper,
+    write_paper,
+    write_table,
+)
+from hardware.simulator.scene.random_scenes import (
+    made_from,
+    random_arm,
+    random_comb,
+    random_mounting,
+    random_place,
+    sensor_for,
+)
+from hardware.simulator.scene.world import Comb, Light, Scene, Shape, Thing, table
+
+TRIES = 20
+
+
+@dataclass(frozen=True)
+class SessionPlan:
+    """What kind of session to draw; everything else follows from the seed."""
+
+    joints: int = 6
+    imperfection_um: float = 0.0
+    """Rms error of the tip over the arm's reach that its papers do not know."""
+    wrong_in: WrongIn = "links"
+    """Where these errors are, as of ``kinematics.imperfect``."""
+    lighting: str = "pair"
+    """"pair": an ambient and a laser image a pose; "both": one with both lights."""
+    poses: int = 1
+    roll_rad: float = 0.0
+    """The camera turned about its own axis; about 90° makes the stripe one point a row."""
+    distortion: tuple[float, float, float, float, float] = (-0.04, 0.0, 0.0, 0.0, 0.0)
+    width_px: int = 1280
+    height_px: int = 1024
+    faces: Sequence[str] = ("crest", "front", "left")
+    contacts_per_face: int = 15
+    contact_sd_mm: float = 0.006
+    certificate_sd_mm: float = 0.002
+    merlons: int | None = None
+    encoder_noise: bool = True
+    detector: Detector = field(default_factory=Detector)
+    light: Light = field(default_factory=Light)
+
+
+@dataclass(frozen=True)
+class Rig:
+    """One arm, sensor and block as they truly are, with the papers that the operator has."""
+
+    arm: ArmModel
+    nominal_arm: ArmModel
+    optics: Optics
+    sheet: LaserSheet
+    T_flange_sensor: Floats
+    block: Comb
+    certificate: Comb
+    T_arm_obj: Floats
+
+
+@dataclass(frozen=True)
+class ScanFrame:
+    """One image of a scan, and what the encoders said at its middle."""
+
+    image: Digits
+    joints_rad: Floats
+
+
+def draw_rig(
+    seed: int, plan: SessionPlan, block: Comb | None = None, arm: ArmModel | None = None
+) -> Rig:
+    """A station for a seed; ``block`` (its certificate) and ``arm`` (its papers) may be given."""
+    rng = np.random.default_rng(seed)
+    certificate = block or random_comb(rng, plan.merlons)
+    nominal = arm or random_arm(rng, plan.joints)
+    optics, sheet = sensor_for(
+        certificate,
+        rng,
+        roll_rad=plan.roll_rad,
+        distortion=plan.distortion,
+        width_px=plan.width_px,
+        height_px=plan.height_px,
+    )
+    return Rig(
+        imperfect(nominal, plan.imperfection_um, rng, plan.wrong_in),
+        nominal,
+        optics,
+        sheet,
+        random_mounting(rng),
+        made_from(certificate, plan.certificate_sd_mm, rng),
+        certificate,
+        random_place(rng),
+    )
+
+
+def scene_of(rig: Rig, light: Light | None = None) -> Scene:
+    """The rig's block alone on a dark table."""
+    base = rig.T_arm_obj @ translation(0.0, 0.0, rig.block.base_z_mm)
+    things = (table().at(base), Thing("block", rig.block, rig.T_arm_obj))
+    return Scene(things, light or Light())
+
+
+def sensor_over(rig: Rig, rng: np.random.Generator, spread: float) -> Floats:
+    """``T_arm_sensor`` (4, 4) with the block framed; ``spread`` 1 is a hand's usual variation."""
+    middle = (rig.block.crest_z_mm + rig.block.floor_z_mm) / 2
+    T = rig.T_arm_obj @ translation(0.0, 0.0, middle)
+    T = T @ translation(*(float(v) for v in rng.normal(0.0, 0.4, 3) * spread))
+    for axis, sd in (("x", 0.02), ("y", 0.03), ("z", 0.02)):
+        T = T @ rotation_about(axis, float(rng.normal(0.0, sd) * spread))
+    return np.asarray(T)
+
+
+def render_session(
+    folder: Path,
+    seed: int,
+    plan: SessionPlan | None = None,
+    block: Comb | None = None,
+    arm: ArmModel | None = None,
+) -> Paper:
+    """Writes a session folder with ``truth.json`` and returns the truth.
+
+    Args:
+        folder: made where it is missing; files of these names are replaced.
+        seed: another number, another session.
+        plan: what kind of session; see ``SessionPlan``.
+        block: the certificate, drawn at random where not given.
+        arm: the arm as its papers have it, drawn at random where not given.
+
+    Raises:
+        UnreachableError: the arm cannot do the session; take another seed.
+    """
+    plan = plan or SessionPlan()
+    rig = draw_rig(seed, plan, block, arm)
+    rng = np.random.default_rng(seed + 77_000)
+    (folder / "images").mkdir(parents=True, exist_ok=True)
+    write_paper(folder / "arm.json", arm_paper(rig.nominal_arm))
+    write_paper(folder / "object.json", object_paper(rig.certificate, plan.certificate_sd_mm))
+    write_paper(folder / "sensor.json", sensor_paper(rig.optics, rig.sheet))
+    angles = [f"q{i + 1}_deg" for i in range(rig.arm.joint_count)]
+    images = _take_images(folder, seed, rig, plan, rng)
+    write_table(folder / "images.csv", ["pose", "file", "lighting", *angles], images)
+    write_table(folder / "probing.csv", ["feature", *angles], _probe(rig, plan, rng))
+    truth = truth_of(rig)
+    write_paper(folder / "truth.json", truth)
+    return truth
+
+
+def _reported(rig: Rig, plan: SessionPlan, q_rad: Floats, rng: np.random.Generator) -> Floats:
+    """What the encoders say while the joints are at ``q_rad``."""
+    noise = rng.normal(0.0, rig.arm.encoder_sd_rad, len(q_rad)) if plan.encoder_noise else 0.0
+    return np.asarray(q_rad + noise)
+
+
+def _take_images(
+    folder: Path, seed: int, rig: Rig, plan: SessionPlan, rng: np.random.Generator
+) -> list[list[object]]:
+    renderer = Renderer(scene_of(rig, plan.light), rig.optics, rig.sheet, plan.detector, seed)
+    kinds = {
+        "pair": (("ambient", 1.0, 0.0), ("laser", 0.0, 1.0)),
+        "both": (("both", 1.0, 1.0),),
+    }[plan.lighting]
+    rows: list[list[object]] = []
+    q = np.zeros(rig.arm.joint_count)
+    for pose in range(plan.poses):
+        T_arm_sensor, q = _holding(rig, 1.0 if pose == 0 else 3.0, q, rng)
+        degrees = np.degrees(_reported(rig, plan, q, rng)).tolist()
+        for lighting, room, laser in kinds:
+            name = f"images/pose{pose:02d}_{lighting}.png"
+            cv2.imwrite(str(folder / name), renderer.picture(T_arm_sensor, room, laser))
+            rows.append([pose, name, lighting, *degrees])
+    return rows
+
+
+def _holding(
+    rig: Rig, spread: float, q_rad: Floats, rng: np.random.Generator
+) -> tuple[Floats, Floats]:
+    """A sensor pose over the block, and joint angles for it."""
+    for _ in range(TRIES):
+        T_arm_sensor = sensor_over(rig, rng, spread)
+        with suppress(UnreachableError):
+            target = T_arm_sensor @ np.linalg.inv(rig.T_flange_sensor)
+            return T_arm_sensor, reach(rig.arm, target, q_rad, rng)
+    raise UnreachableError("the arm cannot hold the sensor over the block")
+
+
+def _probe(rig: Rig, plan: SessionPlan, rng: np.random.Generator) -> list[list[object]]:
+    rows: list[list[object]] = []
+    radius = rig.arm.tip_diameter_mm / 2
+    q = np.zeros(rig.arm.joint_count)
+    for face in plan.faces:
+        for i in range(plan.contacts_per_face):
+            spot = contact_spot(rig.block, face, i, radius, rng)
+            gap = radius + float(rng.normal(0.0, plan.contact_sd_mm))
+            q = _touching(rig, face, spot, gap, q, rng)
+            rows.append([face, *np.degrees(_reported(rig, plan, q, rng)).tolist()])
+    return rows
+
+
+def _touching(
+    rig: Rig, face: str, spot: Floats, gap_mm: float, q_rad: Floats, rng: np.random.Generator
+) -> Floats:
+    """Joint angles with the ball on a spot; holds the stylus otherwise where out of reach."""
+    for _ in range(TRIES):
+        target = contact_pose(rig.arm, rig.T_arm_obj, face, spot, gap_mm, rng)
+        with suppress(UnreachableError):
+            return reach(rig.arm, target, q_rad, rng, attempts=12)
+    raise UnreachableError(f"the arm cannot touch the {face} face at {spot.round(1).tolist()}")
+
+
+def truth_of(rig: Rig) -> Paper:
+    """Where the light that fell on a grid of pixels came from, and everything else true."""
+    width = rig.block.edges_x_mm[-1] - rig.block.edges_x_mm[0]
+    height = rig.block.crest_z_mm - rig.block.floor_z_mm
+    middle = (rig.block.edges_x_mm[-1] + rig.block.edges_x_mm[0]) / 2
+    x = middle + width * np.linspace(-0.43, 0.43, 15)
+    z = np.linspace(-0.5 * height - 6.0, 0.5 * height + 6.0, 11)
+    grid_z, grid_x = (axis.ravel() for axis in np.meshgrid(z, x, indexing="ij"))
+    n = np.array(rig.sheet.normal)
+    y = (rig.sheet.offset_mm - n[0] * grid_x - n[2] * grid_z) / n[1]
+    points = np.column_stack([grid_x, y, grid_z])
+    pixels = to_pixels(rig.optics, points)
+    size = np.array([rig.optics.width_px, rig.optics.height_px])
+    seen = np.all((pixels > -0.5) & (pixels < size - 0.5), axis=1)
+    T = rig.T_flange_sensor
+    return {
+        "pixels": pixels[seen].tolist(),
+        "points_sensor_frame_mm": points[seen].tolist(),
+        "points_flange_frame_mm": (points[seen] @ T[:3, :3].T + T[:3, 3]).tolist(),
+        "T_arm_obj": rig.T_arm_obj.tolist(),
+        "T_flange_sensor": T.tolist(),
+        "camera": {
+            "matrix": rig.optics.matrix.tolist(),
+            "distortion": list(rig.optics.distortion),
+            "T_cam_sensor": rig.optics.T_cam_sensor.tolist(),
+        },
+        "laser_plane": {"normal": list(rig.sheet.normal), "offset_mm": rig.sheet.offset_mm},
+        "block": object_paper(rig.block, 0.0),
+    }
+
+
+def render_scan(
+    rig: Rig,
+    shape: Shape,
+    T_arm_shape: Floats,
+    path: Sequence[Floats],
+    plan: SessionPlan | None = None,
+    seed: int = 0,
+) -> Iterator[ScanFrame]:
+    """Laser images of a shape along a path of sensor poses, with the joints of each.
+
+    Args:
+        rig: arm and sensor, as from ``draw_rig``.
+        shape: what is scanned, e.g. ``Ball()`` or a ``Box`` whose top is a gauge plane.
+        T_arm_shape: (4, 4) where it stands.
+        path: ``T_arm_sensor`` (4, 4) of each frame.
+    """
+    plan = plan or SessionPlan()
+    rng = np.random.default_rng(seed)
+    scene = Scene((Thing("part", shape, T_arm_shape),), plan.light)
+    renderer = Renderer(scene, rig.optics, rig.sheet, plan.detector, seed)
+    q = np.zeros(rig.arm.joint_count)
+    for T_arm_sensor in path:
+        q = reach(rig.arm, T_arm_sensor @ np.linalg.inv(rig.T_flange_sensor), q, rng)
+        image = renderer.picture(T_arm_sensor, room=0.0, laser=1.0)
+        yield ScanFrame(image, _reported(rig, plan, q, rng))

@@ -1,0 +1,268 @@
+"""The simulated station: ``Twin`` puts arm, sensor, table, hand and faults together.
+
+Its arm speaks real bytes at ``arm_url``, its sensor is a driver like any other, and
+``papers`` is what an operator would be given with the devices.
+"""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hardware.interfaces import Button, SensorInfo
+from hardware.simulator.devices.arm_device import ArmDevice, Encoders
+from hardware.simulator.devices.faults import Faults
+from hardware.simulator.devices.kinematics import (
+    ArmModel,
+    Floats,
+    flange_pose,
+    flange_poses,
+    imperfect,
+    reach,
+    rigid_fit,
+    rotation_about,
+    translation,
+)
+from hardware.simulator.devices.motion import Motion
+from hardware.simulator.devices.ports import Line, PtyLine, TcpLine
+from hardware.simulator.operator.holding import Sight
+from hardware.simulator.operator.operator import Hand
+from hardware.simulator.rendering.noise import Detector
+from hardware.simulator.rendering.render import Renderer
+from hardware.simulator.rendering.sensor import (
+    EXPOSURE_RANGE_US,
+    LONGEST_GAP_S,
+    Lamps,
+    Studio,
+    TwinSensor,
+)
+from hardware.simulator.scene.datasheets import (
+    Paper,
+    arm_paper,
+    board_paper,
+    object_paper,
+    plane_paper,
+    sensor_paper,
+    sphere_paper,
+)
+from hardware.simulator.scene.random_scenes import (
+    board_made_from,
+    demo_arm,
+    made_from,
+    random_mounting,
+    sensor_for,
+)
+from hardware.simulator.scene.tabletop import standing, table_top
+from hardware.simulator.scene.world import Ball, Board, Comb, Light
+from hardware.simulator.session import Rig, truth_of
+
+
+@dataclass(frozen=True)
+class TwinConfig:
+    """What station to simulate; the defaults are the demonstration."""
+
+    seed: int = 1
+    arm: ArmModel = field(default_factory=demo_arm)
+    """As its papers have it."""
+    imperfection_um: float = 45.0
+    """Rms error of the tip over the arm's whole reach that the papers do not know."""
+    rate_hz: float = 1000.0
+    counts_per_revolution: int = 1 << 22
+    line: str = "tcp"
+    """"tcp" or "pty"."""
+    host: str = "127.0.0.1"
+    port: int = 0
+    """Of the arm's TCP line; 0: any that is free."""
+    block: Comb = field(default_factory=Comb)
+    """As its certificate has it."""
+    board: Board = field(default_factory=Board)
+    """As its certificate has it."""
+    certificate_sd_mm: float = 0.002
+    """Of the block's sizes and of the board's."""
+    contact_sd_mm: float = 0.006
+    tremor_um: float = 0.0
+    """How much the tip trembles while the sensor is held."""
+    pace: float = 1.0
+    """The hand's speed; 1 is an operator's."""
+    distortion: tuple[float, float, float, float, float] = (-0.04, 0.0, 0.0, 0.0, 0.0)
+    roll_rad: float = 0.0
+    width_px: int = 1280
+    height_px: int = 1024
+    frames_hz: float = 25.0
+    arm_delay_ms: float = 0.0
+    """By how much the arm's stamps are later than the camera's."""
+    detector: Detector = field(default_factory=Detector)
+    light: Light = field(default_factory=Light)
+    laser_switch: bool = True
+    """Whether the station can switch the laser, or only whoever stands at the sensor."""
+
+
+class Twin:
+    """A simulated station. Nothing runs before ``start``; ``stop`` may be called twice."""
+
+    def __init__(self, config: TwinConfig | None = None) -> None:
+        self.config = config or TwinConfig()
+        self.faults = Faults()
+        self.lamps = Lamps()
+        rng = np.random.default_rng(self.config.seed)
+        self._rig, self._home = _build(self.config, rng)
+        self._correction = _frame_of_the_model(self._rig, self._home, rng)
+        self._board = board_made_from(self.config.board, self.config.certificate_sd_mm, rng)
+        rig = self._rig
+        self._scene = table_top(
+            rig.block, rig.T_arm_obj, self._board, self._correction, self.config.light
+        )
+        tremor_rad = self.config.tremor_um * 1e-3 / 600.0
+        self._motion = Motion(self._home, tremor_rad, self.config.seed)
+        self.studio = Studio(
+            self._renderer, self.sensor_pose, self._motion.resting_at, self.lamps, self.faults
+        )
+        self._line: Line | None = None
+        self._device: ArmDevice | None = None
+        self.hand = Hand(
+            self._rig.arm,
+            self._motion,
+            self._scene,
+            Sight(self._rig.optics, self._rig.sheet, self._rig.T_flange_sensor),
+            self._press,
+            self.config.contact_sd_mm,
+            self.config.pace,
+            self.config.seed,
+        )
+
+    @property
+    def arm_url(self) -> str:
+        """What the ``serial-encoder`` driver opens; known once started."""
+        if self._line is None:
+            raise RuntimeError("the twin is not started")
+        return self._line.url
+
+    @property
+    def device(self) -> ArmDevice:
+        """The arm's electronics; there once started."""
+        if self._device is None:
+            raise RuntimeError("the twin is not started")
+        return self._device
+
+    def start(self) -> "Twin":
+        """Makes ready for pictures, and serves the arm's bytes.
+
+        Raises ``OSError`` when the port is taken.
+        """
+        if self._device is None:
+            config = self.config
+            self._line = PtyLine() if config.line == "pty" else TcpLine(config.host, config.port)
+            self.studio.prepare()
+            encoders = Encoders(
+                config.rate_hz, config.counts_per_revolution, self._rig.arm.encoder_sd_rad
+            )
+            self._device = ArmDevice(
+                self._motion, self._line, encoders, self.faults, self.config.seed
+            )
+            self._device.start()
+        return self
+
+    def stop(self) -> None:
+        """Ends the arm and whatever the hand does."""
+        self.hand.cancel()
+        if self._device is not None:
+            self._device.stop()
+            self._device = None
+
+    def __enter__(self) -> "Twin":
+        return self.start()
+
+    def __exit__(self, *_: object) -> None:
+        self.stop()
+
+    def sensor(self) -> TwinSensor:
+        """A new driver of the station's one sensor, unopened."""
+        optics = self._rig.optics
+        info = SensorInfo(
+            name="Simulated stripe sensor",
+            serial_number="TWIN-S1",
+            width_px=optics.width_px,
+            height_px=optics.height_px,
+            exposure_range_us=EXPOSURE_RANGE_US,
+            has_laser_switch=self.config.laser_switch,
+            longest_gap_s=LONGEST_GAP_S,
+        )
+        early_ns = round(1e6 * self.config.arm_delay_ms)
+        return TwinSensor(self.studio, info, self.config.frames_hz, self.config.seed, early_ns)
+
+    def sensor_pose(self, stamp_ns: int) -> Floats:
+        """``T_arm_sensor`` (4, 4) as it truly is at a moment."""
+        T = flange_pose(self._rig.arm, self._motion.at(stamp_ns)) @ self._rig.T_flange_sensor
+        return np.asarray(T)
+
+    def joints(self, stamps_ns: NDArray[np.int64]) -> Floats:
+        """(N, n) encoder angles as they truly were at moments (N,) of the last seconds."""
+        return self._motion.at_all(stamps_ns)
+
+    def papers(self) -> dict[str, Paper]:
+        """What the operator is given, by file name."""
+        rig = self._rig
+        ball = self._scene.thing("sphere").shape
+        assert isinstance(ball, Ball)
+        plate, sphere = (
+            np.linalg.inv(self._correction) @ self._scene.thing(name).T_arm_obj
+            for name in ("plate", "sphere")
+        )
+        return {
+            "arm.json": arm_paper(rig.nominal_arm),
+            "object.json": object_paper(rig.certificate, self.config.certificate_sd_mm),
+            "chessboard.json": board_paper(self.config.board, self.config.certificate_sd_mm),
+            "sensor.json": sensor_paper(rig.optics, rig.sheet),
+            "plate.nominal.json": plane_paper(plate[:3, 3], plate[:3, 2]),
+            "sphere.nominal.json": sphere_paper(sphere[:3, 3], ball),
+        }
+
+    def truth(self) -> Paper:
+        """What only nature knows; as ``truth.json`` of a rendered session, and the board."""
+        board, at = self._board, self._scene.thing("board").T_arm_obj
+        squares = [board.square_x_mm, board.square_y_mm]
+        return {**truth_of(self._rig), "squares_mm": squares, "T_arm_board": at.tolist()}
+
+    def _press(self, button: Button, pressed: bool, at_ns: int) -> None:
+        if self._device is not None:
+            self._device.press(button, pressed, at_ns)
+
+    def _renderer(self) -> Renderer:
+        rig = self._rig
+        return Renderer(self._scene, rig.optics, rig.sheet, self.config.detector, self.config.seed)
+
+
+def _build(config: TwinConfig, rng: np.random.Generator) -> tuple[Rig, Floats]:
+    """The rig, and joint angles with the sensor well above the table."""
+    optics, sheet = sensor_for(
+        config.block,
+        rng,
+        roll_rad=config.roll_rad,
+        distortion=config.distortion,
+        width_px=config.width_px,
+        height_px=config.height_px,
+    )
+    arm = imperfect(config.arm, config.imperfection_um, rng)
+    T_flange_sensor = random_mounting(rng)
+    T_arm_obj = standing("block", -config.block.base_z_mm)
+    over_table = translation(740.0, 0.0, 110.0) @ rotation_about("z", 0.1)
+    start = np.zeros(arm.joint_count)
+    home = reach(arm, over_table @ np.linalg.inv(T_flange_sensor), start, rng)
+    block = made_from(config.block, config.certificate_sd_mm, rng)
+    rig = Rig(arm, config.arm, optics, sheet, T_flange_sensor, block, config.block, T_arm_obj)
+    return rig, home
+
+
+def _frame_of_the_model(rig: Rig, home: Floats, rng: np.random.Generator) -> Floats:
+    """Where the arm's model, imperfect as it is, best has its frame around the table (4, 4).
+
+    Gauges are certified in the frame that a perfect model would measure in; without
+    this their nominals would be off by what no calibration of the sensor can mend.
+    """
+    q = home + rng.uniform(-0.25, 0.25, (300, len(home)))
+    tip = np.array(rig.arm.tip_mm)
+    model, true = (
+        T[:, :3, :3] @ tip + T[:, :3, 3]
+        for T in (flange_poses(rig.nominal_arm, q), flange_poses(rig.arm, q))
+    )
+    return rigid_fit(model, true)

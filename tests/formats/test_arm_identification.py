@@ -1,0 +1,183 @@
+"""Folders that tell an arm's geometry, as files: read, identified, written, and refused."""
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from app.errors import Refusal
+from app.formats.datasheets.arm import ArmFile, read_arm
+from app.formats.json_document import sha256_of
+from app.formats.session.arm_session import read_arm_session
+from app.metrology.arm.identification.articulation import ArticulationLimits
+from app.workflows.check_articulation import check_table, overall, report_rows
+from app.workflows.identify_arm import identify_folder
+from hardware.simulator.arm_sessions import ArmSession, ArmSessionPlan, render_arm_session
+from tests.metrology.arm_sessions import observed, volumetric_error_um
+
+PLAN = ArmSessionPlan(
+    seats=6,
+    points_per_seat=14,
+    spheres=2,
+    points_per_sphere=14,
+    bar_lengths_mm=(600.0,),
+    positions_per_bar=4,
+    points_per_end=3,
+)
+
+
+@pytest.fixture
+def session(tmp_path: Path) -> ArmSession:
+    return render_arm_session(tmp_path / "s", 3, PLAN)
+
+
+def test_what_is_read_is_what_was_touched(tmp_path: Path, session: ArmSession) -> None:
+    read = read_arm_session(tmp_path / "s")
+    expected = observed(session)
+    assert [seat.name for seat in read.observations.seats] == [s.name for s in expected.seats]
+    for mine, theirs in zip(read.observations.bars, expected.bars, strict=True):
+        assert (mine.name, mine.position, mine.length_mm) == ("B1", theirs.position, 600.0)
+        np.testing.assert_allclose(mine.q_rad[1], theirs.q_rad[1], atol=1e-12)
+    assert read.observations.spheres[1].diameter_mm == 25.0
+    assert len(read.files) == 4
+
+
+def test_the_identified_arm_is_written_with_its_covariance(
+    tmp_path: Path, session: ArmSession
+) -> None:
+    out = tmp_path / "identified.json"
+    sheet, result = identify_folder(tmp_path / "s", out)
+    assert ArmFile.read(out) == sheet
+    arm = read_arm(out)
+    before, after = (
+        volumetric_error_um(session.arm, a) for a in (read_arm(tmp_path / "s/arm.json"), arm)
+    )
+    assert after < before / 10
+    part = sheet.identification
+    assert part is not None
+    count = len(part.parameters)
+    covariance = np.array(part.covariance)
+    assert covariance.shape == (count, count)
+    sds = [parameter.standard_uncertainty for parameter in part.parameters]
+    np.testing.assert_allclose(np.sqrt(np.diag(covariance)), sds, rtol=1e-9)
+    angle = next(p for p in part.parameters if p.name == "J2.theta_deg")
+    joint = next(joint for joint in sheet.joints if joint.name == "J2")
+    assert angle.after == pytest.approx(joint.theta_deg, abs=1e-12)
+    assert {i.file: i.sha256 for i in part.inputs}["spheres.csv"] == sha256_of(
+        tmp_path / "s/spheres.csv"
+    )
+    assert part.validation.after.normalised < part.validation.before.normalised / 5
+    assert len(result.moved) == count
+
+
+def test_a_separate_folder_checks_the_result(tmp_path: Path, session: ArmSession) -> None:
+    check = tmp_path / "check"
+    check.mkdir()
+    lines = (tmp_path / "s/articulation.csv").read_text().splitlines()
+    for path, sets in ((check, ("S5", "S6")), (tmp_path / "s", ("S1", "S2", "S3", "S4"))):
+        kept = [line for line in lines[1:] if line.startswith(sets)]
+        (path / "articulation.csv").write_text("\n".join([lines[0], *kept]) + "\n")
+    sheet, _ = identify_folder(tmp_path / "s", tmp_path / "out.json", check)
+    assert sheet.identification is not None
+    assert sheet.identification.validation.method == "separate"
+    assert sheet.identification.validation.places == 2
+
+
+def test_the_result_never_replaces_what_it_is_made_from(
+    tmp_path: Path, session: ArmSession
+) -> None:
+    before = (tmp_path / "s/arm.json").read_bytes()
+    with pytest.raises(Refusal, match="made from"):
+        identify_folder(tmp_path / "s", tmp_path / "s/arm.json")
+    assert (tmp_path / "s/arm.json").read_bytes() == before
+
+
+Edit = Callable[[list[str]], list[str]]
+
+
+def cells(line: str, change: Callable[[list[str]], list[str]]) -> str:
+    return ",".join(change(line.split(",")))
+
+
+def radians(lines: list[str]) -> list[str]:
+    def turn(row: list[str]) -> list[str]:
+        return [row[0], *(str(float(q) / 57.29578) for q in row[1:])]
+
+    return [lines[0], *(cells(line, turn) for line in lines[1:])]
+
+
+@pytest.mark.parametrize(
+    ("table", "edit", "code"),
+    [
+        ("articulation.csv", radians, "joints-in-radians"),
+        ("articulation.csv", lambda x: [c.rsplit(",", 1)[0] for c in x], "joint-count"),
+        ("articulation.csv", lambda x: [x[0], *x[1:4]], "too-few-points"),
+        ("articulation.csv", lambda x: [x[0], *([x[1]] * 20), *x[15:]], "arm-hardly-moved"),
+        ("articulation.csv", lambda x: x[:1], "no-points"),
+        ("articulation.csv", lambda x: [x[0], cells(x[1], lambda r: ["", *r[1:]])], "cell-empty"),
+        (
+            "spheres.csv",
+            lambda x: [*x[:3], x[3].replace("25.0", "24.0", 1), *x[4:]],
+            "length-differs",
+        ),
+        ("spheres.csv", lambda x: [c.replace("25.0", "26.0", 1) for c in x], "tip-diameter"),
+        ("spheres.csv", lambda x: [c.replace("25.0", "-25", 1) for c in x], "length-not-positive"),
+        ("ballbars.csv", lambda x: [c for c in x if ",B," not in c], "bar-ends"),
+        (
+            "ballbars.csv",
+            lambda x: [c.replace("0.002", "3", 1) for c in x],
+            "uncertainty-senseless",
+        ),
+        (
+            "ballbars.csv",
+            lambda x: [c.replace("length_mm", "length", 1) for c in x],
+            "columns-missing",
+        ),
+    ],
+)
+def test_bad_tables_are_refused(
+    tmp_path: Path, session: ArmSession, table: str, edit: Edit, code: str
+) -> None:
+    path = tmp_path / "s" / table
+    path.write_text("\n".join(edit(path.read_text().splitlines())) + "\n")
+    out = tmp_path / "out.json"
+    with pytest.raises(Refusal) as caught:
+        identify_folder(tmp_path / "s", out)
+    assert caught.value.code == code
+    assert "s" in caught.value.what
+    assert not out.exists()
+
+
+def test_a_folder_without_tables_is_refused(tmp_path: Path, session: ArmSession) -> None:
+    for name in ("articulation.csv", "spheres.csv", "ballbars.csv"):
+        (tmp_path / "s" / name).unlink()
+    with pytest.raises(Refusal) as caught:
+        identify_folder(tmp_path / "s", tmp_path / "out.json")
+    assert caught.value.code == "no-observations"
+
+
+def test_the_check_tells_half_range_and_two_sigma(tmp_path: Path, session: ArmSession) -> None:
+    by_papers = check_table(tmp_path / "s", None, ArticulationLimits(half_range_um=60.0))
+    assert overall(by_papers) == "fail"
+    identify_folder(tmp_path / "s", tmp_path / "out.json")
+    table = tmp_path / "s/articulation.csv"
+    limits = ArticulationLimits(half_range_um=60.0, two_sigma_um=60.0)
+    identified = check_table(table, tmp_path / "out.json", limits)
+    assert overall(identified) == "pass"
+    assert len(report_rows(identified)) == 6
+    for report in identified:
+        check = report.check
+        assert check.points == 14
+        assert np.all(check.two_sigma_um < 3 * check.encoders_two_sigma_um + 10)
+        assert np.all(check.half_range_um < 2 * check.two_sigma_um)
+
+
+def test_the_covariance_is_json_for_others(tmp_path: Path, session: ArmSession) -> None:
+    identify_folder(tmp_path / "s", tmp_path / "out.json")
+    fields = json.loads((tmp_path / "out.json").read_text())
+    assert fields["format"] == "crenel/arm"
+    assert {"parameters", "covariance", "created_at", "inputs", "software", "validation"} <= set(
+        fields["identification"]
+    )

@@ -1,0 +1,163 @@
+"""Sessions on a chessboard, with a robot's flange poses or an arm's joints."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from app.errors import Refusal
+from app.formats.datasheets.arm import read_any_arm, write_arm
+from app.formats.datasheets.target import read_block, read_object, write_object
+from app.formats.session.calibration_session import (
+    BoardSession,
+    Contacts,
+    ImageRow,
+    read_any_session,
+    read_session,
+    write_contacts,
+    write_images,
+)
+from app.metrology.arm.kinematics import RobotArm, Tip
+from app.metrology.targets.chessboard import Chessboard
+from app.metrology.transforms import rigid
+from tests.formats.builders import ARM, edit_json, edit_text, write_session
+from tests.real_sessions import session_of
+
+BOARD = Chessboard("board", "C-1", (7, 6), 10.0, 0.02)
+ROBOT = RobotArm("robot", "R-1", Tip(1.0, 2.0, 150.0, 6.0))
+POSES = np.array(
+    [
+        rigid(Rotation.from_rotvec([0.1 * k, 0.2, -0.3]).as_matrix(), [1500.0, 20.0 * k, 900.0])
+        for k in range(3)
+    ]
+)
+NONE = np.zeros(0)
+
+
+def board_session(folder: Path) -> Path:
+    write_session(folder)
+    write_arm(folder / "arm.json", ROBOT)
+    write_object(folder / "object.json", BOARD)
+    (folder / "probing.csv").unlink()
+    write_images(
+        folder / "images.csv",
+        [
+            ImageRow(1, "images/a.png", "both", NONE, POSES[0]),
+            ImageRow(2, "images/l.png", "both", NONE, POSES[1]),
+        ],
+    )
+    return folder
+
+
+def test_a_robots_session_reads_without_contacts(tmp_path: Path) -> None:
+    session = read_any_session(board_session(tmp_path / "s"))
+    assert isinstance(session, BoardSession)
+    assert session.board == BOARD
+    assert session.arm == ROBOT
+    assert session.contacts is None
+    assert [pose.number for pose in session.poses] == [1, 2]
+    assert all(
+        np.allclose(pose.reading, T, atol=1e-12)
+        for pose, T in zip(session.poses, POSES, strict=False)
+    )
+
+
+def test_contacts_on_the_board_read_back(tmp_path: Path) -> None:
+    folder = board_session(tmp_path / "s")
+    write_contacts(folder / "probing.csv", Contacts(("board",) * 3, np.zeros((3, 0)), POSES))
+    session = read_any_session(folder)
+    assert isinstance(session, BoardSession)
+    assert session.contacts is not None
+    assert np.allclose(session.contacts.readings, POSES, atol=1e-12)
+    edit_text(folder / "probing.csv", "board", "crest")
+    with pytest.raises(Refusal, match="the faces are board"):
+        read_any_session(folder)
+
+
+def test_an_arm_with_joints_may_look_at_a_board(tmp_path: Path) -> None:
+    folder = write_session(tmp_path / "s")
+    write_object(folder / "object.json", BOARD)
+    (folder / "probing.csv").unlink()
+    session = read_any_session(folder)
+    assert isinstance(session, BoardSession)
+    assert session.arm.name == ARM.name
+    assert session.poses[0].reading.shape == (6,)
+
+
+def test_what_needs_a_block_refuses_a_board_and_a_robot(tmp_path: Path) -> None:
+    folder = board_session(tmp_path / "s")
+    assert read_object(folder / "object.json") == BOARD
+    assert read_any_arm(folder / "arm.json") == ROBOT
+    with pytest.raises(Refusal, match="chessboard"):
+        read_block(folder / "object.json")
+    with pytest.raises(Refusal, match="joint angles"):
+        read_session(folder)
+
+
+def metres(folder: Path) -> None:
+    rows = [
+        ImageRow(k + 1, f"images/{name}.png", "both", NONE, rigid(T[:3, :3], T[:3, 3] / 1e3))
+        for k, (name, T) in enumerate(zip("al", POSES, strict=False))
+    ]
+    write_images(folder / "images.csv", rows)
+
+
+@pytest.mark.parametrize(
+    ("spoil", "code"),
+    [
+        (metres, "poses-in-metres"),
+        (lambda s: edit_text(s / "images.csv", "x_mm", "x"), "columns-missing"),
+        (lambda s: edit_text(s / "images.csv", ",qw", ",q1_deg"), "columns-missing"),
+        (
+            lambda s: edit_json(s / "object.json", lambda o: o.update(square_mm=0.01)),
+            "field-invalid",
+        ),
+        (
+            lambda s: edit_json(s / "object.json", lambda o: o.update(inner_corners=[7, 2])),
+            "field-invalid",
+        ),
+        (
+            lambda s: edit_json(s / "object.json", lambda o: o.update(flatness_mm=50)),
+            "field-invalid",
+        ),
+    ],
+)
+def test_a_spoilt_board_session_is_refused(
+    tmp_path: Path, spoil: Callable[[Path], object], code: str
+) -> None:
+    folder = board_session(tmp_path / "s")
+    spoil(folder)
+    with pytest.raises(Refusal) as refused:
+        read_any_session(folder)
+    assert refused.value.code == code
+
+
+def test_a_quaternion_that_is_none_is_refused(tmp_path: Path) -> None:
+    folder = board_session(tmp_path / "s")
+    lines = (folder / "images.csv").read_text().splitlines()
+    cells = lines[1].split(",")
+    cells[-1] = "0.5"
+    (folder / "images.csv").write_text("\n".join([lines[0], ",".join(cells), *lines[2:]]) + "\n")
+    with pytest.raises(Refusal, match="length 1"):
+        read_any_session(folder)
+
+
+def test_a_robot_that_moved_between_two_pictures_of_one_pose_is_refused(tmp_path: Path) -> None:
+    folder = board_session(tmp_path / "s")
+    rows = [
+        ImageRow(1, "images/a.png", "ambient", NONE, POSES[0]),
+        ImageRow(1, "images/l.png", "laser", NONE, POSES[1]),
+    ]
+    write_images(folder / "images.csv", rows)
+    with pytest.raises(Refusal, match="the flange differs by"):
+        read_any_session(folder)
+
+
+@pytest.mark.parametrize(("name", "count"), [("calib1", 8), ("calib3", 16)])
+def test_the_real_recordings_read(real: Path, tmp_path: Path, name: str, count: int) -> None:
+    folder = session_of(real / "robot-laser-chessboard" / name, tmp_path / "s")
+    session = read_any_session(folder)
+    assert isinstance(session, BoardSession)
+    assert len(session.poses) == count

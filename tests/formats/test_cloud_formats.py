@@ -1,0 +1,232 @@
+"""Every format a cloud is written in: read back here and by others, in pieces, refused clearly."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import laspy
+import numpy as np
+import pye57
+import pytest
+
+from app.errors import Refusal
+from app.formats.clouds.files import AT_ONCE, POINT, SUFFIXES, cloud_writer, read_cloud
+from app.formats.clouds.xyz import XyzSink
+from app.metrology.sensor.camera import project
+from app.metrology.sensor.triangulation import scan_points, sensor_points
+from tests.formats.builders import little_calibration, stripe_pixels
+
+pytestmark = pytest.mark.usefixtures("variant")
+
+STEP_MM = {".ply": 0.0, ".pcd": 1.3e-4, ".e57": 1e-9, ".xyz": 0.51e-4, ".las": 0.51e-4}
+STEP_MM[".laz"] = STEP_MM[".las"]
+PIECES = (300, 0, 1, AT_ONCE + 5, 70)
+
+
+def written(path: Path) -> np.ndarray:
+    rng = np.random.default_rng(1)
+    pieces = []
+    with cloud_writer(path) as cloud:
+        for frame, count in enumerate(PIECES):
+            points = rng.uniform(-1900, 1900, (count, 3))
+            intensity = rng.integers(0, 4095, count).astype(float)
+            spread = rng.uniform(0.5, 90, count).astype(np.float32).astype(float)
+            cloud.write(points, intensity, spread, frame)
+            pieces.append(np.column_stack([points, intensity, spread, np.full(count, frame)]))
+        assert cloud.points == sum(PIECES)
+    return np.concatenate(pieces)
+
+
+@pytest.mark.parametrize("suffix", SUFFIXES)
+def test_what_is_written_reads_back(tmp_path: Path, suffix: str) -> None:
+    path = tmp_path / f"cloud{suffix}"
+    table = written(path)
+    assert [entry.name for entry in tmp_path.iterdir()] == [path.name]
+    cloud = read_cloud(path)
+    np.testing.assert_allclose(cloud.points_mm, table[:, :3], rtol=0, atol=STEP_MM[suffix])
+    np.testing.assert_array_equal(cloud.intensity, table[:, 3])
+    np.testing.assert_allclose(cloud.uncertainty_um, table[:, 4], rtol=0, atol=0.0051)
+    np.testing.assert_array_equal(cloud.frame, table[:, 5])
+
+
+def test_e57_is_in_metres_to_others_with_its_bounds(tmp_path: Path) -> None:
+    table = written(tmp_path / "c.e57")
+    with pye57.E57(str(tmp_path / "c.e57")) as file:
+        data = file.read_scan(0, intensity=True, ignore_missing_fields=True)
+        header = file.get_header(0)
+        bounds = header.cartesianBounds
+        assert bounds["xMaximum"].value() == table[:, 0].max() / 1000
+        assert header.intensityMaximum == table[:, 3].max()
+    np.testing.assert_allclose(data["cartesianY"], table[:, 1] / 1000, rtol=0, atol=1e-12)
+
+
+@pytest.mark.parametrize("suffix", [".las", ".laz"])
+def test_las_is_whole_to_others(tmp_path: Path, suffix: str) -> None:
+    table = written(tmp_path / f"c{suffix}")
+    las = laspy.read(tmp_path / f"c{suffix}")
+    assert str(las.header.version) == "1.4"
+    np.testing.assert_allclose(np.asarray(las.z), table[:, 2], rtol=0, atol=0.51e-4)
+    np.testing.assert_array_equal(np.asarray(las.frame), table[:, 5])
+    np.testing.assert_allclose(las.header.maxs, table[:, :3].max(axis=0), rtol=0, atol=0.51e-4)
+
+
+def test_pcd_of_others_is_read(tmp_path: Path) -> None:
+    points = np.random.default_rng(2).uniform(-9, 9, (20, 3)).astype(np.float32)
+    head = "VERSION .7\nFIELDS x y z _ n\nSIZE 4 4 4 1 4\nTYPE F F F U F\nCOUNT 1 1 1 4 3\n"
+    head += "WIDTH 20\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 20\nDATA "
+    rows = np.zeros(20, [("p", "<f4", 3), ("_", "u1", 4), ("n", "<f4", 3)])
+    rows["p"] = points
+    (tmp_path / "b.pcd").write_bytes(head.encode() + b"binary\n" + rows.tobytes())
+    np.testing.assert_array_equal(read_cloud(tmp_path / "b.pcd").points_mm, points)
+    lines = [" ".join(f"{c:.9g}" for c in p) + " 0 0 0 0 1 2 3" for p in points]
+    (tmp_path / "a.pcd").write_text(head + "ascii\n" + "\n".join(lines) + "\n")
+    np.testing.assert_allclose(read_cloud(tmp_path / "a.pcd").points_mm, points, rtol=1e-8)
+    (tmp_path / "c.pcd").write_text(head + "binary_compressed\n")
+    with pytest.raises(Refusal, match="binary_compressed"):
+        read_cloud(tmp_path / "c.pcd")
+
+
+@pytest.mark.parametrize("suffix", SUFFIXES)
+def test_a_cut_cloud_is_refused(tmp_path: Path, suffix: str) -> None:
+    path = tmp_path / f"c{suffix}"
+    written(path)
+    whole = path.read_bytes()
+    if suffix == ".xyz":  # whose last line alone tells
+        path.write_bytes(whole[: whole.rindex(b" ") - 20])
+    else:
+        path.write_bytes(whole[: len(whole) // 2])
+    with pytest.raises(Refusal, match=rf"c\{suffix}"):
+        read_cloud(path)
+
+
+@pytest.mark.parametrize(
+    ("suffix", "far_mm"), [(".pcd", 2e4), (".las", 3e5), (".laz", 3e5), (".xyz", 2e9)]
+)
+def test_what_a_format_cannot_hold_is_refused(tmp_path: Path, suffix: str, far_mm: float) -> None:
+    path = tmp_path / f"c{suffix}"
+    path.write_bytes(b"what stood there before")
+
+    def write() -> None:
+        with cloud_writer(path) as cloud:
+            for i in range(3):
+                cloud.write(np.full((AT_ONCE, 3), far_mm * (i == 2)), *np.ones((2, AT_ONCE)), i)
+
+    with pytest.raises(Refusal, match="a point lies at"):
+        write()
+    assert path.read_bytes() == b"what stood there before"
+    assert len(list(tmp_path.iterdir())) == 1
+
+
+def test_an_unknown_suffix_is_refused_before_the_work(tmp_path: Path) -> None:
+    with pytest.raises(Refusal, match=r"\.ply, \.pcd"), cloud_writer(tmp_path / "c.stl"):
+        pass
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(("suffix", "name"), [(".e57", "pye57"), (".laz", "laspy")])
+def test_a_library_that_is_missing_is_named(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, suffix: str, name: str
+) -> None:
+    monkeypatch.setitem(sys.modules, name, None)
+    with (
+        pytest.raises(Refusal, match=rf"{name}.*crenel\[clouds\]"),
+        cloud_writer(tmp_path / f"c{suffix}"),
+    ):
+        pass
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("suffix", SUFFIXES)
+def test_a_full_disk_leaves_nothing(tmp_path: Path, suffix: str) -> None:
+    """In a process whose files may not grow beyond 200 kB."""
+    script = f"""
+import resource, signal, sys
+import numpy as np
+from pathlib import Path
+from app.formats.clouds.files import cloud_writer
+from app.errors import Refusal
+signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+list(map(__import__, ("pye57", "laspy", "lazrs")))
+path, rng = Path(sys.argv[1]), np.random.default_rng(0)
+with cloud_writer(path.with_name("small{suffix}")) as cloud:  # kernels are compiled, then
+    cloud.write(np.ones((3, 3)), *np.ones((2, 3)), 0)
+resource.setrlimit(resource.RLIMIT_FSIZE, (200_000, 200_000))
+try:
+    with cloud_writer(path) as cloud:
+        for i in range(4):
+            cloud.write(rng.normal(0, 300, (70_000, 3)), *rng.uniform(0, 99, (2, 70_000)), i)
+except Refusal as refusal:
+    print(refusal.line)
+"""
+    path = tmp_path / f"c{suffix}"
+    done = subprocess.run(
+        [sys.executable, "-c", script, str(path)], capture_output=True, text=True, check=True
+    )
+    assert str(path) in done.stdout
+    assert len(done.stdout.splitlines()) == 1
+    assert done.stderr == ""
+    assert [entry.name for entry in tmp_path.iterdir()] == [f"small{suffix}"]
+
+
+def test_text_has_the_numbers_to_their_last_digit(tmp_path: Path) -> None:
+    rng = np.random.default_rng(3)
+    points = np.zeros(500, POINT)
+    for axis in "xyz":
+        points[axis] = rng.choice([1e-5, 1e-3, 1.0, 1e4], 500) * rng.normal(0, 1, 500)
+    points["intensity"], points["uncertainty_um"] = rng.uniform(0, 255, (2, 500))
+    points["frame"] = rng.integers(0, 10**9, 500)
+    with open(tmp_path / "c.xyz", "wb") as file:
+        XyzSink(tmp_path / "c.xyz", file).write(points)
+    lines = (tmp_path / "c.xyz").read_text().splitlines()[1:]
+    for line, point in zip(lines, points, strict=True):
+        x, y, z, intensity, uncertainty_um, frame = line.split(" ")
+        for text, value in zip((x, y, z), (point["x"], point["y"], point["z"]), strict=True):
+            assert text in (f"{value:.4f}", f"{value:.4f}".replace("-0.0000", "0.0000"))
+        assert abs(float(intensity) - point["intensity"]) <= 0.0501
+        assert abs(float(uncertainty_um) - point["uncertainty_um"]) <= 0.00501
+        assert int(frame) == point["frame"]
+
+
+def test_memory_stays_bounded_however_large_the_cloud(tmp_path: Path) -> None:
+    """Four times the points of every format, and no more memory."""
+    script = """
+import resource, sys
+import numpy as np
+from pathlib import Path
+from app.formats.clouds.files import SUFFIXES, cloud_writer
+rng, folder = np.random.default_rng(0), Path(sys.argv[1])
+piece = (rng.normal(0, 300, (50_000, 3)), *rng.uniform(0, 99, (2, 50_000)))
+def write(count):
+    for suffix in SUFFIXES:
+        with cloud_writer(folder / f"c{suffix}") as cloud:
+            for i in range(count):
+                cloud.write(*piece, i)
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+first = write(6)
+print(write(24) - first)
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", script, str(tmp_path)], capture_output=True, text=True, check=True
+    )
+    unit = 1 if sys.platform == "darwin" else 1024
+    assert int(done.stdout) * unit < 20e6  # 900 000 points more are 32 MB in memory
+
+
+@pytest.mark.parametrize("axis", ["u", "v"])
+def test_a_points_uncertainty_is_the_stripes_seen_from_there(axis: str) -> None:
+    """Against pixels moved by their standard deviation and reconstructed again."""
+    use = little_calibration()
+    _, uv = stripe_pixels()
+    sigma = np.linspace(0.02, 0.3, len(uv))
+    step = np.array([0.0, 1.0]) if axis == "u" else np.array([1.0, 0.0])
+    moved = [
+        sensor_points(use.camera, use.plane, uv + sign * 0.5 * sigma[:, None] * step)
+        for sign in (1, -1)
+    ]
+    points = sensor_points(use.camera, use.plane, uv)
+    np.testing.assert_allclose(project(use.camera, points), uv, atol=1e-9)
+    expected = 1e3 * np.linalg.norm(moved[0] - moved[1], axis=1)
+    in_frame = (sigma, axis, np.array([len(uv)]), np.eye(4)[None])
+    same, spread_um = scan_points(use.camera, use.plane, *uv.T, *in_frame)
+    np.testing.assert_allclose(same, points, atol=1e-12)
+    np.testing.assert_allclose(spread_um, expected, rtol=1e-5)

@@ -1,0 +1,168 @@
+"""Clouds: PLY as others read it, PLY as others write it, XYZ text."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+import trimesh
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from app.errors import Refusal
+from app.formats.clouds.files import cloud_writer, read_cloud
+
+POINTS = np.random.default_rng(3).uniform(-1000, 1000, (257, 3))
+
+
+def write_pieces(path: Path, sizes: list[int]) -> int:
+    rng = np.random.default_rng(4)
+    with cloud_writer(path) as cloud:
+        for frame, size in enumerate(sizes):
+            cloud.write(
+                rng.uniform(-1000, 1000, (size, 3)), np.full(size, 50.0), np.full(size, 0.1), frame
+            )
+    return sum(sizes)
+
+
+@given(st.lists(st.integers(0, 300), min_size=1, max_size=6))
+@settings(max_examples=30, suppress_health_check=[HealthCheck.function_scoped_fixture])
+def test_pieces_read_back_here_and_elsewhere(tmp_path: Path, sizes: list[int]) -> None:
+    path = tmp_path / "cloud.ply"
+    sizes = [*sizes, 1]
+    count = write_pieces(path, sizes)
+    rng = np.random.default_rng(4)
+    points = np.concatenate([rng.uniform(-1000, 1000, (size, 3)) for size in sizes])
+    cloud = read_cloud(path)
+    np.testing.assert_array_equal(cloud.points_mm, points)
+    assert cloud.frame is not None
+    np.testing.assert_array_equal(cloud.frame, np.repeat(np.arange(len(sizes)), sizes))
+    elsewhere = trimesh.load(path)
+    assert np.asarray(elsewhere.vertices).shape == (count, 3)
+    np.testing.assert_array_equal(np.asarray(elsewhere.vertices), points)
+
+
+def test_points_that_are_none_are_left_out(tmp_path: Path) -> None:
+    points = POINTS[:5].copy()
+    points[1, 2] = np.nan
+    points[3] = np.inf
+    with cloud_writer(tmp_path / "c.ply") as cloud:
+        cloud.write(points, np.arange(5.0), np.zeros(5), 7)
+        assert cloud.points == 3
+    back = read_cloud(tmp_path / "c.ply")
+    np.testing.assert_array_equal(back.points_mm, points[[0, 2, 4]])
+    np.testing.assert_array_equal(back.intensity, [0, 2, 4])
+
+
+def test_the_header_says_what_is_in_it(tmp_path: Path) -> None:
+    write_pieces(tmp_path / "c.ply", [3, 4])
+    header = (tmp_path / "c.ply").read_bytes().split(b"end_header\n")[0].decode()
+    assert header.startswith("ply\nformat binary_little_endian 1.0\n")
+    assert "element vertex 7\nproperty double x\nproperty double y\nproperty double z\n" in header
+    assert "property float intensity\n" in header
+    assert "property int frame\n" in header
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "binary"])
+def test_clouds_written_elsewhere_are_read(tmp_path: Path, encoding: str) -> None:
+    path = tmp_path / "c.ply"
+    path.write_bytes(trimesh.exchange.ply.export_ply(trimesh.PointCloud(POINTS), encoding=encoding))
+    np.testing.assert_allclose(read_cloud(path).points_mm, POINTS, atol=1e-4)  # float, there
+
+
+@pytest.mark.parametrize("order", ["<", ">"])
+def test_any_order_of_properties_and_bytes(tmp_path: Path, order: str) -> None:
+    fields = [("red", "u1"), ("z", "f8"), ("frame", "u2"), ("x", "f4"), ("q", "i4"), ("y", "f8")]
+    table = np.zeros(len(POINTS), [(name, order + kind) for name, kind in fields])
+    for i, axis in enumerate("xyz"):
+        table[axis] = POINTS[:, i]
+    table["frame"] = np.arange(len(POINTS))
+    names = {"u1": "uchar", "f8": "float64", "u2": "ushort", "f4": "float", "i4": "int32"}
+    lines = [
+        "ply",
+        f"format binary_{'little' if order == '<' else 'big'}_endian 1.0",
+        "comment made by hand",
+        "element camera 2",
+        "property short a",
+        "property double b",
+        f"element vertex {len(POINTS)}",
+        *(f"property {names[kind]} {name}" for name, kind in fields),
+        "element face 1",
+        "property list uchar int vertex_indices",
+        "end_header\r",
+    ]
+    content = "\r\n".join(lines).encode() + b"\n" + bytes(2 * 10) + table.tobytes() + bytes(13)
+    (tmp_path / "c.ply").write_bytes(content)
+    cloud = read_cloud(tmp_path / "c.ply")
+    np.testing.assert_allclose(cloud.points_mm, POINTS, atol=1e-4)
+    np.testing.assert_array_equal(cloud.points_mm[:, 1:], POINTS[:, 1:])
+    np.testing.assert_array_equal(cloud.frame, np.arange(len(POINTS)))
+
+
+@pytest.mark.parametrize("separator", [" ", "\t", ",", "; "])
+@pytest.mark.parametrize("head", ["", "# a comment\n", "x y z intensity\n", "\ufeff"])
+def test_xyz_text_is_read(tmp_path: Path, separator: str, head: str) -> None:
+    rows = [separator.join([*(f"{c:.17g}" for c in point), "17"]) for point in POINTS]
+    path = tmp_path / "c.xyz"
+    path.write_text(head.replace(" ", separator) + "\n".join(rows) + "\n", encoding="utf-8")
+    np.testing.assert_array_equal(read_cloud(path).points_mm, POINTS)
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        (b"", "empty"),
+        (b"\n\n", "empty"),
+        (b"x y z\n", "no points"),
+        (b"1 2\n3 4\n", "x y z"),
+        (b"1 2 3\n4 5 hello\n", "hello"),
+        (b"1 2 3\n4 5e200 6\n", "5e\\+200 mm"),
+        (b"\x00\x01\x02", "no cloud that is known"),
+        (b"ply\nformat ascii 1.0\n", "does not end"),
+        (b"ply\nformat morse 1.0\nend_header\n", "format"),
+        (b"ply\nformat ascii 1.0\nend_header\n", "no element vertex"),
+        (b"ply\nformat ascii 1.0\nelement vertex many\nend_header\n", "many"),
+        (b"ply\nformat ascii 1.0\nproperty float x\nend_header\n", "property float x"),
+        (b"ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n", "no y, z"),
+        (
+            b"ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float x\n"
+            b"end_header\n1 2\n",
+            "two properties of one name",
+        ),
+        (
+            b"ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int i\n"
+            b"element vertex 1\nproperty float x\nend_header\n",
+            "lists",
+        ),
+    ],
+)
+def test_what_is_no_cloud_is_refused(tmp_path: Path, content: bytes, said: str) -> None:
+    path = tmp_path / "cloud.dat"
+    path.write_bytes(content)
+    with pytest.raises(Refusal, match=said) as refused:
+        read_cloud(path)
+    assert str(path) in refused.value.what
+
+
+def test_a_cut_cloud_is_refused_wherever_it_ends(tmp_path: Path) -> None:
+    path = tmp_path / "c.ply"
+    write_pieces(path, [100])
+    whole = path.read_bytes()
+    for length in (len(whole) - 1, len(whole) // 2, 240, 100):
+        path.write_bytes(whole[:length])
+        with pytest.raises(Refusal, match=r"c\.ply"):
+            read_cloud(path)
+    path.write_bytes(whole.replace(b"element vertex 100", b"element vertex 999999999999999"))
+    with pytest.raises(Refusal, match="100 of 999999999999999"):
+        read_cloud(path)
+
+
+def test_an_ascii_cloud_that_ends_early_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "c.ply"
+    head = "ply\nformat ascii 1.0\nelement vertex 3\n"
+    head += "".join(f"property float {axis}\n" for axis in "xyz") + "end_header\n"
+    path.write_text(head + "1 2 3\n4 5 6\n")
+    with pytest.raises(Refusal, match="2 of 3 points"):
+        read_cloud(path)
+    path.write_text(head + "1 2 3\n4 5 6\n7 8\n")
+    with pytest.raises(Refusal, match=r"c\.ply"):
+        read_cloud(path)

@@ -1,0 +1,135 @@
+"""Whatever happens to the bytes of a file, reading it ends well or in a refusal."""
+
+import struct
+import zlib
+from contextlib import suppress
+from pathlib import Path
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from app.errors import Refusal
+from app.formats.clouds.files import cloud_writer, read_cloud
+from app.formats.images import read_grey
+from app.formats.recording.writer import RecordingWriter
+from app.formats.results.calibration import read_calibration
+from app.formats.session.calibration_session import read_session
+from app.workflows.reconstruct import rebuild
+from tests.formats.builders import ARM, joints_every, little_calibration, write_session
+from tests.formats.test_clouds import POINTS
+from tests.formats.test_documents import calibration_file
+from tests.formats.test_rebuild import MS, NAMES, record_stripe
+
+changes = st.lists(
+    st.tuples(st.floats(0, 1), st.binary(max_size=4), st.integers(0, 4)), min_size=1, max_size=3
+)
+
+
+def damaged(whole: bytes, damage: list[tuple[float, bytes, int]]) -> bytes:
+    """Some bytes replaced, put in or taken out, at places from 0 (start) to 1 (end)."""
+    content = bytearray(whole)
+    for place, put_in, taken_out in damage:
+        at = int(place * len(content))
+        content[at : at + taken_out] = put_in
+    return bytes(content)
+
+
+relaxed = settings(max_examples=150, suppress_health_check=[HealthCheck.function_scoped_fixture])
+
+
+@pytest.fixture
+def session(tmp_path: Path) -> Path:
+    return write_session(tmp_path / "s")
+
+
+@given(
+    st.sampled_from(
+        ["arm.json", "object.json", "sensor.json", "probing.csv", "images.csv", "images/a.png"]
+    ),
+    changes,
+)
+@relaxed
+def test_a_damaged_session(
+    session: Path, name: str, damage: list[tuple[float, bytes, int]]
+) -> None:
+    whole = (session / name).read_bytes()
+    (session / name).write_bytes(damaged(whole, damage))
+    with suppress(Refusal):
+        read_grey(read_session(session).poses[0].ambient)
+    (session / name).write_bytes(whole)
+
+
+@given(changes)
+@relaxed
+def test_a_damaged_calibration(tmp_path: Path, damage: list[tuple[float, bytes, int]]) -> None:
+    path = tmp_path / "c.json"
+    calibration_file().write(path)
+    path.write_bytes(damaged(path.read_bytes(), damage))
+    with suppress(Refusal):
+        read_calibration(path)
+
+
+@given(changes)
+@relaxed
+def test_a_damaged_cloud(tmp_path: Path, damage: list[tuple[float, bytes, int]]) -> None:
+    path = tmp_path / "c.ply"
+    with cloud_writer(path) as cloud:
+        cloud.write(POINTS[:9], POINTS[:9, 0], POINTS[:9, 0], 0)
+    path.write_bytes(damaged(path.read_bytes(), damage))
+    with suppress(Refusal):
+        read_cloud(path)
+
+
+@pytest.fixture
+def recording(tmp_path: Path) -> bytes:
+    path = tmp_path / "whole.mcap"
+    with RecordingWriter(path, NAMES) as writer:
+        joints_every(writer, 0, 40 * MS, 4 * MS)
+        record_stripe(writer, 20 * MS)
+    return path.read_bytes()
+
+
+@given(changes)
+@relaxed
+def test_a_damaged_recording(
+    tmp_path: Path, recording: bytes, damage: list[tuple[float, bytes, int]]
+) -> None:
+    path = tmp_path / "scan.mcap"
+    path.write_bytes(damaged(recording, damage))
+    with suppress(Refusal):
+        rebuild(path, little_calibration(), ARM, tmp_path / "cloud.ply")
+
+
+def test_a_length_that_no_machine_could_hold(tmp_path: Path, recording: bytes) -> None:
+    """A byte too many, somewhere in the first records: lengths with their highest bit set."""
+    path = tmp_path / "scan.mcap"
+    for at in range(400):
+        path.write_bytes(recording[:at] + b"\x80" + recording[at:])
+        with suppress(Refusal):
+            rebuild(path, little_calibration(), ARM, tmp_path / "cloud.ply")
+
+
+def test_a_text_cloud_that_announces_more_than_any_disk_holds(tmp_path: Path) -> None:
+    path = tmp_path / "cloud.ply"
+    head = ["ply", "format ascii 1.0", "element other 1000000000000000000", "property float a"]
+    head += ["element vertex 1", *(f"property float {axis}" for axis in "xyz"), "end_header"]
+    path.write_text("\n".join([*head, "1", "2"]) + "\n")
+    with pytest.raises(Refusal, match="0 of 1 points"):
+        read_cloud(path)
+
+
+def test_a_picture_larger_than_can_be_read(tmp_path: Path) -> None:
+    """A whole PNG of 60,000 x 60,000 black pixels, which takes no room in the file."""
+
+    def chunk(kind: bytes, body: bytes) -> bytes:
+        return (
+            struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+        )
+
+    header = struct.pack(">IIBBBBB", 60_000, 60_000, 8, 0, 0, 0, 0)
+    body = chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(b"")) + chunk(b"IEND", b"")
+    path = tmp_path / "huge.png"
+    path.write_bytes(b"\x89PNG\r\n\x1a\n" + body)
+    with pytest.raises(Refusal, match=r"huge\.png"):
+        read_grey(path)

@@ -1,0 +1,292 @@
+"""arm.json, object.json, sensor.json, nominals and calibrations: read back, and refused."""
+
+import json
+from contextlib import suppress
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from app.errors import Refusal
+from app.formats.datasheets.arm import read_arm, write_arm
+from app.formats.datasheets.gauge_nominal import read_nominal
+from app.formats.datasheets.sensor import SensorSheet, read_sensor, write_sensor
+from app.formats.datasheets.target import read_object, write_object
+from app.formats.results.calibration import CalibrationFile, read_calibration
+from app.metrology.arm.kinematics import Arm, Joint, LinkError, Tip
+from app.metrology.gauges.errors import NominalPlane, NominalSphere
+from app.metrology.targets.crenellated_block import Crenellated
+from app.metrology.transforms import rigid, rotation_from_vector
+from tests.formats.builders import ARM, BLOCK, SENSOR, edit_json, little_calibration, write_session
+
+lengths = st.floats(-1e4, 1e4)
+angles = st.floats(-6.3, 6.3)
+joints = st.builds(
+    Joint,
+    name=st.text(min_size=1, max_size=5),
+    a_mm=lengths,
+    alpha_rad=angles,
+    d_mm=lengths,
+    theta_rad=angles,
+    sign=st.sampled_from((1, -1)),
+    limits_rad=st.tuples(st.floats(-7, -1), st.floats(1, 7)),
+    encoder_sd_rad=st.floats(0, 1e-3),
+    error=st.builds(LinkError, *[lengths] * 3, *[angles] * 3),
+)
+arms = st.builds(
+    Arm,
+    name=st.text(max_size=10),
+    serial_number=st.text(max_size=10),
+    joints=st.lists(joints, min_size=6, max_size=7, unique_by=lambda joint: joint.name).map(tuple),
+    tip=st.builds(Tip, lengths, lengths, lengths, st.floats(0.1, 100)),
+)
+
+
+def numbers_of(arm: Arm) -> list[float]:
+    tip, found = arm.tip, []
+    for joint in arm.joints:
+        error = joint.error
+        found += [joint.a_mm, joint.alpha_rad, joint.d_mm, joint.theta_rad, float(joint.sign)]
+        found += [*joint.limits_rad, joint.encoder_sd_rad, error.x_mm, error.y_mm, error.z_mm]
+        found += [error.rx_rad, error.ry_rad, error.rz_rad]
+    return [*found, tip.x_mm, tip.y_mm, tip.z_mm, tip.diameter_mm]
+
+
+@given(arms)
+@settings(max_examples=40, suppress_health_check=[HealthCheck.function_scoped_fixture])
+def test_an_arm_reads_back(tmp_path: Path, arm: Arm) -> None:
+    write_arm(tmp_path / "arm.json", arm)
+    back = read_arm(tmp_path / "arm.json")
+    assert (back.name, back.serial_number) == (arm.name, arm.serial_number)
+    assert [joint.name for joint in back.joints] == [joint.name for joint in arm.joints]
+    np.testing.assert_allclose(numbers_of(back), numbers_of(arm), rtol=1e-14, atol=1e-300)
+
+
+def test_an_object_reads_back(tmp_path: Path) -> None:
+    write_object(tmp_path / "object.json", BLOCK)
+    assert read_object(tmp_path / "object.json") == BLOCK
+
+
+def test_a_sensor_reads_back_and_unknown_fields_are_ignored(tmp_path: Path) -> None:
+    path = tmp_path / "sensor.json"
+    path.write_text("\ufeff" + json.dumps({**SENSOR, "lens": {"maker": "?"}, "focal_px": 2800}))
+    sheet = read_sensor(path)
+    assert isinstance(sheet, SensorSheet)
+    assert (sheet.width_px, sheet.stripe_axis, sheet.focal_px) == (64, "u", 2800.0)
+    write_sensor(path, sheet)
+    assert read_sensor(path) == sheet
+
+
+def test_the_samples_read(samples: Path) -> None:
+    for session in ("one-pose", "many-poses", "metal"):
+        assert read_arm(samples / session / "arm.json").joint_count in (6, 7)
+        assert isinstance(read_object(samples / session / "object.json"), Crenellated)
+        assert read_sensor(samples / session / "sensor.json").width_px == 1280
+    assert isinstance(read_nominal(samples / "one-pose/plane.nominal.json"), NominalPlane)
+    assert isinstance(read_nominal(samples / "one-pose/sphere.nominal.json"), NominalSphere)
+
+
+@pytest.mark.parametrize(
+    ("spoil", "code", "said"),
+    [
+        (lambda arm: arm.update(format="crenel/object"), "file-of-another-format", "crenel/arm"),
+        (lambda arm: arm.pop("format"), "file-of-another-format", "None"),
+        (lambda arm: arm.update(version=2), "file-of-another-version", "version is 2"),
+        (lambda arm: arm.update(version=True), "file-of-another-version", "True"),
+        (lambda arm: arm.update(convention="dh-modified"), "field-invalid", "dh-modified"),
+        (lambda arm: arm.update(convention="pose"), "arm-without-joints", "pose"),
+        (lambda arm: arm["joints"].pop(), "field-invalid", "not 5"),
+        (lambda arm: arm.update(joints={}), "field-invalid", "joints"),
+        (lambda arm: arm["joints"][2].pop("d_mm"), "field-missing", "joints[2].d_mm is missing"),
+        (lambda arm: arm["joints"][2].update(a_mm="30"), "field-invalid", "joints[2].a_mm is '30'"),
+        (lambda arm: arm["joints"][2].update(a_mm=float("nan")), "field-invalid", "finite"),
+        (lambda arm: arm["joints"][2].update(a_mm=float("inf")), "field-invalid", "finite"),
+        (lambda arm: arm["joints"][2].update(a_mm=10**400), "field-invalid", "joints[2].a_mm"),
+        (lambda arm: arm["joints"][2].update(a_mm=True), "field-invalid", "a number"),
+        (lambda arm: arm["joints"][2].update(sign=0), "field-invalid", "joints[2].sign is 0"),
+        (lambda arm: arm["joints"][0].update(limits_deg=[5, -5]), "field-invalid", "ascend"),
+        (lambda arm: arm["joints"][0].update(encoder_sd_deg=-1), "field-invalid", "encoder_sd_deg"),
+        (lambda arm: arm["tip"].update(diameter_mm=0), "field-invalid", "tip.diameter_mm is 0"),
+        (lambda arm: arm["joints"][3].update(name="J1"), "field-invalid", "two joints are named"),
+        (lambda arm: arm["tip"].update(x_mm=1e300), "field-invalid", "tip.x_mm is 1e+300"),
+        (lambda arm: arm.pop("tip"), "field-invalid", "tip is missing"),
+    ],
+)
+def test_a_spoilt_arm_is_refused(tmp_path: Path, spoil: Any, code: str, said: str) -> None:
+    path = write_session(tmp_path / "s") / "arm.json"
+    edit_json(path, spoil)
+    with pytest.raises(Refusal) as refused:
+        read_arm(path)
+    assert refused.value.code == code
+    assert str(path) in refused.value.what
+    assert said in refused.value.line
+    assert "\n" not in refused.value.line
+
+
+@pytest.mark.parametrize(
+    ("spoil", "said"),
+    [
+        (lambda block: block["edges_x_mm"].pop(), "5 edges"),
+        (lambda block: block["edges_x_mm"].reverse(), "ascend"),
+        (lambda block: block.update(edges_x_mm=[1, 2]), "edges_x_mm"),
+        (lambda block: block.update(edges_x_mm=[0, 5, 10, 15]), "mirror image"),
+        (lambda block: block.update(crest_z_mm=-1), "crest_z_mm"),
+        (lambda block: block.update(front_y_mm=99), "front_y_mm"),
+        (lambda block: block.update(standard_uncertainty_mm=2), "micrometres"),
+        (lambda block: block.update(kind="chessboard"), "inner_corners is missing"),
+        (lambda block: block.update(kind="ball"), "ball"),
+        (lambda block: block.pop("serial_number"), "serial_number is missing"),
+    ],
+)
+def test_a_spoilt_object_is_refused(tmp_path: Path, spoil: Any, said: str) -> None:
+    path = write_session(tmp_path / "s") / "object.json"
+    edit_json(path, spoil)
+    with pytest.raises(Refusal, match=said) as refused:
+        read_object(path)
+    assert str(path) in refused.value.what
+
+
+@pytest.mark.parametrize(
+    "text", ["", "{", '{"format": "crenel/arm", "joints": [1', "[]", "7", "\xff"]
+)
+def test_what_is_not_json_is_refused(tmp_path: Path, text: str) -> None:
+    path = tmp_path / "arm.json"
+    path.write_bytes(text.encode("latin-1"))
+    with pytest.raises(Refusal, match=r"arm\.json"):
+        read_arm(path)
+
+
+def test_a_truncated_arm_is_refused_wherever_it_ends(tmp_path: Path) -> None:
+    path = tmp_path / "arm.json"
+    write_arm(path, ARM)
+    whole = path.read_bytes()
+    for length in range(0, len(whole) - 2, 97):
+        path.write_bytes(whole[:length])
+        with pytest.raises(Refusal) as refused:
+            read_arm(path)
+        assert refused.value.code == "file-not-json"
+
+
+json_values = st.recursive(
+    st.none() | st.booleans() | st.floats() | st.integers() | st.text(max_size=5),
+    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=5), inner),
+    max_leaves=8,
+)
+
+
+@given(st.data())
+@settings(max_examples=150, suppress_health_check=[HealthCheck.function_scoped_fixture])
+def test_any_wrong_value_anywhere_is_refused_or_harmless(
+    tmp_path: Path, data: st.DataObject
+) -> None:
+    path = tmp_path / "arm.json"
+    write_arm(path, ARM)
+    fields = json.loads(path.read_text())
+    place = data.draw(st.sampled_from(["joints", "tip", "name", "convention"]))
+    value = data.draw(json_values)
+    if place == "joints" and data.draw(st.booleans()):
+        joint = data.draw(st.sampled_from(fields["joints"]))
+        joint[data.draw(st.sampled_from(sorted(joint)))] = value
+    else:
+        fields[place] = value
+    path.write_text(json.dumps(fields))
+    with suppress(Refusal):
+        assert np.isfinite(numbers_of(read_arm(path))).all()
+
+
+@pytest.mark.parametrize(
+    ("nominal", "said"),
+    [
+        ({"shape": "cone"}, "cone"),
+        ({"shape": "plane", "point_mm": [0, 0, 0], "normal": [0, 0, 2]}, "unit length"),
+        ({"shape": "plane", "point_mm": [0, 0], "normal": [0, 0, 1]}, "point_mm"),
+        ({"shape": "sphere", "centre_mm": [0, 0, 0], "radius_mm": -1}, "radius_mm is -1"),
+        ({}, "shape is missing"),
+    ],
+)
+def test_a_spoilt_nominal_is_refused(tmp_path: Path, nominal: dict[str, Any], said: str) -> None:
+    path = tmp_path / "n.json"
+    path.write_text(json.dumps({"format": "crenel/nominal", "version": 1, **nominal}))
+    with pytest.raises(Refusal, match=said):
+        read_nominal(path)
+
+
+def calibration_file() -> CalibrationFile:
+    known = little_calibration()
+    camera = known.camera
+    return CalibrationFile.model_validate(
+        {
+            "camera": {
+                "projection_matrix": camera.projection_matrix.tolist(),
+                "matrix": camera.matrix.tolist(),
+                "rotation": camera.rotation.tolist(),
+                "translation_mm": camera.translation_mm.tolist(),
+                "distortion": [-0.04, 0, 0, 0, 0],
+                "width_px": camera.width_px,
+                "height_px": camera.height_px,
+            },
+            "laser_plane": {"normal": [0.0, 0.0, 1.0], "offset_mm": 0.25},
+            "probe_matrix": known.T_flange_sensor.tolist(),
+            "serial_numbers": known.serial_numbers,
+        }
+    )
+
+
+def test_a_calibration_reads_back(tmp_path: Path) -> None:
+    path = tmp_path / "calibration.json"
+    calibration_file().write(path)
+    back, known = read_calibration(path), little_calibration()
+    np.testing.assert_array_equal(back.camera.projection_matrix, known.camera.projection_matrix)
+    np.testing.assert_array_equal(back.camera.distortion, [-0.04, 0, 0, 0, 0])
+    np.testing.assert_array_equal(back.T_flange_sensor, known.T_flange_sensor)
+    assert (back.plane.offset_mm, back.stripe_axis) == (0.25, "u")
+    assert back.serial_numbers == known.serial_numbers
+
+
+def test_documents_are_written_for_readers_too(tmp_path: Path) -> None:
+    path = tmp_path / "object.json"
+    odd = replace(BLOCK, name='[ 1, 2 ] [\n 3\n ] "4", -7e-05 [')
+    write_object(path, odd)
+    text = path.read_text()
+    assert text.startswith('{\n "format": "crenel/object",\n "version": 1,\n')
+    assert '"edges_x_mm": [-22.0, -14.0, -7.0, -2.0, 5.0, 10.0],\n' in text
+    assert read_object(path) == odd
+
+
+@pytest.mark.parametrize(
+    ("spoil", "said"),
+    [
+        (lambda c: c["camera"]["projection_matrix"][0].__setitem__(3, 7.0), "projection_matrix"),
+        (lambda c: c["camera"]["rotation"][0].__setitem__(0, 0.9), "rotation"),
+        (lambda c: c["camera"].update(distortion=[0, 0, 0, 0]), "distortion"),
+        (lambda c: c["camera"].update(distortion=[-5, 0, 0, 0, 0]), "cannot be undone"),
+        (lambda c: c["camera"].pop("matrix"), "camera.matrix is missing"),
+        (lambda c: c["laser_plane"].update(normal=[0, 0, 1.1]), "unit length"),
+        (lambda c: c["probe_matrix"][3].__setitem__(0, 0.1), "last row"),
+        (lambda c: c["probe_matrix"][0].__setitem__(0, 0.1), "probe_matrix"),
+        (lambda c: c["probe_matrix"].pop(), "probe_matrix"),
+        (lambda c: c.pop("laser_plane"), "laser_plane is missing"),
+    ],
+)
+def test_a_spoilt_calibration_is_refused(tmp_path: Path, spoil: Any, said: str) -> None:
+    path = tmp_path / "calibration.json"
+    calibration_file().write(path)
+    edit_json(path, spoil)
+    with pytest.raises(Refusal, match=said):
+        read_calibration(path)
+
+
+@given(
+    st.lists(st.floats(-3, 3), min_size=3, max_size=3), st.lists(lengths, min_size=3, max_size=3)
+)
+@settings(max_examples=30, suppress_health_check=[HealthCheck.function_scoped_fixture])
+def test_any_probe_matrix_reads_back(tmp_path: Path, turn: list[float], move: list[float]) -> None:
+    path = tmp_path / "calibration.json"
+    calibration_file().write(path)
+    T = rigid(rotation_from_vector(np.array(turn)), np.array(move))
+    edit_json(path, lambda fields: fields.update(probe_matrix=T.tolist()))
+    np.testing.assert_array_equal(read_calibration(path).T_flange_sensor, T)

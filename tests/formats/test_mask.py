@@ -1,0 +1,122 @@
+"""Zones in which nothing is measured, and the operator's settings as files."""
+
+import json
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+
+from app.errors import Refusal
+from app.formats.results.delay import Sync
+from app.formats.settings.mask import Mask
+from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
+from app.metrology.stripe import StripeSettings
+from app.store.scan_settings import SettingsStore
+from tests.cli.test_cli import crenel, refused
+
+WIDTH, HEIGHT = 200, 100
+ZONE = [[50.0, -5.0], [120.0, -5.0], [120.0, 110.0], [50.0, 110.0]]
+
+
+def sheet(**change: object) -> dict[str, object]:
+    fields: dict[str, object] = {"width_px": WIDTH, "height_px": HEIGHT, "zones": [ZONE]}
+    return {"format": "crenel/mask", "version": 1, **fields, **change}
+
+
+def written(path: Path, **change: object) -> Path:
+    path.write_text(json.dumps(sheet(**change)))
+    return path
+
+
+@pytest.fixture
+def picture(tmp_path: Path) -> Path:
+    rows = np.arange(HEIGHT)[:, None]
+    grey = 10 + 180 * np.exp(-((rows - (40 + 0.1 * np.arange(WIDTH))) ** 2) / 8)
+    noise = np.random.default_rng(0).normal(0, 1, grey.shape)
+    path = tmp_path / "stripe.png"
+    cv2.imwrite(str(path), np.clip(np.rint(grey + noise), 0, 255).astype(np.uint8))
+    return path
+
+
+def test_nothing_is_extracted_inside_a_zone(picture: Path, tmp_path: Path) -> None:
+    mask, output = written(tmp_path / "mask.json"), tmp_path / "stripe.csv"
+    assert crenel("extract", picture, "--mask", mask, "-o", output).exit_code == 0
+    u = np.loadtxt(output, delimiter=",", skiprows=1)[:, 0]
+    assert not ((u >= 50) & (u <= 120)).any()
+    assert np.isin(np.arange(5, 46), u).all()
+    assert np.isin(np.arange(125, 195), u).all()
+
+
+def test_a_mask_of_another_picture_is_refused(picture: Path, tmp_path: Path) -> None:
+    mask = written(tmp_path / "mask.json", width_px=640)
+    assert "the mask is for 640" in refused("extract", picture, "--mask", mask)
+    whole = written(tmp_path / "all.json", zones=[[[-9, -9], [300, -9], [300, 300], [-9, 300]]])
+    assert "outside the mask" in refused("extract", picture, "--mask", whole)
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"zones": [ZONE[:2]]}, "zones"),
+        ({"zones": [[[0, 0], [10, 10], [20, 20]]]}, "zone 1 has no area"),
+        ({"zones": [ZONE, [[300, 0], [310, 0], [310, 20]]]}, "zone 2 lies beside"),
+        ({"zones": [ZONE] * 33}, "zones"),
+        ({"zones": [[[0, 0], [1e9, 0], [5, 5]]]}, "zone 1 reaches far"),
+        ({"zones": [[["a", 0], [9, 0], [5, 5]]]}, "number"),
+        ({"height_px": 0}, "height_px"),
+        ({"format": "crenel/sensor"}, "format is"),
+    ],
+)
+def test_a_mask_that_cannot_be_meant_is_refused(
+    change: dict[str, object], words: str, tmp_path: Path
+) -> None:
+    with pytest.raises(Refusal, match=words):
+        Mask.read(written(tmp_path / "mask.json", **change))
+
+
+def settings(**change: object) -> ScanSettings:
+    mask = Mask(width_px=WIDTH, height_px=HEIGHT, zones=(((0, 0), (9, 0), (9, 9)),))
+    sync = Sync(
+        delay_ms=4.2,
+        standard_uncertainty_ms=0.1,
+        frames=100,
+        reversals=5,
+        seconds=4.0,
+        speed_mm_s=30.0,
+        rms_without_um=90.0,
+        rms_um=15.0,
+        arm_serial="A-1",
+        sensor_serial="S-1",
+    )
+    held = {"threshold": 12, "min_width_px": 2.5, "choice": "first", "mask": mask, "sync": sync}
+    return ScanSettings.model_validate({**held, **change})
+
+
+def test_settings_survive_a_restart(tmp_path: Path) -> None:
+    assert SettingsStore(tmp_path).read() == AUTOMATIC
+    SettingsStore(tmp_path).keep(settings())
+    again = SettingsStore(tmp_path)
+    assert again.read() == settings()
+    assert again.trouble is None
+    assert again.read().stripe == StripeSettings(12.0, 2.5, choice="first")
+
+
+def test_spoilt_settings_are_automatic_and_told(tmp_path: Path) -> None:
+    (tmp_path / "scan_settings.json").write_text("{")
+    store = SettingsStore(tmp_path)
+    assert store.read() == AUTOMATIC
+    assert store.trouble is not None
+
+
+def test_a_delay_of_other_devices_is_not_used() -> None:
+    held = settings()
+    assert held.delay_ns("A-1", "S-1") == held.delay_ns("A-1", "") == 4_200_000
+    assert held.delay_ns("A-2", "S-1") == AUTOMATIC.delay_ns("A-1", "S-1") == 0
+
+
+def test_a_recording_says_how_its_stripes_were_extracted() -> None:
+    told = json.loads(settings().extraction_text)
+    assert (told["threshold"], told["choice"]) == (12, "first")
+    assert Mask.model_validate(told["mask"]) == settings().mask
+    assert AUTOMATIC.extraction_text == ""

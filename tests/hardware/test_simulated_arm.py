@@ -1,0 +1,200 @@
+"""The simulated arm in front of the real serial driver, with and without faults."""
+
+import os
+import time
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+
+from hardware.arm.serial_encoder import from_options
+from hardware.clock import now_ns
+from hardware.interfaces import ArmDriver, Button
+from hardware.simulator.devices.arm_device import ArmDevice, Encoders, hello_packet, sample_packet
+from hardware.simulator.devices.faults import Faults
+from hardware.simulator.devices.motion import JointPath, Motion, smooth
+from hardware.simulator.devices.ports import Line, PtyLine, TcpLine
+from tests.hardware.conformance import (
+    LONG_S,
+    ArmBench,
+    ArmConformance,
+    edges_of,
+    read_until,
+    samples_of,
+)
+
+REST = np.array([0.1, -0.2, 0.3, -0.4, 0.5, -0.6])
+
+
+class TwinArmBench(ArmBench):
+    def __init__(self, line: Line, rate_hz: float = 500.0) -> None:
+        self.line, self.faults = line, Faults()
+        self.motion = Motion(REST)
+        self.encoders = Encoders(rate_hz)
+        self.device = ArmDevice(self.motion, line, self.encoders, self.faults)
+        self.device.start()
+
+    def driver(self) -> ArmDriver:
+        return from_options({"url": self.line.url, "timeout_s": 5.0})
+
+    def contacts(self) -> int:
+        return self.device.requests
+
+    def unplug(self) -> None:
+        self.faults.unplugged = True
+        time.sleep(0.1)
+
+    def plug_in(self) -> None:
+        self.faults.unplugged = False
+        time.sleep(0.1)
+
+    def silence(self, silent: bool) -> None:
+        self.faults.stalled = silent
+
+    def lose_samples(self, count: int) -> None:
+        self.device.skip(count)
+
+    def set_buttons(self, pressed: set[Button]) -> None:
+        for button in Button:
+            self.device.press(button, button in pressed)
+
+
+@pytest.fixture(params=["tcp", "pty"])
+def bench(request: pytest.FixtureRequest) -> Iterator[TwinArmBench]:
+    if request.param == "pty" and not hasattr(os, "openpty"):
+        pytest.skip("there are no pseudo-terminals on this system")
+    made = TwinArmBench(PtyLine() if request.param == "pty" else TcpLine("127.0.0.1", 0))
+    yield made
+    made.device.stop()
+
+
+class TestTwinArm(ArmConformance):
+    """Over TCP and over a pseudo-terminal."""
+
+
+@pytest.fixture
+def tcp_bench() -> Iterator[TwinArmBench]:
+    made = TwinArmBench(TcpLine("127.0.0.1", 0), 1000.0)
+    yield made
+    made.device.stop()
+
+
+def test_packets_are_the_published_examples() -> None:
+    counts = [0, 1, -1, 4194304, -2097152, 123456]
+    assert sample_packet(258, 1_000_000_000, 1, counts) == bytes.fromhex(
+        "A75C0101260201000000CA9A3B000000000106000000000100 0000FFFFFFFF00"
+        "0040000000E0FF40E201004694F7EB"
+    )
+    encoders = Encoders(1000.0, 8388608, 0.0, 0.0, "Sample arm", "SA-0042", "1.4.0")
+    hello = hello_packet(6, encoders)
+    assert hello.startswith(bytes.fromhex("A75C01025D0640420F00000080000000"))
+    assert hello.endswith(bytes.fromhex("37 1B D7 04"))
+
+
+def test_the_driver_reads_the_true_angles_at_the_true_times(tcp_bench: TwinArmBench) -> None:
+    driver = tcp_bench.driver()
+    info = driver.open()
+    assert (info.joint_count, info.rate_hz) == (6, 1000.0)
+    share = smooth(np.linspace(0.0, 1.0, 30))[:, None]
+    tcp_bench.motion.play(JointPath(np.linspace(0.0, 0.6, 30), REST + share), now_ns() + 10_000_000)
+    samples = samples_of(read_until(driver, lambda got: len(got) > 700))
+    driver.close()
+    read = np.array([s.joints_rad for s in samples])
+    true = np.array([tcp_bench.motion.at(s.stamp_ns) for s in samples])
+    assert np.ptp(read[:, 0]) > 0.9
+    moving = np.abs(np.gradient(read[:, 0])) > 1e-3
+    lag_s = np.median((true - read)[moving, 0] / (np.gradient(read[:, 0]) * 1000)[moving])
+    assert abs(lag_s) < 0.02  # stamps may run late by the line's delay, never by more
+    assert np.abs(read[-1] - REST - 1).max() < 1e-4
+
+
+def test_rest_shows_encoder_noise_and_no_more(tcp_bench: TwinArmBench) -> None:
+    driver = tcp_bench.driver()
+    driver.open()
+    samples = samples_of(read_until(driver, lambda got: len(got) > 1500))
+    driver.close()
+    q = np.array([s.joints_rad for s in samples])
+    assert q.std(axis=0) == pytest.approx(np.full(6, tcp_bench.encoders.noise_rad), rel=0.15)
+    assert np.abs(q.mean(axis=0) - REST).max() < 2e-6
+    step = 2 * np.pi / tcp_bench.encoders.counts_per_revolution
+    assert np.allclose(q / step, np.rint(q / step), atol=1e-6)
+
+
+def test_faults_are_seen_as_what_they_are(tcp_bench: TwinArmBench) -> None:
+    driver, faults = tcp_bench.driver(), tcp_bench.faults
+    driver.open()
+    faults.drop_rate = 0.2
+    read_until(driver, lambda _: driver.health.lost > 50)
+    assert driver.health.corrupt == 0
+    faults.clear()
+    faults.corrupt_rate, faults.garbage_rate = 0.1, 0.1
+    read_until(driver, lambda _: driver.health.corrupt > 50)
+    faults.clear()
+    read_until(driver, lambda got: len(got) > 50)
+    health = (driver.health.lost, driver.health.corrupt)
+    read_until(driver, lambda got: len(got) > 300)
+    assert (driver.health.lost, driver.health.corrupt) == health
+    driver.close()
+
+
+def test_late_packets_come_late_and_none_is_missing(tcp_bench: TwinArmBench) -> None:
+    driver, faults = tcp_bench.driver(), tcp_bench.faults
+    driver.open()
+    faults.late_rate, faults.late_s = 0.01, 0.15
+    samples = samples_of(read_until(driver, lambda got: len(got) > 1200))
+    assert driver.health.lost == 0
+    assert np.all(np.diff([s.sequence for s in samples]) == 1)
+    stamps = np.array([s.stamp_ns for s in samples])
+    assert np.median(np.diff(stamps)) == pytest.approx(1e6, rel=0.05)
+    driver.close()
+
+
+def test_a_press_is_where_and_when_it_was_made(tcp_bench: TwinArmBench) -> None:
+    driver = tcp_bench.driver()
+    driver.open()
+    at = now_ns() + 50_000_000
+    tcp_bench.device.press(Button.PRIMARY, True, at)
+    tcp_bench.device.press(Button.PRIMARY, False, at + 40_000_000)
+    records = read_until(driver, lambda got: len(edges_of(got)) == 2)
+    driver.close()
+    assert edges_of(records) == [(Button.PRIMARY, True), (Button.PRIMARY, False)]
+    pressed = next(r for r in records if not hasattr(r, "joints_rad"))
+    assert abs(pressed.stamp_ns - at) < 20_000_000
+
+
+def test_a_client_that_does_not_read_holds_up_nobody(tcp_bench: TwinArmBench) -> None:
+    sleeper, reader = tcp_bench.driver(), tcp_bench.driver()
+    sleeper.open()
+    reader.open()
+    samples = samples_of(read_until(reader, lambda got: len(got) > 1500, LONG_S))
+    assert np.all(np.diff([s.sequence for s in samples]) == 1)
+    sleeper.close()
+    reader.close()
+
+
+def test_motion_rests_moves_and_halts_smoothly() -> None:
+    motion = Motion(REST)
+    start = 10**9
+    share = smooth(np.linspace(0.0, 1.0, 30))[:, None]
+    end = motion.play(JointPath(np.linspace(0.0, 1.0, 30), REST + share), start)
+    assert np.array_equal(motion.at(start - 1), REST)
+    assert not motion.resting_at(start + 1000)
+    assert np.allclose(motion.at(end + 5), REST + 1)
+    motion.halt(start + 500_000_000)
+    stamps = np.arange(start, start + 10**9, 10**6)
+    q = motion.at_all(stamps)[:, 0]
+    speed = np.diff(q) * 1000
+    assert motion.resting_at(start + 700_000_000)
+    assert np.abs(np.diff(speed)).max() < 0.1
+    assert speed[-1] == 0
+    assert 0.5 < q[-1] - REST[0] < 0.65
+
+
+def test_a_held_arm_trembles_only_where_asked() -> None:
+    for tremor in (0.0, 2e-5):
+        motion = Motion(REST, tremor)
+        path = JointPath(np.linspace(0.0, 0.2, 5), np.tile(REST, (5, 1)))
+        end = motion.play(path, 10**9, trembles=True)
+        held = motion.at_all(end + np.arange(200_000_000, 1_200_000_000, 10**6))
+        assert np.ptp(held, axis=0).max() < 2e-4
+        assert (np.ptp(held, axis=0).min() > 2e-5) == (tremor > 0)

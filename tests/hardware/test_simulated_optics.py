@@ -1,0 +1,280 @@
+"""The simulated lens and pictures against OpenCV's projection and plain geometry."""
+
+import cv2
+import numpy as np
+import pytest
+
+from hardware.simulator.devices.kinematics import Floats, rotation_about, translation
+from hardware.simulator.rendering.noise import QUIET, Detector, speckle_tile
+from hardware.simulator.rendering.render import SMEARED, Renderer
+from hardware.simulator.scene.camera import sight_lines, to_pixels
+from hardware.simulator.scene.random_scenes import sensor_for
+from hardware.simulator.scene.world import (
+    Ball,
+    Box,
+    Comb,
+    Light,
+    Scene,
+    Shell,
+    Thing,
+    shell_height,
+    table,
+)
+
+BLOCK = Comb()
+PLAIN = Light(texture=0.0)
+EXACT = Detector(
+    read_dn=0.0, shot_dn=0.0, speckle_contrast=0.0, bits=16, stripe_dn=120.0, crest_dn=100.0
+)
+LENSES = [(0.0,) * 5, (-0.09, 0.08, 4e-4, -3e-4, 0.02)]
+
+
+def opencv_pixels(optics: object, points: Floats) -> Floats:
+    T = optics.T_cam_sensor  # type: ignore[attr-defined]
+    found, _ = cv2.projectPoints(
+        points,
+        cv2.Rodrigues(T[:3, :3])[0],
+        T[:3, 3],
+        optics.matrix,  # type: ignore[attr-defined]
+        np.array(optics.distortion),  # type: ignore[attr-defined]
+    )
+    return np.asarray(found.reshape(-1, 2))
+
+
+@pytest.mark.parametrize("distortion", LENSES)
+@pytest.mark.parametrize("roll", [0.0, 1.6, -2.9])
+def test_projection_is_opencvs(distortion: tuple[float, ...], roll: float) -> None:
+    rng = np.random.default_rng(1)
+    optics, _ = sensor_for(BLOCK, rng, roll_rad=roll, distortion=distortion)
+    points = rng.uniform([-22, -12, -15], [22, 12, 10], (200, 3))
+    assert np.allclose(to_pixels(optics, points), opencv_pixels(optics, points), atol=1e-9)
+
+
+@pytest.mark.parametrize("distortion", LENSES)
+def test_a_sight_line_leads_back_to_its_pixel(distortion: tuple[float, ...]) -> None:
+    optics, _ = sensor_for(BLOCK, np.random.default_rng(2), distortion=distortion)
+    lines = sight_lines(optics).astype(np.float64)
+    v, u = np.indices(lines.shape[:2]) - 1
+    rays = np.dstack([lines, np.ones(lines.shape[:2])]).reshape(-1, 3)[::997].copy()
+    in_cam = cv2.projectPoints(
+        rays, np.zeros(3), np.zeros(3), optics.matrix, np.array(optics.distortion)
+    )[0].reshape(-1, 2)
+    wanted = np.column_stack([u.ravel(), v.ravel()])[::997]
+    assert np.abs(in_cam - wanted).max() < 2e-3
+
+
+def block_scene(light: Light = PLAIN) -> Scene:
+    place = translation(300.0, 40.0, 12.0) @ rotation_about("z", 0.4)
+    return Scene((table(), Thing("block", BLOCK, place)), light)
+
+
+def over_block(scene: Scene) -> Floats:
+    tilt = rotation_about("z", 0.03) @ rotation_about("x", 0.02) @ rotation_about("y", -0.03)
+    return scene.thing("block").T_arm_obj @ translation(0.3, -0.2, 7.5) @ tilt
+
+
+def in_sensor(scene: Scene, T_arm_sensor: Floats, points_obj: Floats) -> Floats:
+    T = np.linalg.inv(T_arm_sensor) @ scene.thing("block").T_arm_obj
+    return points_obj @ T[:3, :3].T + T[:3, 3]
+
+
+EDGES = {
+    "crest front": ([-22, -12, 15], [-14, -12, 15]),
+    "second crest back": ([-7, 12, 15], [-2, 12, 15]),
+    "floor front": ([5, -12, 0], [-2, -12, 0]),
+    "base front": ([-22, -12, -12], [22, -12, -12]),
+    "left end": ([-22, -12, 15], [-22, 12, 15]),
+    "right end": ([22, -12, 15], [22, 12, 15]),
+}
+
+
+def step_places(image: Floats, line: Floats, reach: int = 7) -> Floats:
+    """How far each crossing of a straightish edge is off ``line``, along rows or columns, in px.
+
+    The light between two plateaus, summed, says where the step is, whatever the blur.
+    """
+    upright = abs(line[-1, 1] - line[0, 1]) > abs(line[-1, 0] - line[0, 0])
+    if upright:
+        image, line = image.T, line[:, ::-1]
+    line = line[np.argsort(line[:, 0])]
+    columns = np.arange(int(line[0, 0]) + 12, int(line[-1, 0]) - 12)
+    expected = np.interp(columns, line[:, 0], line[:, 1])
+    off = []
+    for c, v in zip(columns, expected, strict=True):
+        low = round(float(v)) - reach
+        window = image[low : low + 2 * reach + 1, c]
+        first, last = window[0], window[-1]
+        share = np.sum((window - last) / (first - last))
+        off.append(low - 0.5 + share - v)
+    return np.array(off)
+
+
+@pytest.mark.parametrize("distortion", LENSES)
+@pytest.mark.parametrize("name", EDGES)
+def test_edges_are_where_geometry_puts_them(name: str, distortion: tuple[float, ...]) -> None:
+    optics, sheet = sensor_for(BLOCK, distortion=distortion)
+    scene = block_scene()
+    T = over_block(scene)
+    image = Renderer(scene, optics, sheet, EXACT).picture(T).astype(np.float64)
+    ends = np.array(EDGES[name], dtype=np.float64)
+    points = ends[0] + np.linspace(0, 1, 400)[:, None] * (ends[1] - ends[0])
+    off = step_places(image, opencv_pixels(optics, in_sensor(scene, T, points)))
+    assert len(off) > 50
+    assert abs(off.mean()) < 0.003
+    assert np.sqrt(np.mean(off**2)) < 0.01
+
+
+@pytest.mark.parametrize("distortion", LENSES)
+@pytest.mark.parametrize("patch", [(-22, -14, 15), (5, 10, 15), (-2, 5, 0)])
+def test_the_stripe_is_where_geometry_puts_it(
+    patch: tuple[float, float, float], distortion: tuple[float, ...]
+) -> None:
+    optics, sheet = sensor_for(BLOCK, np.random.default_rng(4), distortion=distortion)
+    scene = block_scene()
+    T = over_block(scene)
+    image = Renderer(scene, optics, sheet, EXACT).picture(T, room=0.0, laser=1.0)
+    light = image.astype(np.float64) - image[5, 5]
+    into = np.linalg.inv(T) @ scene.thing("block").T_arm_obj
+    normal = into[:3, :3].T @ np.array(sheet.normal)
+    offset = sheet.offset_mm - np.array(sheet.normal) @ into[:3, 3]
+    x = np.linspace(patch[0] + 0.4, patch[1] - 0.4, 300)
+    y = (offset - normal[0] * x - normal[2] * patch[2]) / normal[1]
+    line = opencv_pixels(
+        optics, in_sensor(scene, T, np.column_stack([x, y, np.full(300, patch[2])]))
+    )
+    line = line[np.argsort(line[:, 0])]
+    columns = np.arange(int(line[0, 0]) + 1, int(line[-1, 0]))
+    expected = np.interp(columns, line[:, 0], line[:, 1])
+    off, seen = [], 0
+    for c, v in zip(columns, expected, strict=True):
+        rows = np.arange(round(float(v)) - 9, round(float(v)) + 10)
+        weight = light[rows, c]
+        if weight.max() > 0.3 * light.max():
+            off.append(np.sum(rows * weight) / weight.sum() - v)
+            seen += 1
+    assert seen > 60
+    trimmed = np.array(off)[4:-4]
+    assert abs(np.mean(trimmed)) < 0.01
+    assert np.sqrt(np.mean(trimmed**2)) < 0.015
+
+
+def test_a_merlon_hides_the_floor_behind_it_from_camera_and_laser() -> None:
+    optics, sheet = sensor_for(BLOCK)
+    scene = block_scene()
+    light, _, _ = Renderer(scene, optics, sheet, QUIET).laser_light(over_block(scene))
+    T = over_block(scene)
+    into = np.linalg.inv(T) @ scene.thing("block").T_arm_obj
+    normal = into[:3, :3].T @ np.array(sheet.normal)
+    offset = sheet.offset_mm - np.array(sheet.normal) @ into[:3, 3]
+
+    def brightness(x: float, z: float) -> float:
+        y = (offset - normal[0] * x - normal[2] * z) / normal[1]
+        u, v = opencv_pixels(optics, in_sensor(scene, T, np.array([[x, y, z]])))[0]
+        return float(light[round(float(v)), round(float(u))])
+
+    assert brightness(-18.0, 15.0) > 0.8
+    assert brightness(1.0, 0.0) > 0.8
+    assert brightness(-18.0, 0.0) == 0.0
+    assert brightness(-7.15, 0.0) < 0.05  # seen past the edge of the second merlon: not at all
+
+
+def test_a_smeared_picture_is_the_same_picture_less_sharp() -> None:
+    optics, sheet = sensor_for(BLOCK)
+    renderer = Renderer(block_scene(), optics, sheet, QUIET)
+    T = over_block(renderer.scene)
+    smeared = renderer.room_light(T, SMEARED)
+    sharp = renderer.room_light(T)
+    assert sharp.shape == smeared.shape
+    apart = np.abs(cv2.GaussianBlur(sharp, (0, 0), 2.0) - cv2.GaussianBlur(smeared, (0, 0), 2.0))
+    assert apart.mean() < 0.005
+    assert np.percentile(apart, 99.5) < 0.1
+    assert np.abs(np.diff(sharp, axis=0)).max() > np.abs(np.diff(smeared, axis=0)).max()
+
+
+def test_noise_is_as_the_detector_says() -> None:
+    optics, sheet = sensor_for(BLOCK)
+    detector = Detector()
+    renderer = Renderer(block_scene(), optics, sheet, detector)
+    T = over_block(renderer.scene)
+    frames = np.stack([renderer.picture(T).astype(np.float64) for _ in range(24)])
+    flat = frames[:, 20:60, 20:200]
+    light = flat.mean() - detector.dark_dn
+    expected = np.sqrt(detector.read_dn**2 + detector.shot_dn * light + 1 / 12)
+    assert flat.std(axis=0).mean() == pytest.approx(expected, rel=0.05)
+    dark = np.stack([renderer.picture(T, room=0.0).astype(np.float64) for _ in range(8)])
+    assert dark.mean() == pytest.approx(detector.dark_dn, abs=0.05)
+
+
+@pytest.mark.parametrize("contrast", [0.1, 0.17, 0.5])
+def test_speckle_has_its_contrast_and_no_seam(contrast: float) -> None:
+    detector = Detector(speckle_contrast=contrast)
+    tile = speckle_tile(detector, np.random.default_rng(0)).astype(np.float64)
+    assert tile.mean() == pytest.approx(1.0, abs=1e-5)
+    assert tile.std() == pytest.approx(contrast, rel=0.04)
+    steps = np.diff(tile, axis=0, append=tile[:1])
+    assert np.std(steps[-1]) == pytest.approx(np.std(steps[:-1]), rel=0.2)
+    correlation = np.mean((tile - 1) * (np.roll(tile, 1, axis=1) - 1)) / tile.var()
+    assert correlation == pytest.approx(np.exp(-0.5 / detector.speckle_px**2), abs=0.03)
+
+
+def test_speckle_stays_while_the_sensor_stays_and_changes_as_it_moves() -> None:
+    optics, sheet = sensor_for(BLOCK)
+    renderer = Renderer(block_scene(), optics, sheet, Detector(read_dn=0.0, shot_dn=0.0))
+    T = over_block(renderer.scene)
+    first = renderer.picture(T, room=0.0, laser=0.5).astype(np.int64)
+    again = renderer.picture(T, room=0.0, laser=0.5).astype(np.int64)
+    assert np.array_equal(first, again)
+    moved = renderer.picture(T @ translation(0.5, 0.0, 0.0), room=0.0, laser=0.5)
+    lit = first > 60
+    assert np.mean(np.abs(first - moved.astype(np.int64))[lit]) > 8
+
+
+def test_too_much_light_saturates() -> None:
+    optics, sheet = sensor_for(BLOCK)
+    scene = block_scene()
+    T = over_block(scene)
+    image = Renderer(scene, optics, sheet, Detector()).picture(T, room=4.0)
+    assert image.max() == 255
+    assert np.mean(image == 255) > 0.2
+    deep = Renderer(scene, optics, sheet, Detector(bits=12)).picture(T, room=4.0)
+    assert deep.dtype == np.uint16
+    assert deep.max() == 4095
+
+
+@pytest.mark.parametrize("shape", [Ball(12.7), Shell(), Box((-20, -15, -5), (20, 15, 0))])
+def test_stripes_on_other_shapes_lie_on_shape_and_sheet(shape: Ball | Shell | Box) -> None:
+    optics, sheet = sensor_for(BLOCK)
+    T_arm_sensor = translation(0.0, 0.0, 9.0 if isinstance(shape, Ball) else 3.0)
+    scene = Scene((Thing("part", shape, np.eye(4)),), PLAIN)
+    light, _, _ = Renderer(scene, optics, sheet, QUIET).laser_light(T_arm_sensor)
+    columns = np.flatnonzero(light.max(axis=0) > 0.35)[10:-10:9]
+    assert len(columns) > 20
+    rows = np.arange(light.shape[0])
+    centres = (light * rows[:, None]).sum(axis=0)[columns] / light.sum(axis=0)[columns]
+    pixels = np.column_stack([columns, centres]).reshape(-1, 1, 2)
+    directions = cv2.undistortPoints(pixels, optics.matrix, np.array(optics.distortion))
+    R, t = optics.T_cam_sensor[:3, :3], optics.T_cam_sensor[:3, 3]
+    rays = np.column_stack([directions.reshape(-1, 2), np.ones(len(columns))]) @ R
+    eye = -R.T @ t
+    n = np.array(sheet.normal)
+    at = eye + rays * ((sheet.offset_mm - n @ eye) / (rays @ n))[:, None]
+    at = at + T_arm_sensor[:3, 3]
+    if isinstance(shape, Ball):
+        off = np.linalg.norm(at, axis=1) - shape.radius_mm
+        off = off[np.abs(at[:, 0]) < 8]
+    elif isinstance(shape, Shell):
+        off = at[:, 2] - shell_height(shape, at[:, 0], at[:, 1])
+        off = off[np.abs(at[:, 0]) < 20]
+    else:
+        off = at[:, 2]
+    assert np.abs(off).max() < 0.003
+    assert abs(off.mean()) < 0.001
+
+
+def test_a_ray_that_grazes_a_steep_relief_comes_to_an_end() -> None:
+    """Seen from low beside it, steps by secants lead back and forth."""
+    steep = Shell(8.0, 8.0, 6.0)
+    light = Light(texture=0.0, lamp_mm=(80.0, 20.0, 30.0), lamp_radius_mm=15.0)
+    optics, sheet = sensor_for(BLOCK, width_px=160, height_px=128)
+    image = Renderer(Scene((Thing("part", steep, np.eye(4)),), light), optics, sheet, QUIET)
+    assert image.room_light(translation(0.0, 0.0, 3.0)).max() > 0.2

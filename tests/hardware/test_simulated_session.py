@@ -1,0 +1,101 @@
+"""Rendered session folders: complete, repeatable, and true to their own truth."""
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+
+from hardware.simulator.devices.kinematics import tip_centre, translation
+from hardware.simulator.operator.contact import contact_spot, outward, reachable_faces
+from hardware.simulator.scene.random_scenes import random_comb
+from hardware.simulator.scene.world import Ball, Comb
+from hardware.simulator.session import SessionPlan, draw_rig, render_scan, render_session
+
+
+def read_rows(path: Path) -> list[dict[str, str]]:
+    header, *lines = path.read_text().splitlines()
+    return [dict(zip(header.split(","), line.split(","), strict=True)) for line in lines]
+
+
+@pytest.mark.parametrize(
+    ("seed", "plan"),
+    [
+        (0, SessionPlan()),
+        (1, SessionPlan(joints=7, imperfection_um=100, poses=2, roll_rad=1.6)),
+        (2, SessionPlan(lighting="both", faces=("crest", "floor", "front", "right"), merlons=3)),
+    ],
+)
+def test_a_session_holds_all_that_an_operator_brings(
+    tmp_path: Path, seed: int, plan: SessionPlan
+) -> None:
+    truth = render_session(tmp_path, seed, plan)
+    assert json.loads((tmp_path / "truth.json").read_text()) == truth
+    images = read_rows(tmp_path / "images.csv")
+    assert len(images) == plan.poses * (2 if plan.lighting == "pair" else 1)
+    for row in images:
+        image = cv2.imread(str(tmp_path / row["file"]), cv2.IMREAD_UNCHANGED)
+        assert image.shape == (plan.height_px, plan.width_px)
+        assert image.dtype == np.uint8
+    rows = read_rows(tmp_path / "probing.csv")
+    assert len(rows) == len(plan.faces) * plan.contacts_per_face
+    rig = draw_rig(seed, plan)
+    for row in rows:
+        q = np.radians([float(row[f"q{i + 1}_deg"]) for i in range(plan.joints)])
+        on_block = np.linalg.inv(rig.T_arm_obj) @ [*tip_centre(rig.arm, q), 1.0]
+        face = row["feature"]
+        spot = contact_spot(
+            rig.block, face, 0, rig.arm.tip_diameter_mm / 2, np.random.default_rng()
+        )
+        height = outward(face) @ (on_block[:3] - spot)
+        assert height == pytest.approx(rig.arm.tip_diameter_mm / 2, abs=0.06)
+    axis = json.loads((tmp_path / "sensor.json").read_text())["stripe_axis"]
+    assert axis == ("v" if plan.roll_rad else "u")
+
+
+def test_a_seed_gives_the_same_session_again(tmp_path: Path) -> None:
+    plan = SessionPlan(width_px=640, height_px=512)
+    render_session(tmp_path / "a", 5, plan)
+    render_session(tmp_path / "b", 5, plan)
+    for path in sorted((tmp_path / "a").rglob("*.*")):
+        assert path.read_bytes() == (tmp_path / "b" / path.relative_to(tmp_path / "a")).read_bytes()
+
+
+def test_no_drawn_block_looks_like_its_mirror_image() -> None:
+    for seed in range(30):
+        edges = np.array(random_comb(np.random.default_rng(seed)).edges_x_mm)
+        widths = np.diff(edges)
+        assert len(edges) % 2 == 0
+        assert widths.min() > 2
+        assert np.abs(widths - widths[::-1]).max() >= 2.0
+
+
+def test_the_floor_is_offered_only_to_a_ball_that_fits() -> None:
+    assert "floor" in reachable_faces(Comb(), 1.5)
+    assert "floor" not in reachable_faces(Comb(), 3.5)
+    with pytest.raises(KeyError, match="cannot be touched"):
+        contact_spot(Comb(), "floor", 0, 3.5, np.random.default_rng(0))
+
+
+def test_contacts_spread_over_a_face() -> None:
+    block = Comb()
+    rng = np.random.default_rng(0)
+    for face in ("crest", "front", "left"):
+        spots = np.array([contact_spot(block, face, i, 1.5, rng) for i in range(9)])
+        spread = np.ptp(spots, axis=0)
+        assert np.sum(spread > 8) == 2
+        assert np.min([np.linalg.norm(a - b) for i, a in enumerate(spots) for b in spots[:i]]) > 1
+
+
+def test_a_scan_yields_frames_and_joints() -> None:
+    plan = replace(SessionPlan(), width_px=640, height_px=512, encoder_noise=False)
+    rig = draw_rig(3, plan)
+    T = rig.T_arm_obj
+    path = [T @ translation(0.0, 0.5 * i, 9.0) for i in range(3)]
+    frames = list(render_scan(rig, Ball(), T, path, plan))
+    assert len(frames) == 3
+    assert all(frame.image.max() > 150 for frame in frames)
+    assert all(frame.joints_rad.shape == (6,) for frame in frames)
+    assert not np.allclose(frames[0].joints_rad, frames[2].joints_rad)

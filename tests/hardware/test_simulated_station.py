@@ -1,0 +1,269 @@
+"""The whole simulated station: sensor driver, hand, papers, and that all tell one story."""
+
+import threading
+import time
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+
+import cv2
+import numpy as np
+import pytest
+
+from hardware.arm.serial_encoder import from_options
+from hardware.clock import now_ns
+from hardware.interfaces import Button, Frame, SensorDriver
+from hardware.simulator.devices.kinematics import ArmModel, Floats, Link, flange_pose
+from hardware.simulator.rendering.noise import Detector
+from hardware.simulator.station import Twin, TwinConfig
+from tests.hardware.conformance import (
+    LONG_S,
+    SensorBench,
+    SensorConformance,
+    edges_of,
+    next_frame,
+    read_until,
+    samples_of,
+)
+
+SMALL = TwinConfig(width_px=640, height_px=512, pace=2.0, rate_hz=500.0)
+
+
+class TwinSensorBench(SensorBench):
+    def __init__(self, twin: Twin) -> None:
+        self._twin = twin
+
+    def driver(self) -> SensorDriver:
+        return self._twin.sensor()
+
+    def unplug(self) -> None:
+        self._twin.faults.camera_lost = True
+
+    def plug_in(self) -> None:
+        self._twin.faults.camera_lost = False
+
+
+@pytest.fixture(scope="module")
+def station() -> Iterator[Twin]:
+    with Twin(SMALL) as twin:
+        yield twin
+
+
+@pytest.fixture
+def twin(station: Twin) -> Twin:
+    station.faults.clear()
+    station.lamps.room, station.lamps.room_with_laser = 1.0, False
+    return station
+
+
+@pytest.fixture
+def bench(twin: Twin) -> TwinSensorBench:
+    return TwinSensorBench(twin)
+
+
+class TestTwinSensor(SensorConformance):
+    """The simulated sensor is a sensor."""
+
+
+def model_of(paper: object) -> ArmModel:
+    """The arm as its paper has it, to see what an operator's program would compute."""
+    assert isinstance(paper, dict)
+    links = tuple(
+        Link(
+            j["a_mm"], np.radians(j["alpha_deg"]), j["d_mm"], np.radians(j["theta_deg"]), j["sign"]
+        )
+        for j in paper["joints"]
+    )
+    tip = paper["tip"]
+    return ArmModel(links, (tip["x_mm"], tip["y_mm"], tip["z_mm"]), tip["diameter_mm"])
+
+
+def test_a_touch_is_a_contact_with_a_press(twin: Twin) -> None:
+    papers = twin.papers()
+    model, block = model_of(papers["arm.json"]), papers["object.json"]
+    T_obj_arm = np.linalg.inv(np.array(twin.truth()["T_arm_obj"]))
+    driver = from_options({"url": twin.arm_url, "timeout_s": 5.0})
+    driver.open()
+    heights = []
+    for index in range(3):
+        with ThreadPoolExecutor() as pool:
+            touched = pool.submit(twin.hand.touch, "crest", index)
+            records = read_until(driver, lambda got: len(edges_of(got)) == 2)
+            assert touched.result(LONG_S)
+        assert edges_of(records) == [(Button.PRIMARY, True), (Button.PRIMARY, False)]
+        at = next(r.stamp_ns for r in records if not hasattr(r, "joints_rad"))
+        near = [s.joints_rad for s in samples_of(records) if 0 <= at - s.stamp_ns < 80_000_000]
+        q = np.mean(near, axis=0)
+        assert np.ptp(np.array(near), axis=0).max() < 2e-4  # held still
+        T = flange_pose(model, q)
+        tip = T_obj_arm @ T @ [*model.tip_mm, 1.0]
+        heights.append(float(tip[2]) - model.tip_diameter_mm / 2)
+        assert block["edges_x_mm"][0] < tip[0] < block["edges_x_mm"][-1]  # type: ignore[index]
+    driver.close()
+    assert np.array(heights) == pytest.approx(np.full(3, block["crest_z_mm"]), abs=0.3)
+    assert np.ptp(heights) < 0.1
+
+
+@pytest.mark.parametrize("face", ["floor", "front", "back", "left", "right"])
+def test_the_hand_reaches_every_face(twin: Twin, face: str) -> None:
+    assert face in twin.hand.faces
+    assert twin.hand.touch(face, 0)
+    assert not twin.hand.state.busy
+
+
+def test_an_unknown_face_or_part_is_refused(twin: Twin) -> None:
+    with pytest.raises(KeyError, match=r"can touch crest.* board"):
+        twin.hand.touch("roof", 0)
+    with pytest.raises(KeyError, match="plate"):
+        twin.hand.scan_part("teapot")
+
+
+def test_the_sensor_is_held_over_the_block(twin: Twin) -> None:
+    assert twin.hand.hold_over("block")
+    driver = twin.sensor()
+    driver.open()
+    ambient = [next_frame(driver) for _ in range(3)][-1].image
+    driver.set_laser(True)
+    laser = next_frame(driver)
+    assert laser.laser_on
+    driver.close()
+    bright = ambient > 90
+    assert 0.15 < bright.mean() < 0.8
+    border = np.concatenate([bright[0], bright[-1], bright[:, 0], bright[:, -1]])
+    assert not border.any()
+    columns = (laser.image.max(axis=0) > 80).mean()
+    assert columns > 0.5
+    assert np.median(laser.image) < 10
+
+
+def test_light_follows_the_exposure_and_the_lamps(twin: Twin) -> None:
+    driver = twin.sensor()
+    driver.open()
+    assert twin.hand.hold_over("block")
+
+    def level() -> float:
+        [next_frame(driver) for _ in range(2)]
+        return float(np.percentile(next_frame(driver).image, 90)) - Detector().dark_dn
+
+    nominal = level()
+    driver.set_exposure_us(Detector().nominal_exposure_us / 2)
+    assert level() == pytest.approx(nominal / 2, rel=0.1)
+    twin.lamps.room = 0.0
+    assert level() < 5
+    twin.lamps.room, twin.lamps.room_with_laser = 1.0, True
+    driver.set_laser(True)
+    both = [next_frame(driver) for _ in range(3)][-1].image
+    assert np.percentile(both, 90) > 50
+    assert both.max() > 100
+    driver.close()
+
+
+def test_a_frame_shows_the_arm_as_it_was_at_its_stamp(twin: Twin) -> None:
+    """The sheet's line on the plate, from frame and true pose, lies in the plate's plane."""
+    driver = twin.sensor()
+    driver.open()
+    driver.set_laser(True)
+    plate = twin._scene.thing("plate").T_arm_obj
+    on_plate: list[Floats] = []
+    deadline = time.monotonic() + 6 * LONG_S
+    while len(on_plate) < 8:
+        assert time.monotonic() < deadline, f"{len(on_plate)} frames of the plate"
+        with ThreadPoolExecutor() as pool:
+            sweep = pool.submit(twin.hand.scan_part, "plate")
+            while not sweep.done():
+                points = stripe_in_arm_frame(twin, next_frame(driver))
+                points = (points - plate[:3, 3]) @ plate[:3, :3]
+                if len(points) and np.all(np.abs(points[:, :2]) < [29.0, 19.0]):
+                    on_plate.append(np.median(points, axis=0))
+    driver.close()
+    places = np.array(on_plate)
+    assert np.ptp(places[:, 1]) > 3
+    assert np.abs(places[:, 2]).max() < 0.02
+
+
+def stripe_in_arm_frame(twin: Twin, frame: Frame) -> Floats:
+    """(N, 3) where the bright part of a frame's stripe truly was; N may be 0."""
+    T_arm_sensor = twin.sensor_pose(frame.mid_exposure_ns)
+    light = frame.image.astype(np.float64) - Detector().dark_dn
+    columns = np.flatnonzero(light.max(axis=0) > 90)[::11]
+    if len(columns) == 0:
+        return np.zeros((0, 3))
+    rows = np.clip(light.argmax(axis=0)[columns], 4, len(light) - 5)
+    window = np.stack([light[rows + k, columns] for k in range(-4, 5)])
+    centre = rows + (np.arange(-4, 5)[:, None] * window).sum(axis=0) / window.sum(axis=0)
+    truth = twin.truth()
+    camera = truth["camera"]
+    assert isinstance(camera, dict)
+    points = lit_points(camera, truth["laser_plane"], columns, centre)
+    return np.asarray(points @ T_arm_sensor[:3, :3].T + T_arm_sensor[:3, 3])
+
+
+def lit_points(camera: dict, sheet: object, u: np.ndarray, v: np.ndarray) -> np.ndarray:  # type: ignore[type-arg]
+    """Where the light at pixels came from, in the sensor frame, by OpenCV and a plane."""
+    T = np.array(camera["T_cam_sensor"])
+    pixels = np.column_stack([u, v]).astype(np.float64).reshape(-1, 1, 2)
+    xy = cv2.undistortPoints(pixels, np.array(camera["matrix"]), np.array(camera["distortion"]))
+    rays = np.column_stack([xy.reshape(-1, 2), np.ones(len(u))]) @ T[:3, :3]
+    eye = -T[:3, :3].T @ T[:3, 3]
+    assert isinstance(sheet, dict)
+    n = np.array(sheet["normal"])
+    return np.asarray(eye + rays * ((sheet["offset_mm"] - n @ eye) / (rays @ n))[:, None])
+
+
+def test_a_cancelled_move_ends_soon_and_the_next_one_works(twin: Twin) -> None:
+    results: list[bool] = []
+    hand = threading.Thread(target=lambda: results.append(twin.hand.scan_part("shell")))
+    hand.start()
+    deadline = time.monotonic() + LONG_S
+    while twin.hand.state.progress < 0.1 and time.monotonic() < deadline:
+        time.sleep(0.01)
+    assert twin.hand.state.activity == "scanning the shell"
+    twin.hand.cancel()
+    hand.join(LONG_S)
+    assert results == [False]
+    rest = twin.sensor_pose(now_ns())
+    time.sleep(0.05)
+    assert np.array_equal(twin.sensor_pose(now_ns()), rest)
+    assert twin.hand.touch("crest", 1)
+
+
+def test_lost_frames_are_counted_and_leave_a_gap(twin: Twin) -> None:
+    driver = twin.sensor()
+    driver.open()
+    twin.faults.frame_drop_rate = 0.5
+    sequence = [next_frame(driver).sequence for _ in range(12)]
+    assert driver.health.lost == sequence[-1] - len(sequence) + 1 > 0
+    driver.close()
+
+
+def test_papers_are_whole_and_do_not_know_the_truth(twin: Twin) -> None:
+    papers = twin.papers()
+    assert set(papers) == {
+        "arm.json",
+        "object.json",
+        "chessboard.json",
+        "sensor.json",
+        "plate.nominal.json",
+        "sphere.nominal.json",
+    }
+    assert all(paper["version"] == 1 for paper in papers.values())
+    true_block = twin.truth()["block"]
+    assert isinstance(true_block, dict)
+    certificate = papers["object.json"]
+    off = np.array(true_block["edges_x_mm"]) - np.array(certificate["edges_x_mm"])
+    assert 0 < np.abs(off).max() < 0.012
+    assert "error" not in str(papers["arm.json"])
+    model, q = model_of(papers["arm.json"]), twin._home
+    gap = flange_pose(model, q)[:3, 3] - flange_pose(twin._rig.arm, q)[:3, 3]
+    assert 0.005 < np.linalg.norm(gap) < 1.0
+
+
+def test_a_station_ends_when_told_and_frees_its_port() -> None:
+    first = Twin(SMALL).start()
+    port = int(first.arm_url.rsplit(":", 1)[1])
+    first.stop()
+    first.stop()
+    with Twin(replace(SMALL, port=port)) as second:
+        assert second.arm_url.endswith(str(port))
+        with pytest.raises(OSError, match="in use"):
+            Twin(replace(SMALL, port=port)).start()

@@ -1,0 +1,238 @@
+"""Stations on a real broker: seen, killed, paused, ended, and the broker itself lost."""
+
+import asyncio
+import json
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import AsyncIterator, Callable, Coroutine, Iterator
+from contextlib import asynccontextmanager, contextmanager
+from pathlib import Path
+
+import aiomqtt
+from jsonschema import Draft202012Validator
+
+from app.supervision.broker import Broker
+from app.supervision.broker_settings import BrokerSettings
+from app.supervision.messages import new_instance, parts_of, schema
+from app.supervision.remote_stations import Fleet, StationShown
+from tests.supervision.mosquitto import PASSWORD, USER, Mosquitto
+from tests.supervision.publishing import event_of, publish, report_of
+
+ROOT = Path(__file__).resolve().parents[2]
+PATIENCE_S = 20.0
+LOST_WITHIN_S = 5.0
+
+
+@contextmanager
+def started(port: int, name: str) -> Iterator[subprocess.Popen[str]]:
+    """A station's publisher as a process of its own."""
+    command = [sys.executable, "-m", "tests.supervision.publishing", str(port), name]
+    with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, text=True) as process:
+        try:
+            yield process
+        finally:
+            process.kill()
+
+
+def connected(process: subprocess.Popen[str]) -> None:
+    assert process.stdout is not None
+    assert process.stdout.readline() == "connected\n"
+
+
+@asynccontextmanager
+async def station(port: int, name: str) -> AsyncIterator[None]:
+    """The same, within this process."""
+    running = asyncio.create_task(publish(port, name))
+    try:
+        yield
+    finally:
+        running.cancel()
+        await asyncio.gather(running, return_exceptions=True)
+
+
+class Watch:
+    """One more station, which looks on."""
+
+    def __init__(self, settings: BrokerSettings, name: str) -> None:
+        self.fleet, self.instance, self.name = Fleet(), new_instance(), name
+        self.broker = Broker(settings, name, name, self.instance, self.fleet)
+
+    def shown(self, name: str) -> StationShown | None:
+        return next((one for one in self.fleet.shown() if one.id == name), None)
+
+    def state(self, name: str) -> str:
+        found = self.shown(name)
+        return found.state if found else "unheard"
+
+    async def until(self, ready: Callable[[], object]) -> float:
+        """Seconds until it was so."""
+        began_s = time.monotonic()
+        while not ready():
+            assert time.monotonic() - began_s < PATIENCE_S, self.fleet.shown()
+            await asyncio.sleep(0.02)
+        return time.monotonic() - began_s
+
+
+def watching(
+    port: int, look: Callable[[Watch], Coroutine[object, object, None]], name: str = "watcher"
+) -> None:
+    async def run() -> None:
+        watch = Watch(BrokerSettings("127.0.0.1", port), name)
+        running = asyncio.create_task(watch.broker.run())
+        try:
+            await look(watch)
+        finally:
+            running.cancel()
+            await asyncio.gather(running, return_exceptions=True)
+
+    asyncio.run(run())
+
+
+def test_a_station_that_is_killed_or_hangs_is_lost_within_five_seconds(broker: Mosquitto) -> None:
+    async def look(watch: Watch) -> None:
+        for name in ("killed", "paused", "well"):
+            await watch.until(lambda name=name: watch.state(name) == "live")  # type: ignore[misc]
+        await watch.until(lambda: watch.shown("killed").events)  # type: ignore[union-attr]
+        killed.kill()
+        paused.send_signal(signal.SIGSTOP)
+        took_s = await watch.until(lambda: watch.state("killed") == watch.state("paused") == "lost")
+        print(f"both lost after {took_s:.1f} s")
+        assert took_s < LOST_WITHIN_S
+        assert watch.state("well") == "live"
+        found = watch.shown("paused")
+        assert found is not None
+        assert found.report is not None, "what it last said is kept"
+
+    async def look_later(watch: Watch) -> None:
+        await watch.until(lambda: watch.state("killed") == watch.state("paused") == "lost")
+        assert await watch.until(lambda: watch.state("well") == "live") < LOST_WITHIN_S
+        paused.send_signal(signal.SIGCONT)
+        await watch.until(lambda: watch.state("paused") == "live")
+
+    port = broker.port
+    with (
+        started(port, "killed") as killed,
+        started(port, "paused") as paused,
+        started(port, "well") as well,
+    ):
+        for process in (killed, paused, well):
+            connected(process)
+        watching(port, look)
+        watching(port, look_later)
+
+
+def test_a_station_that_ends_in_order_says_so(broker: Mosquitto) -> None:
+    async def ends(watch: Watch) -> None:
+        watch.broker.report(report_of("ordered", watch.instance))
+        await watch.until(lambda: watch.broker.state.connected)
+
+    watching(broker.port, ends, "ordered")
+
+    async def look(watch: Watch) -> None:
+        await watch.until(lambda: watch.state("ordered") == "off")
+
+    watching(broker.port, look)
+
+
+def test_a_second_station_of_the_same_name_is_noticed(broker: Mosquitto) -> None:
+    async def look(watch: Watch) -> None:
+        async with station(broker.port, "twice"):
+            await watch.until(lambda: watch.broker.doubled_at_s is not None)
+
+    watching(broker.port, look, "twice")
+
+
+def test_a_lost_broker_is_told_and_found_again(tmp_path: Path, broker: Mosquitto) -> None:
+    with Mosquitto(tmp_path) as own:
+
+        async def look(watch: Watch) -> None:
+            await watch.until(lambda: watch.broker.state.connected)
+            async with station(own.port, "other"):
+                await watch.until(lambda: watch.state("other") == "live")
+                own.kill()
+                await watch.until(lambda: not watch.broker.state.connected)
+                assert watch.state("other") == "unknown", "it is the broker that is lost"
+                assert watch.broker.state.text
+                for number in range(300):
+                    watch.broker.event(event_of("watcher", watch.instance, number))
+                assert watch.broker.events_dropped == 200
+                own.start()
+                await watch.until(lambda: watch.broker.state.connected)
+                await watch.until(lambda: watch.state("other") == "live")
+
+        watching(own.port, look)
+
+
+def test_a_broker_with_passwords(tmp_path: Path, broker: Mosquitto) -> None:
+    with Mosquitto(tmp_path, passwords=True) as own:
+        (tmp_path / "right").write_text(f"{PASSWORD}\n")
+        (tmp_path / "wrong").write_text("another\n")
+
+        async def look() -> None:
+            for name, connects in (("right", True), ("wrong", False), ("none", False)):
+                settings = BrokerSettings(
+                    "127.0.0.1", own.port, user=USER, password_file=tmp_path / name
+                )
+                watch = Watch(settings, "watcher")
+                running = asyncio.create_task(watch.broker.run())
+                state = watch.broker.state
+                await watch.until(
+                    lambda watch=watch, state=state: watch.broker.state is not state  # type: ignore[misc]
+                )
+                assert watch.broker.state.connected is connects, name
+                assert PASSWORD not in watch.broker.state.text
+                running.cancel()
+                await asyncio.gather(running, return_exceptions=True)
+
+        asyncio.run(look())
+
+
+def test_what_is_published_is_as_the_schema_says(broker: Mosquitto) -> None:
+    document = json.loads(json.dumps(schema()))
+    Draft202012Validator.check_schema(document)
+    topics = {name.rpartition("/")[2]: ref for name, ref in document["topics"].items()}
+
+    async def listen() -> None:
+        heard: dict[str, aiomqtt.Message] = {}
+        async with (
+            station(broker.port, "lasting"),
+            aiomqtt.Client("127.0.0.1", broker.port) as early,
+        ):
+            await early.subscribe("crenel/lasting/#")
+            async for message in early.messages:
+                found = parts_of("crenel", message.topic.value)
+                assert found is not None
+                heard[found[1]] = message
+                if set(heard) == {"presence", "report", "event"}:
+                    break
+        async with aiomqtt.Client("127.0.0.1", broker.port) as later:
+            await later.subscribe("crenel/lasting/#")
+            message = await anext(aiter(later.messages))
+            assert message.retain
+        for kind, message in heard.items():
+            payload = json.loads(bytes(message.payload))  # type: ignore[arg-type]
+            validator = Draft202012Validator({**document, **topics[kind]})
+            validator.validate(payload)
+            assert not validator.is_valid({**payload, "station": 5})
+
+    asyncio.run(asyncio.wait_for(listen(), PATIENCE_S))
+
+
+def test_a_station_ends_at_once_also_amid_its_events(broker: Mosquitto) -> None:
+    """A cancellation that comes together with the broker's answer is not forgotten."""
+
+    async def run() -> None:
+        for turn in range(40):
+            watch = Watch(BrokerSettings("127.0.0.1", broker.port), "ending")
+            running = asyncio.create_task(watch.broker.run())
+            await watch.until(lambda watch=watch: watch.broker.state.connected)  # type: ignore[misc]
+            for number in range(60):
+                watch.broker.event(event_of("ending", watch.instance, number))
+            await asyncio.sleep(0.0004 * turn)
+            running.cancel()
+            done, _ = await asyncio.wait([running], timeout=PATIENCE_S)
+            assert done, f"still there in turn {turn}"
+
+    asyncio.run(run())

@@ -1,0 +1,172 @@
+"""Which station is lost, by messages and a clock."""
+
+import json
+
+from app.supervision.messages import (
+    MOST_ALARMS,
+    MOST_DEVICES,
+    Alarm,
+    Presence,
+    station_id,
+)
+from app.supervision.remote_stations import LOST_AFTER_S, MOST_STATIONS, Fleet
+from tests.supervision.publishing import event_of, report_of
+
+
+class Clock:
+    now_s = 100.0
+
+    def __call__(self) -> float:
+        return self.now_s
+
+
+def fleet() -> tuple[Fleet, Clock]:
+    clock = Clock()
+    made = Fleet(clock)
+    made.broker(True)
+    return made, clock
+
+
+def take(made: Fleet, message: object, kind: str, retained: bool = False) -> None:
+    made.take("a", kind, message.model_dump_json().encode(), retained)  # type: ignore[attr-defined]
+
+
+def presence(state: str, instance: str = "1") -> Presence:
+    return Presence.model_validate(
+        {"station": "a", "instance": instance, "name": "A", "state": state}
+    )
+
+
+def state(made: Fleet) -> str:
+    (shown,) = made.shown()
+    return shown.state
+
+
+def test_what_the_broker_kept_is_no_sign_of_life() -> None:
+    made, clock = fleet()
+    take(made, presence("online"), "presence", retained=True)
+    take(made, report_of("a", "1"), "report", retained=True)
+    assert state(made) == "waiting"
+    clock.now_s += LOST_AFTER_S + 0.1
+    assert state(made) == "lost"
+    take(made, report_of("a", "1"), "report")
+    assert state(made) == "live"
+
+
+def test_a_will_of_an_earlier_start_is_no_loss() -> None:
+    made, _ = fleet()
+    take(made, presence("online", "2"), "presence")
+    take(made, report_of("a", "2"), "report")
+    take(made, presence("lost", "1"), "presence")
+    assert state(made) == "live"
+    take(made, presence("lost", "2"), "presence")
+    assert state(made) == "lost"
+    take(made, report_of("a", "3"), "report")
+    assert state(made) == "live"
+
+
+def test_silence_while_the_broker_was_away_is_no_loss() -> None:
+    made, clock = fleet()
+    take(made, report_of("a", "1"), "report")
+    made.broker(False)
+    clock.now_s += 60
+    assert state(made) == "unknown"
+    made.broker(True)
+    assert state(made) == "waiting"
+    clock.now_s += LOST_AFTER_S + 0.1
+    assert state(made) == "lost"
+
+
+def test_what_is_no_payload_is_counted_and_dropped() -> None:
+    made, _ = fleet()
+    for payload in (
+        b"{",
+        b"[]",
+        b'{"station": "a"}',
+        report_of("b", "1").model_dump_json().encode(),
+    ):
+        made.take("a", "report", payload, False)
+    assert (made.shown(), made.unread.counts) == ((), {"strange": 4})
+    for number in range(MOST_STATIONS + 5):
+        name = f"s{number}"
+        made.take(name, "report", report_of(name, "1").model_dump_json().encode(), False)
+    assert len(made.shown()) == MOST_STATIONS
+
+
+def test_a_later_version_may_say_more() -> None:
+    made, _ = fleet()
+    payload = report_of("a", "1").model_dump_json().replace('"format"', '"later":{"x":1},"format"')
+    made.take("a", "report", payload.encode(), False)
+    assert state(made) == "live"
+
+
+def test_of_events_the_newest_is_shown() -> None:
+    made, _ = fleet()
+    for number in range(20):
+        take(made, event_of("a", "1", number), "event")
+    (shown,) = made.shown()
+    assert [event.number for event in shown.events] == [19]
+    made.take("a", "presence", b"", True)
+    assert made.shown() == ()
+
+
+def test_names_become_parts_of_topics() -> None:
+    assert station_id("Messraum 2 – Süd") == "messraum-2-sud"
+    assert station_id("測定室") == "station"
+    assert station_id("x" * 90) == "x" * 40
+
+
+def take_of(made: Fleet, name: str, retained: bool = False) -> None:
+    made.take(name, "report", report_of(name, "1").model_dump_json().encode(), retained)
+
+
+def names(made: Fleet) -> list[str]:
+    return [shown.id for shown in made.shown()]
+
+
+def test_invented_stations_hide_none_that_sends() -> None:
+    """Also those that were sent once, and what the broker keeps of them."""
+    made, clock = fleet()
+    for number in range(2 * MOST_STATIONS):
+        take_of(made, f"kept-{number}", retained=True)
+    assert len(names(made)) == MOST_STATIONS
+    assert made.unread.counts == {"crowded": MOST_STATIONS}
+    take_of(made, "real")
+    for second in range(20):
+        clock.now_s += 1.0
+        take_of(made, "real")
+        for number in range(2 * MOST_STATIONS):
+            take_of(made, f"invented-{second}-{number}")
+            take_of(made, f"kept-{number}", retained=True)
+    assert len(names(made)) == MOST_STATIONS
+    assert "real" in names(made)
+    assert not any(name.startswith("kept") for name in names(made))
+
+
+def test_a_lost_station_that_was_there_long_outlasts_those_that_just_came() -> None:
+    made, clock = fleet()
+    for _ in range(70):
+        take_of(made, "real")
+        clock.now_s += 1.0
+    for second in range(20):
+        clock.now_s += LOST_AFTER_S + 0.1
+        for number in range(2 * MOST_STATIONS):
+            take_of(made, f"invented-{second}-{number}")
+    assert len(names(made)) == MOST_STATIONS
+    assert names(made)[0] == "real"
+    assert made.shown()[0].state == "lost"
+
+
+def test_lists_of_a_report_are_bounded() -> None:
+    made, _ = fleet()
+    alarm = Alarm(quality="bad", text="x", remedy="")
+    said = report_of("a", "1").model_dump()
+    said |= {"alarms": [alarm.model_dump()] * 900, "devices": said["devices"] * 300}
+    made.take("a", "report", json.dumps(said).encode(), False)
+    (shown,) = made.shown()
+    assert shown.report is not None
+    assert (shown.alarms, len(shown.report.alarms)) == (MOST_ALARMS, 1)
+    assert len(shown.report.devices) == MOST_DEVICES
+    for wrong in ({"up_s": 1e300}, {"alarms": "x" * 900}, {"activity": {"points": 10**100}}):
+        made.take("a", "report", json.dumps(said | wrong).encode(), False)
+    assert made.unread.counts == {"strange": 3}

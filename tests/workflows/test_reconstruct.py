@@ -1,0 +1,322 @@
+"""From a recording to a cloud."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from app.errors import Refusal
+from app.formats.clouds.files import read_cloud
+from app.formats.recording.writer import RecordingWriter
+from app.metrology.arm.kinematics import flange_pose
+from app.metrology.stripe import Stripe
+from app.metrology.transforms import Floats, apply
+from app.workflows.reconstruct import Rebuilt, rebuild
+from tests.formats.builders import (
+    ARM,
+    HEIGHT,
+    WIDTH,
+    joints_every,
+    little_calibration,
+    q_at,
+    stripe_pixels,
+)
+
+NAMES = tuple(joint.name for joint in ARM.joints)
+MS = 1_000_000
+
+
+def record_stripe(writer: RecordingWriter, stamp_ns: int, width: int = WIDTH) -> None:
+    _, uv = stripe_pixels()
+    count = len(uv)
+    stripe = Stripe(uv[:, 0], uv[:, 1], np.full(count, 99.0), np.full(count, 0.05))
+    writer.stripe(stamp_ns, stripe, width, HEIGHT)
+
+
+def record_image(writer: RecordingWriter, stamp_ns: int) -> None:
+    """A picture of the same stripe."""
+    _, uv = stripe_pixels()
+    v = np.interp(np.arange(WIDTH), uv[:, 0], uv[:, 1])
+    rows = np.arange(HEIGHT)[:, None]
+    grey = 8 + 200 * np.exp(-((rows - v) ** 2) / (2 * 1.5**2))
+    noise = np.random.default_rng(stamp_ns).normal(0, 1, grey.shape)
+    writer.image(stamp_ns, np.clip(np.rint(grey + noise), 0, 255).astype(np.uint8))
+
+
+def expected(stamps: list[int]) -> Floats:
+    """By the definition of Eq. 9, one frame after the other."""
+    points, _ = stripe_pixels()
+    T_flange_sensor = little_calibration().T_flange_sensor
+    return np.concatenate(
+        [apply(flange_pose(ARM, q_at(stamp)) @ T_flange_sensor, points) for stamp in stamps]
+    )
+
+
+def rebuilt(tmp_path: Path, name: str = "scan.mcap") -> tuple[Rebuilt, Floats]:
+    result = rebuild(tmp_path / name, little_calibration(), ARM, tmp_path / "cloud.ply")
+    return result, read_cloud(tmp_path / "cloud.ply").points_mm
+
+
+def test_stripes_and_joints_become_points(tmp_path: Path) -> None:
+    stamps = [int(100 * MS + i * 3.7 * MS) for i in range(150)]
+    with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
+        joints_every(writer, 0, 400 * MS, 4 * MS)
+        for stamp in stamps:
+            record_stripe(writer, stamp)
+        joints_every(writer, 404 * MS, 900 * MS, 4 * MS)
+    result, points = rebuilt(tmp_path)
+    assert (result.points, result.frames, result.frames_without_joints) == (150 * 25, 150, 0)
+    np.testing.assert_allclose(points, expected(stamps), atol=1e-8)
+    frame = read_cloud(tmp_path / "cloud.ply").frame
+    np.testing.assert_array_equal(frame, np.repeat(np.arange(150), 25))
+
+
+def test_the_order_in_the_file_does_not_matter(tmp_path: Path) -> None:
+    stamps = [100 * MS + i * 5 * MS for i in range(100)]
+    with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
+        for stamp in stamps:
+            record_stripe(writer, stamp)
+        joints_every(writer, 0, 900 * MS, 4 * MS)
+    _, points = rebuilt(tmp_path)
+    np.testing.assert_allclose(points, expected(stamps), atol=1e-8)
+
+
+def test_pictures_are_extracted(tmp_path: Path) -> None:
+    with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
+        joints_every(writer, 0, 400 * MS, 4 * MS)
+        for stamp in (101 * MS, 155 * MS):
+            record_image(writer, stamp)
+    result, points = rebuilt(tmp_path)
+    assert result.frames == 2
+    assert result.points > 2 * 40
+    plane = little_calibration().T_flange_sensor
+    back = apply(
+        np.linalg.inv(flange_pose(ARM, q_at(101 * MS)) @ plane), points[: len(points) // 2]
+    )
+    assert np.abs(back[:, 2]).max() < 1e-9
+    assert np.sqrt(np.mean((back[:, 1] - 1.5) ** 2)) < 0.1
+
+
+def test_a_picture_beside_its_stripe_is_not_extracted_again(tmp_path: Path) -> None:
+    with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
+        joints_every(writer, 0, 400 * MS, 4 * MS)
+        record_stripe(writer, 101 * MS)
+        record_image(writer, 101 * MS)
+    result, points = rebuilt(tmp_path)
+    assert (result.frames, len(points)) == (1, 25)
+
+
+def test_frames_without_joints_are_counted_and_named(tmp_path: Path) -> None:
+    with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
+        joints_every(writer, 0, 100 * MS, 4 * MS)
+        joints_every(writer, 300 * MS, 400 * MS, 4 * MS)
+        for stamp in (50 * MS, 150 * MS, 250 * MS, 350 * MS, 450 * MS):
+            record_stripe(writer, stamp)
+    result, points = rebuilt(tmp_path)
+    assert (result.frames, result.frames_without_joints) == (2, 3)
+    assert result.first_without_joints_s == pytest.approx(0.15)
+    assert "3 of 5 frames left out" in result.warnings[0]
+    np.testing.assert_allclose(points, expected([50 * MS, 350 * MS]), atol=1e-8)
+
+
+def test_a_lost_joint_reading_is_left_out(tmp_path: Path) -> None:
+    with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
+        joints_every(writer, 0, 100 * MS, 4 * MS)
+        writer.joints(102 * MS, [np.nan] * 6)
+        joints_every(writer, 104 * MS, 200 * MS, 4 * MS)
+        record_stripe(writer, 102 * MS)
+    result, points = rebuilt(tmp_path)
+    assert result.joint_samples_unusable == 1
+    np.testing.assert_allclose(points, expected([102 * MS]), atol=1e-8)
+
+
+def test_readings_that_cannot_be_true_are_left_out_and_told(tmp_path: Path) -> None:
+    """Of recordings from before they were judged as they came."""
+    with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
+        joints_every(writer, 0, 100 * MS, 4 * MS)
+        writer.joints(102 * MS, q_at(102 * MS) + np.array([6 * np.pi, 0, 0, 0, 0, 0]))
+        joints_every(writer, 104 * MS, 200 * MS, 4 * MS)
+        record_stripe(writer, 102 * MS)
+    result, points = rebuilt(tmp_path)
+    assert len(result.warnings) == 1
+    assert "1 joint samples left out that cannot be true, the first 0.102 s" in result.warnings[0]
+    assert "joint J1 reads" in result.warnings[0]
+    np.testing.assert_allclose(points, expected([102 * MS]), atol=1e-8)
+
+
+def test_joints_go_by_name(tmp_path: Path) -> None:
+    with RecordingWriter(tmp_path / "scan.mcap", NAMES[::-1]) as writer:
+        for stamp in range(0, 100 * MS, 4 * MS):
+            writer.joints(stamp, q_at(stamp)[::-1])
+        record_stripe(writer, 50 * MS)
+    _, points = rebuilt(tmp_path)
+    np.testing.assert_allclose(points, expected([50 * MS]), atol=1e-8)
+
+
+def test_a_cut_recording_gives_the_points_before_the_cut(tmp_path: Path) -> None:
+    stamps = [50 * MS + i * 4 * MS for i in range(200)]
+    with RecordingWriter(tmp_path / "whole.mcap", NAMES) as writer:
+        for stamp in stamps:
+            joints_every(writer, stamp - 2 * MS, stamp - 2 * MS, MS)
+            record_stripe(writer, stamp)
+            writer.image(stamp, np.random.default_rng(stamp).integers(0, 9, (99, 999), np.uint8))
+    whole = (tmp_path / "whole.mcap").read_bytes()
+    (tmp_path / "scan.mcap").write_bytes(whole[: len(whole) * 2 // 3])
+    result, points = rebuilt(tmp_path)
+    assert "is cut off" in result.cut
+    assert result.cut in result.warnings
+    assert 60 < result.frames < 199
+    np.testing.assert_allclose(points, expected(stamps[: result.frames]), atol=1e-8)
+
+
+def refusal_of(tmp_path: Path, sensor: str = "S-1", arm: str = "A-1") -> Refusal:
+    """Rebuilds ``scan.mcap``, which is refused, and leaves no cloud behind."""
+    before = sorted(path.name for path in tmp_path.iterdir())
+    with pytest.raises(Refusal) as refused:
+        rebuild(tmp_path / "scan.mcap", little_calibration(sensor, arm), ARM, tmp_path / "c.ply")
+    assert sorted(path.name for path in tmp_path.iterdir()) == before
+    return refused.value
+
+
+def test_no_joints_around_any_frame_is_refused(tmp_path: Path) -> None:
+    with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
+        joints_every(writer, 0, 100 * MS, 4 * MS)
+        record_stripe(writer, 500 * MS)
+    assert "no joints around any frame's stamp" in refusal_of(tmp_path).line
+
+
+def test_a_recording_that_lacks_something_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "scan.mcap"
+    with RecordingWriter(path, NAMES):
+        pass
+    assert refusal_of(tmp_path).code == "recording-foreign"
+    path.unlink()
+    with RecordingWriter(path, NAMES) as writer:
+        joints_every(writer, 0, 100 * MS, 4 * MS)
+    assert refusal_of(tmp_path).code == "recording-without-frames"
+    path.unlink()
+    with RecordingWriter(path, NAMES) as writer:
+        record_stripe(writer, 5)
+    assert refusal_of(tmp_path).code == "recording-without-joints"
+    path.unlink()
+    with RecordingWriter(path, NAMES) as writer:
+        joints_every(writer, 0, 100 * MS, 4 * MS)
+        writer.image(50 * MS, np.zeros((HEIGHT, WIDTH), np.uint8))
+    assert refusal_of(tmp_path).code == "recording-without-stripes"
+
+
+def test_pictures_of_another_size_are_refused(tmp_path: Path) -> None:
+    with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
+        joints_every(writer, 0, 100 * MS, 4 * MS)
+        record_stripe(writer, 50 * MS, width=WIDTH + 1)
+    assert "65 × 48" in refusal_of(tmp_path).line
+
+
+@pytest.mark.parametrize(
+    ("station", "sensor", "arm", "code"),
+    [
+        ({"sensor_serial": "S-2"}, "S-1", "A-1", "sensor-of-another-serial"),
+        ({"arm_serial": "A-2"}, "S-1", "A-1", "arm-of-another-serial"),
+        ({}, "S-1", "A-9", "arm-of-another-serial"),
+    ],
+)
+def test_files_that_do_not_belong_together_are_refused(
+    tmp_path: Path, station: dict[str, str], sensor: str, arm: str, code: str
+) -> None:
+    with RecordingWriter(tmp_path / "scan.mcap", NAMES, station) as writer:
+        joints_every(writer, 0, 100 * MS, 4 * MS)
+        record_stripe(writer, 50 * MS)
+    assert refusal_of(tmp_path, sensor, arm).code == code
+
+
+@pytest.mark.parametrize(
+    ("names", "angles", "said"),
+    [
+        (NAMES[:5], [0.0] * 5, "5 joints"),
+        (("J1", "J2", "J3", "J4", "J5", "wrist"), [0.0] * 6, "wrist"),
+        (NAMES, np.rad2deg(q_at(0)), "degrees where radians"),
+        (NAMES, [0, 0, 0, 3.2, 0, 0], "joint J4"),
+    ],
+)
+def test_joints_of_another_arm_or_unit_are_refused(
+    tmp_path: Path, names: tuple[str, ...], angles: list[float], said: str
+) -> None:
+    with RecordingWriter(tmp_path / "scan.mcap", names) as writer:
+        writer.joints(0, angles)
+        record_stripe(writer, 1)
+    assert said in refusal_of(tmp_path).line
+
+
+def test_holes_and_jumps_of_the_clocks_are_said(tmp_path: Path) -> None:
+    with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
+        joints_every(writer, 0, 200 * MS, 4 * MS)
+        joints_every(writer, 260 * MS, 500 * MS, 4 * MS)
+        for i in range(60):
+            if not 20 <= i < 23:
+                record_stripe(writer, 20 * MS + i * 8 * MS)
+        joints_every(writer, 100 * MS + 1, 140 * MS, 4 * MS)  # the clock was set back
+    result, _ = rebuilt(tmp_path)
+    assert (result.frame_holes, result.clock_jumps) == (1, 1)
+    assert result.frames_without_joints == 7
+    said = " ".join(result.warnings)
+    assert "7 of 57 frames left out" in said
+    assert "0 before the first or after the last sample, 7 in gaps" in said
+    assert "about 3 frames are missing in 1 places, the longest 32.0 ms, 0.172 s" in said
+    assert "the clock of the joint samples jumps 1 times, first to 0.100 s" in said
+
+
+def test_a_steady_recording_has_no_warnings(tmp_path: Path) -> None:
+    with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
+        joints_every(writer, 0, 500 * MS, 4 * MS)
+        for i in range(50):
+            record_stripe(writer, 20 * MS + i * 8 * MS + i % 3 * MS)
+    result, _ = rebuilt(tmp_path)
+    assert result.warnings == ()
+
+
+@pytest.mark.parametrize("beside", ["image", "other axis", "other writer"])
+def test_blocks_of_all_kinds_give_the_same_points(tmp_path: Path, beside: str) -> None:
+    """What is not as this program writes it goes through the general decoders."""
+    points, uv = stripe_pixels()
+    stamps = [100 * MS + i * 5 * MS for i in range(12)]
+    with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
+        joints_every(writer, 0, 400 * MS, 4 * MS)
+        for k, stamp in enumerate(stamps):
+            axis = "v" if beside == "other axis" and k % 2 else "u"
+            stripe = Stripe(uv[:, 0], uv[:, 1], np.full(25, 99.0), np.full(25, 0.05), axis)
+            writer.stripe(stamp, stripe, WIDTH, HEIGHT)
+            if beside == "image" and k == 5:
+                record_image(writer, stamp)  # of a frame that has its stripe already
+    if beside == "other writer":
+        rewritten_unpacked(tmp_path / "scan.mcap")
+    result, found = rebuilt(tmp_path)
+    assert (result.frames, len(points) * 12) == (12, result.points)
+    np.testing.assert_allclose(found, expected(stamps), atol=1e-8)
+
+
+def rewritten_unpacked(path: Path) -> None:
+    """The same recording without chunks, each number of ``u`` a field of its own."""
+    from mcap.reader import make_reader
+    from mcap.writer import Writer
+
+    with open(path, "rb") as file:
+        messages = list(make_reader(file).iter_messages())
+    with open(path, "wb") as file:
+        writer = Writer(file, use_chunking=False)
+        writer.start()
+        ids: dict[str, int] = {}
+        for schema, channel, message in messages:
+            assert schema is not None
+            if channel.topic not in ids:
+                known = writer.register_schema(schema.name, schema.encoding, schema.data)
+                ids[channel.topic] = writer.register_channel(
+                    channel.topic, channel.message_encoding, known
+                )
+            data = message.data
+            if channel.topic == "/sensor/stripe":
+                start = data.index(b"\x22\xc8\x01")  # u: 25 doubles
+                numbers = data[start + 3 : start + 203]
+                single = b"".join(b"\x21" + numbers[i : i + 8] for i in range(0, 200, 8))
+                data = data[:start] + single + data[start + 203 :]
+            writer.add_message(ids[channel.topic], message.log_time, data, message.log_time)
+        writer.finish()

@@ -1,0 +1,95 @@
+"""The paper's study: clouds of one plane by calibrations."""
+
+import csv
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from app.errors import Refusal
+from app.formats.clouds.files import read_cloud
+from app.formats.recording.writer import RecordingWriter
+from app.metrology.arm.kinematics import flange_pose
+from app.metrology.fitting.plane_sphere import fit_plane
+from app.metrology.sensor.camera import project
+from app.metrology.stripe import Stripe
+from app.metrology.transforms import apply, inverse, rigid, rotation_from_vector
+from app.workflows.reconstruct import rebuild
+from app.workflows.repeatability_study import Study, range_rows, study
+from tests.formats.builders import ARM, HEIGHT, WIDTH, joints_every, little_calibration, q_at
+from tests.formats.test_rebuild import MS, NAMES
+
+NORMAL = np.array([0.2, -0.3, 0.9]) / np.linalg.norm([0.2, -0.3, 0.9])
+
+
+def scan_a_plane(path: Path, offset_mm: float) -> Path:
+    """True pixels of the plane that the sensor passes over; one sensor line a frame."""
+    use = little_calibration()
+    middle = apply(flange_pose(ARM, q_at(200 * MS)) @ use.T_flange_sensor, np.zeros((1, 3)))[0]
+    with RecordingWriter(path, NAMES) as writer:
+        joints_every(writer, 0, 600 * MS, 4 * MS)
+        for i in range(40):
+            stamp = 50 * MS + i * 10 * MS
+            T = inverse(flange_pose(ARM, q_at(stamp)) @ use.T_flange_sensor)
+            n, p = T[:3, :3] @ NORMAL, apply(T, (middle + offset_mm * NORMAL)[None])[0]
+            x = np.linspace(-10, 10, 30)
+            y = (n @ p - n[0] * x) / n[1]
+            uv = project(use.camera, np.column_stack([x, y, np.zeros(30)]))
+            stripe = Stripe(uv[:, 0], uv[:, 1], np.full(30, 99.0), np.full(30, 0.05))
+            writer.stripe(stamp, stripe, WIDTH, HEIGHT)
+    return path
+
+
+def test_planes_turn_and_shift_by_what_the_calibrations_differ(tmp_path: Path) -> None:
+    recordings = [scan_a_plane(tmp_path / f"{i}.mcap", 0.02 * i) for i in range(3)]
+    true = little_calibration()
+    wrong = rigid(rotation_from_vector(np.array([1e-3, -5e-4, 2e-4])), np.array([0.1, 0.05, -0.2]))
+    off = replace(true, T_flange_sensor=true.T_flange_sensor @ wrong)
+    named = [(Path("true.json"), true), (Path("off.json"), off)]
+    done = study(recordings, named, ARM)
+    assert done.warnings == ()
+    assert [(row.recording, row.calibration) for row in done.rows[:3]] == [
+        (str(recordings[0]), "true.json"),
+        (str(recordings[0]), "off.json"),
+        (str(recordings[1]), "true.json"),
+    ]
+    for recording, between in zip(recordings, done.between_calibrations, strict=True):
+        fits = []
+        for _, calibration in named:
+            rebuild(recording, calibration, ARM, tmp_path / "c.ply")
+            fits.append(fit_plane(read_cloud(tmp_path / "c.ply").points_mm))
+        cosine = abs(float(fits[0].normal @ fits[1].normal))
+        arcsec = np.degrees(np.arccos(cosine)) * 3600
+        assert arcsec > 20
+        assert between.angle_arcsec == pytest.approx(arcsec, rel=1e-3)
+    # between clouds: the plane itself was shifted, by any calibration
+    assert done.between_recordings[0].offset_um == pytest.approx(40, abs=0.01)
+    assert done.between_recordings[0].angle_arcsec < 0.1
+    assert done.between_recordings[1].offset_um == pytest.approx(40, abs=1)
+    assert [row[0] for row in range_rows(done)] == ["between calibrations", "between clouds"]
+    done.write_csv(tmp_path / "t.csv")
+    table = list(csv.DictReader((tmp_path / "t.csv").read_text().splitlines()))
+    assert len(table) == 6
+    assert float(table[0]["offset_um"]) == pytest.approx(done.rows[0].offset_um, abs=1e-3)
+
+
+def test_against_a_nominal(tmp_path: Path) -> None:
+    recording = scan_a_plane(tmp_path / "a.mcap", 0.0)
+    use = little_calibration()
+    middle = apply(flange_pose(ARM, q_at(200 * MS)) @ use.T_flange_sensor, np.zeros((1, 3)))[0]
+    point = middle - 0.013 * NORMAL
+    (tmp_path / "n.json").write_text(
+        '{"format": "crenel/nominal", "version": 1, "shape": "plane", '
+        f'"point_mm": {point.tolist()}, "normal": {(-NORMAL).tolist()}}}'
+    )
+    done: Study = study([recording] * 2, [(Path("c.json"), use)], ARM, tmp_path / "n.json")
+    assert done.rows[0].offset_um == pytest.approx(-13, abs=0.01)
+    assert done.rows[0].angle_arcsec < 0.1
+    assert done.between_calibrations == ()
+
+
+def test_what_is_no_study_is_refused(tmp_path: Path) -> None:
+    recording = scan_a_plane(tmp_path / "a.mcap", 0.0)
+    with pytest.raises(Refusal, match="one plane"):
+        study([recording], [(Path("c.json"), little_calibration())], ARM)
