@@ -11,7 +11,7 @@ from app.api.files.file_response import sent_file
 from app.api.problems import NotFound
 from app.errors import Refusal
 from app.formats.results.acceptance import read_acceptance
-from app.guide.calibration.outcome import recorded
+from app.guide.calibration.accepted import recorded
 from app.guide.calibration.session_folder import SessionFolder
 from app.operations.context import Context, TheContext
 from app.operations.home import summary_of

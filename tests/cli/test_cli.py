@@ -21,7 +21,7 @@ from app.formats.recording.writer import RecordingWriter
 from app.formats.results.gauge_report import GaugeReport
 from tests.formats.builders import ARM, edit_text, joints_every, write_session
 from tests.formats.test_documents import calibration_file
-from tests.formats.test_rebuild import MS, NAMES, record_stripe
+from tests.workflows.test_reconstruct import MS, NAMES, record_stripe
 
 ROOT = Path(__file__).resolve().parents[2]
 

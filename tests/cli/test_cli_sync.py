@@ -18,7 +18,7 @@ from app.metrology.transforms import Floats
 from tests.cli.test_cli import crenel, names_in, refused
 from tests.formats.builders import ARM, HEIGHT, POSE_DEG, WIDTH, little_calibration
 from tests.formats.test_documents import calibration_file
-from tests.formats.test_rebuild import MS, NAMES
+from tests.workflows.test_reconstruct import MS, NAMES
 
 DELAY_MS = 12.0
 

@@ -20,7 +20,7 @@ from hardware.interfaces import JointSample
 from tests.entering import client
 from tests.formats.builders import ARM, HEIGHT, WIDTH, joints_every, little_calibration, q_at
 from tests.formats.test_documents import calibration_file
-from tests.formats.test_rebuild import MS, NAMES, expected, record_image, record_stripe
+from tests.workflows.test_reconstruct import MS, NAMES, expected, record_image, record_stripe
 
 ROOT = Path(__file__).resolve().parents[2]
 PORT = ("--port", "0")

@@ -19,7 +19,7 @@ from app.workflows.reconstruct import rebuild
 from tests.formats.builders import ARM, joints_every, little_calibration, write_session
 from tests.formats.test_clouds import POINTS
 from tests.formats.test_documents import calibration_file
-from tests.formats.test_rebuild import MS, NAMES, record_stripe
+from tests.workflows.test_reconstruct import MS, NAMES, record_stripe
 
 changes = st.lists(
     st.tuples(st.floats(0, 1), st.binary(max_size=4), st.integers(0, 4)), min_size=1, max_size=3

@@ -14,7 +14,8 @@ from app.guide.calibration.outcome import Outcome, from_payload, to_payload
 from app.guide.calibration.rules import why_not
 from app.guide.calibration.state import STEPS, CalibrationState
 from app.guide.calibration.touch.block import suggested_places
-from app.guide.calibration.touch.report import TouchReport, touch_report
+from app.guide.calibration.touch.report import touch_report
+from app.guide.calibration.touch.touch_report import TouchReport
 from app.guide.common.result_view import (
     BudgetRow,
     CalibrationResult,

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.guide.calibration import state as state_module
-from app.guide.calibration.commands import CONFIRMATIONS
+from app.guide.calibration.confirm import CONFIRMATIONS
 from app.guide.calibration.state import STEPS
 from tests.guide.builders import captured, point, started, state_after
 

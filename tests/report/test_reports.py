@@ -39,8 +39,8 @@ from app.workflows.measure_gauge import MAP, MapFile
 from hardware.simulator.arm_sessions import ArmSessionPlan, render_arm_session
 from hardware.simulator.session import SessionPlan, render_session
 from tests.formats.builders import ARM
-from tests.formats.test_verification import SHEET
 from tests.said import TWO_WORDS
+from tests.workflows.test_verification import SHEET
 
 HOSTILE = '<script>alert(1)</script>"><img src=x onerror=alert(1)> & 井上'
 

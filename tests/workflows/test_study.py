@@ -18,7 +18,7 @@ from app.metrology.transforms import apply, inverse, rigid, rotation_from_vector
 from app.workflows.reconstruct import rebuild
 from app.workflows.repeatability_study import Study, range_rows, study
 from tests.formats.builders import ARM, HEIGHT, WIDTH, joints_every, little_calibration, q_at
-from tests.formats.test_rebuild import MS, NAMES
+from tests.workflows.test_reconstruct import MS, NAMES
 
 NORMAL = np.array([0.2, -0.3, 0.9]) / np.linalg.norm([0.2, -0.3, 0.9])
 

@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from app.errors import Refusal
 from app.guide.calibration import tasks as works
-from app.guide.calibration.flow import HEADINGS
+from app.guide.calibration.confirm import CONFIRMATIONS, confirm
 from app.guide.calibration.guide import Guide
 from app.guide.calibration.simulated_operator import hand_work
 from app.guide.calibration.state import STEPS
@@ -195,21 +195,3 @@ ACTS: dict[str, Callable[[Guide, Args, str | None], None]] = {
     "repeat": _repeat,
     "abandon": _abandon,
 }
-
-
-CONFIRMATIONS = {
-    "confirm_devices": "devices_confirmed",
-    "confirm_setup": "setup_confirmed",
-    "confirm_touch": "touch_confirmed",
-    "confirm_place": "place_confirmed",
-    "keep_picture": "capture_kept",
-}
-
-
-def confirm(guide: Guide, name: str, key: str | None) -> None:
-    """Confirms a step; from the set-up on, the session uses its own copies of the sheets."""
-    with guide.lock:
-        if name == "confirm_setup":
-            guide.folder.keep_sheets(guide.sheets.library(True), guide.state)
-        guide.append(CONFIRMATIONS[name], {}, key)
-        guide.station.bus.event("step_done", f"Next: {HEADINGS[guide.state.step].lower()}.")

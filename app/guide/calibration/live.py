@@ -7,7 +7,7 @@ from app.findings import Finding
 from app.formats.datasheets.sensor import SensorSheet
 from app.guide.calibration.outcome import Outcome
 from app.guide.calibration.poses.advice import Advice
-from app.guide.calibration.touch.report import TouchReport
+from app.guide.calibration.touch.touch_report import TouchReport
 from app.guide.common.datasheet_library import Library
 from app.guide.common.view import Busy
 from app.metrology.adjustment.planning.next_pose import Hold

@@ -5,18 +5,10 @@ from dataclasses import asdict, dataclass
 
 from pydantic import TypeAdapter
 
-from app.errors import Refusal
 from app.findings import Finding
-from app.guide.calibration.session_folder import SessionFolder
-from app.guide.calibration.state import CalibrationState, after
-from app.guide.calibration.steps.body import geometry
-from app.guide.calibration.steps.poses import recorded_poses
-from app.guide.calibration.touch.report import touch_report
-from app.guide.common.journal import Journal, fold
 from app.guide.common.result_view import CalibrationResult
-from app.guide.common.view import ImageCorner, ResultPicture, Segment, TouchedPoint, Vec3
+from app.guide.common.view import ImageCorner, Segment, TouchedPoint, Vec3
 from app.metrology.detection.failure_evidence import Mark
-from app.metrology.limits import LIMITS
 
 
 @dataclass(frozen=True)
@@ -61,47 +53,3 @@ def to_payload(outcome: Outcome) -> dict[str, object]:
 def from_payload(payload: Mapping[str, object]) -> Outcome:
     """The outcome back from a journal row."""
     return _ADAPTER.validate_python(payload)
-
-
-def recorded(
-    journal: Journal, folder: SessionFolder, session_id: str, image_url: str
-) -> tuple[ResultPicture, list[Finding]]:
-    """The result's picture and its findings.
-
-    Args:
-        image_url: the address of the session's pictures, to which their names are added.
-
-    Raises:
-        Refusal: the session was never solved, or its files cannot be read any more.
-    """
-    state, solved = _solved(journal, session_id)
-    chosen = folder.sheets()
-    if solved is None or solved.result is None or chosen.arm is None or chosen.object is None:
-        raise Refusal(
-            "record-incomplete",
-            f"the calibration {session_id} cannot be shown",
-            "its files are not in the data folder any more",
-            "Restore the session's folder from a backup",
-        )
-    touch = touch_report(state.counted, chosen.arm, chosen.object, LIMITS.good_um)
-    picture = ResultPicture(
-        result=solved.result,
-        stale=False,
-        object=geometry(chosen.object),
-        points=solved.points or touch.points,
-        poses=recorded_poses(state, _looked_at(state), solved, image_url),
-    )
-    return picture, list(solved.findings)
-
-
-def _solved(journal: Journal, session_id: str) -> tuple[CalibrationState, Outcome | None]:
-    """How the session ended; without an outcome where its rows cannot be read."""
-    try:
-        state = fold(journal.rows(session_id), CalibrationState(), after)
-        return state, from_payload(state.solved.outcome) if state.solved else None
-    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError):
-        return CalibrationState(), None
-
-
-def _looked_at(state: CalibrationState) -> dict[int, Outcome]:
-    return {capture.number: from_payload(capture.outcome) for capture in state.captures}

@@ -5,7 +5,7 @@ from collections.abc import Callable
 
 from app.errors import Refusal
 from app.guide.calibration import tasks as works
-from app.guide.calibration.commands import confirm
+from app.guide.calibration.confirm import confirm
 from app.guide.calibration.guide import Guide
 from app.guide.calibration.poses.board_views import next_view
 from app.guide.calibration.touch.report import face_in_use, face_progress

@@ -3,10 +3,10 @@
 from app.errors import Refusal
 from app.guide.calibration.guide import Guide
 from app.guide.calibration.outcome import from_payload, to_payload
-from app.guide.calibration.poses.advice import advise
 from app.guide.calibration.poses.advice import to_payload as to_advice
 from app.guide.calibration.poses.board_views import next_view
 from app.guide.calibration.poses.detection import look_at
+from app.guide.calibration.poses.next_pose import advise
 from app.guide.calibration.solve import solve
 from app.station.jobs import Progress
 

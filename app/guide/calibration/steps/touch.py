@@ -5,7 +5,8 @@ from app.guide.calibration.live import Live
 from app.guide.calibration.state import CalibrationState
 from app.guide.calibration.steps.body import Body, geometry, lost_devices, offer
 from app.guide.calibration.touch.block import TITLES
-from app.guide.calibration.touch.report import TouchReport, face_in_use, face_progress, next_face
+from app.guide.calibration.touch.report import face_in_use, face_progress, next_face
+from app.guide.calibration.touch.touch_report import TouchReport
 from app.guide.common.view import Action, DevicesPicture, FaceProgress, LiveNumber, ObjectPicture
 from app.guide.common.view import StepProgress as Progress
 from app.metrology.targets.chessboard import Chessboard

@@ -7,7 +7,7 @@ import numpy as np
 from app.errors import Refusal
 from app.findings import Finding
 from app.guide.calibration.state import Contact
-from app.guide.calibration.touch.report import TouchReport
+from app.guide.calibration.touch.touch_report import TouchReport
 from app.guide.common.view import FaceProgress, TouchedPoint, Vec3, sentence, signed_um
 from app.metrology.adjustment.planning.next_touches import next_touches
 from app.metrology.arm.kinematics import Arm, tip_centres, tip_covariances

@@ -1,7 +1,7 @@
 """How the points taken so far agree with the object. Pure."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -9,38 +9,14 @@ from app.findings import Finding
 from app.guide.calibration.state import Contact
 from app.guide.calibration.touch import block as touching
 from app.guide.calibration.touch import board as board_touching
-from app.guide.common.view import FaceProgress, TouchedPoint
-from app.metrology.adjustment.planning.next_touches import TouchAdvice
+from app.guide.calibration.touch.touch_report import TouchReport
+from app.guide.common.view import FaceProgress
 from app.metrology.arm.joint_plausibility import outside_limits
 from app.metrology.arm.kinematics import Arm, tip_centres
-from app.metrology.probing.alignment import Alignment
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import FACES
 from app.metrology.targets.target import CalibrationObject
 from app.metrology.transforms import Floats
-
-
-@dataclass(frozen=True)
-class TouchReport:
-    """The points, what they tell of the object, and what is to be said of them."""
-
-    points: tuple[TouchedPoint, ...]
-    alignment: Alignment | None
-    """The block's place; None before it is known, and always on a board."""
-    missing: str
-    """What to probe before anything can be computed; empty when nothing is missing."""
-    findings: tuple[Finding, ...]
-    suspects: tuple[int, ...]
-    """Indices of points that should be taken away."""
-    advice: TouchAdvice | None = None
-    """How many more, on which face, make the object known as well as is wanted."""
-    target_um: float = 0.0
-
-    def face_rms_um(self, face: str) -> float | None:
-        if self.alignment is None:
-            return None
-        return next((f.rms_mm * 1e3 for f in self.alignment.faces if f.face == face), None)
-
 
 SAME_PLACE_MM = 0.3
 
