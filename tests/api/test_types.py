@@ -13,16 +13,15 @@ from app.guide.common import result_view, view
 from app.guide.common import validity as due
 from app.metrology.detection import failure_evidence as evidence
 from app.server import live_replay as replay
-from app.server import starting_page as starting
 from app.station import control_lease as lease
 from app.station import operator_settings
 from app.station import working_distance as distance_band
 from app.station.devices import link_state as device_state
 from app.station.devices import rig
-from app.station.preview.preview import capture_aids as aids
-from app.station.preview.preview import preview
+from app.station.preview import capture_aids as aids
+from app.station.preview import preview
 from app.store import audit
-from app.wire import schema
+from app.wire import readiness, schema
 from app.wire import schema as record_schema
 
 API = Path(__file__).resolve().parents[2] / "frontend/src/api"
@@ -70,7 +69,7 @@ SHAPES: dict[str, type] = {
     "PreviewHeader": preview.PreviewHeader,
     "You": schema.You,
     "Session": schema.Session,
-    "Readiness": starting.Readiness,
+    "Readiness": readiness.Readiness,
     "Person": lease.Person,
     "Control": lease.Control,
     "Account": schema.AccountSummary,

@@ -154,7 +154,7 @@ def test_a_row_of_an_unknown_kind_is_not_passed_over() -> None:
 
 def test_every_row_that_is_written_is_known() -> None:
     folder = Path(state_module.__file__).parent
-    source = "".join(path.read_text() for path in sorted(folder.glob("*.py")))
+    source = "".join(path.read_text() for path in sorted(folder.rglob("*.py")))
     written = set(re.findall(r'append\(\s*"(\w+)"', source)) | set(CONFIRMATIONS.values())
     assert written | {"accepted"} == state_module.KINDS
 
