@@ -6,3 +6,6 @@ import os
 # station's own, and must be told so before numpy is imported.
 for _library in ("OPENBLAS", "MKL", "OMP"):
     os.environ.setdefault(f"{_library}_NUM_THREADS", "1")
+
+# Before OpenCV is imported, too: larger pictures are refused by it, whatever their kind.
+os.environ.setdefault("OPENCV_IO_MAX_IMAGE_PIXELS", "100000000")

@@ -11,7 +11,7 @@ from app.api.authorization import TheVisitor
 from app.api.problems import NotFound
 from app.errors import Refusal
 from app.operations.context import Context, TheContext
-from app.supervision.webhook import WebhookSettings, checked
+from app.supervision.webhook import WebhookSettings
 from app.wire.schema import Request as Asked
 
 router = APIRouter(prefix="/api")
@@ -67,15 +67,15 @@ def notifications(context: TheContext) -> Notifications:
 def change(asked: NotificationsChange, context: TheContext) -> Notifications:
     """Sets where they go; another address needs its secret given anew."""
     watch, before = context.watch, context.watch.webhook.settings
-    url = checked(asked.url)
-    kept = before.secret if url == before.url else ""
     settings = WebhookSettings(
-        url=url,
-        secret=kept if asked.secret is None else asked.secret,
+        url=asked.url,
+        secret=asked.secret or "",
         done=asked.done,
         fault=asked.fault,
         due=asked.due,
     )
+    if asked.secret is None and settings.url == before.url:
+        settings = settings.model_copy(update={"secret": before.secret})
     watch.webhooks.keep(settings)
     watch.webhook.settings = settings
     watch.webhook.trouble = ""

@@ -2,25 +2,33 @@
 
 import io
 import json
+import logging
 import sys
 import threading
 import traceback
 import zipfile
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import asdict
+from functools import partial
 from pathlib import Path
 
 from pydantic_core import to_jsonable_python
 
 from app.errors import Refusal
-from app.formats.open_file import read_bounded
+from app.formats.open_file import read_tail
+from app.monitoring.health import Health
 from app.monitoring.redaction import Redactor, secrets_in, secrets_of
 from app.operations.context import Context
 from app.operations.health_checks import Examiner, packages, software
 from app.operations.status_report import report_of
 from app.timestamps import utc_now
 
+log = logging.getLogger(__name__)
 JOURNAL_ROWS = 5000
+LOG_BYTES = 4_000_000
+"""Of each file of the log; as it is written, none has more than half of that."""
+LONGEST_ERROR = 4000
 README = """A Crenel station's support bundle, made {at}.
 
 health.json     every check, with what, why and what to do
@@ -38,48 +46,66 @@ send it; nothing was sent anywhere.
 
 
 def bundle(context: Context) -> bytes:
-    """The bundle as a zip file. It takes a second."""
-    watch, store = context.watch, context.store
+    """The bundle as a zip file. It takes a second.
+
+    A part that cannot be made holds its error, and the others are made.
+    """
     redactor = _redactor(context)
-    files: dict[str, str] = {"README.txt": README.format(at=utc_now())}
-
-    def put(name: str, value: object) -> None:
-        plain = redactor.value(to_jsonable_python(value, inf_nan_mode="null"))
-        files[name] = json.dumps(plain, indent=1, ensure_ascii=False) + "\n"
-
-    put("health.json", asdict(watch.health or Examiner(context).look()))
-    put("report.json", report_of(context).model_dump())
-    put("software.json", {"software": software(context), "packages": packages()})
-    webhook = watch.webhook.settings
-    put(
-        "settings.json",
-        {
-            "station": dict(watch.settings.told),
-            "scans": context.settings.view(),
-            "notifications": {
-                "host": webhook.host,
-                **{kind: getattr(webhook, kind) for kind in ("done", "fault", "due")},
-                "sent": watch.webhook.sent,
-                "given_up": watch.webhook.failed,
-                "trouble": watch.webhook.trouble,
-            },
-            "event_loop": asdict(watch.watchdog.stalls),
-        },
-    )
-    files["journal.jsonl"] = _lines(redactor, store.journal.newest(JOURNAL_ROWS))
-    audit = [
-        {"at": one.at, "act": one.act, "outcome": one.outcome}
-        for one in reversed(store.audit.newest(JOURNAL_ROWS))
-    ]
-    files["audit.jsonl"] = _lines(redactor, audit)
-    for path in watch.logs.files():
-        files[f"logs/{path.name}"] = _log(redactor, path)
-    files["threads.txt"] = redactor.text(_threads())
+    parts: dict[str, Callable[[], str]] = {
+        "README.txt": lambda: README.format(at=utc_now()),
+        "health.json": lambda: _document(redactor, asdict(_health(context))),
+        "report.json": lambda: _document(redactor, report_of(context).model_dump()),
+        "software.json": lambda: _document(
+            redactor, {"software": software(context), "packages": packages()}
+        ),
+        "settings.json": lambda: _document(redactor, _settings(context)),
+        "journal.jsonl": lambda: _lines(redactor, context.store.journal.newest(JOURNAL_ROWS)),
+        "audit.jsonl": lambda: _lines(redactor, _audit(context)),
+        "threads.txt": lambda: redactor.text(_threads()),
+    }
+    for path in context.watch.logs.files():
+        parts[f"logs/{path.name}"] = partial(_log, redactor, path)
     packed = io.BytesIO()
     with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, text in files.items():
-            archive.writestr(name, text)
+        for name, make in parts.items():
+            # what is no character stands as JSON spells it
+            archive.writestr(name, _made(redactor, make).encode("utf-8", "backslashreplace"))
     return packed.getvalue()
+
+
+def _made(redactor: Redactor, make: Callable[[], str]) -> str:
+    try:
+        return make()
+    except Exception as error:
+        log.warning("a part of the support bundle cannot be made", exc_info=error)
+        text = "".join(traceback.format_exception(error))
+        return redactor.text(f"This part cannot be made.\n{text[-LONGEST_ERROR:]}")
+
+
+def _health(context: Context) -> Health:
+    return context.watch.health or Examiner(context).look()
+
+
+def _settings(context: Context) -> dict[str, object]:
+    watch = context.watch
+    webhook = watch.webhook.settings
+    return {
+        "station": dict(watch.settings.told),
+        "scans": context.settings.view(),
+        "notifications": {
+            "host": webhook.host,
+            **{kind: getattr(webhook, kind) for kind in ("done", "fault", "due")},
+            "sent": watch.webhook.sent,
+            "given_up": watch.webhook.failed,
+            "trouble": watch.webhook.trouble,
+        },
+        "event_loop": asdict(watch.watchdog.stalls),
+    }
+
+
+def _audit(context: Context) -> list[dict[str, str]]:
+    newest = context.store.audit.newest(JOURNAL_ROWS)
+    return [{"at": one.at, "act": one.act, "outcome": one.outcome} for one in reversed(newest)]
 
 
 def _redactor(context: Context) -> Redactor:
@@ -96,21 +122,34 @@ def _redactor(context: Context) -> Redactor:
     return Redactor(secrets, people, {"DATA": store.folder, "HOME": Path.home()})
 
 
-def _lines(redactor: Redactor, rows: object) -> str:
-    plain = to_jsonable_python(rows, inf_nan_mode="null")
-    assert isinstance(plain, list)
-    return "".join(f"{json.dumps(redactor.value(row), ensure_ascii=False)}\n" for row in plain)
+def _document(redactor: Redactor, value: object) -> str:
+    plain = redactor.value(to_jsonable_python(value, inf_nan_mode="null"))
+    return json.dumps(plain, indent=1, ensure_ascii=False) + "\n"
+
+
+def _lines(redactor: Redactor, rows: Sequence[object]) -> str:
+    return "".join(f"{_line(redactor, row)}\n" for row in rows)
+
+
+def _line(redactor: Redactor, row: object) -> str:
+    try:
+        plain = to_jsonable_python(row, inf_nan_mode="null")
+        return json.dumps(redactor.value(plain), ensure_ascii=False)
+    except (ValueError, RecursionError) as error:
+        return json.dumps({"error": redactor.text(f"{type(error).__name__}: {error}")})
 
 
 def _log(redactor: Redactor, path: Path) -> str:
-    """Line by line, so that what is redacted stays JSON."""
-    lines = []
-    for text in read_bounded(path).decode("utf-8", "replace").splitlines():
+    """The end of it, line by line, so that what is redacted stays JSON."""
+    raw, whole = read_tail(path, LOG_BYTES)
+    texts = raw.decode("utf-8", "replace").replace("\0", "").splitlines()
+    lines = [] if whole else [json.dumps({"text": f"Only the last {LOG_BYTES} bytes are here."})]
+    for text in texts if whole else texts[1:]:  # the first may be cut
         try:
             value = json.loads(text)
-        except ValueError:
+        except (ValueError, RecursionError):
             value = {"text": text}
-        lines.append(json.dumps(redactor.value(value), ensure_ascii=False))
+        lines.append(_line(redactor, value))
     return "\n".join(lines) + "\n"
 
 

@@ -11,20 +11,22 @@ from numpy.typing import NDArray
 from app.errors import Refusal
 from app.formats.atomic_write import write_atomically
 from app.formats.file_names import shown_path
+from app.formats.image_sizes import PNG_SIGNATURE, Announced, announced_size
 from app.formats.io_errors import files_refused
 from app.formats.open_file import open_file, read_bounded
 
 GreyImage = NDArray[np.uint8] | NDArray[np.uint16]
 """(height, width)"""
 
-PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
+MOST_PIXELS = 100_000_000
 
 
 def read_grey(path: Path) -> GreyImage:
-    """Reads a grey image of 8 or 16 bits a pixel, PNG or another lossless kind.
+    """Reads a grey image of 8 or 16 bits a pixel: PNG, TIFF, BMP, PGM or JPEG.
 
     Raises:
-        Refusal: missing, no image, damaged or cut off, or in colour.
+        Refusal: missing, no image, damaged or cut off, in colour, or of more than
+            ``MOST_PIXELS``.
     """
     with files_refused(path):
         raw = read_bounded(path)
@@ -35,29 +37,57 @@ def decode_grey(raw: bytes, named: str) -> GreyImage:
     """Decodes an image file's bytes; ``named`` is what a refusal calls it."""
     if raw.startswith(PNG_SIGNATURE):
         _check_png(raw, named)
+    announced = announced_size(raw)
+    if announced is None:
+        raise _no_image(raw, named)
+    _check_announced(announced, named)
     try:
-        image = cv2.imdecode(np.frombuffer(raw, np.uint8), cv2.IMREAD_UNCHANGED) if raw else None
+        image = cv2.imdecode(np.frombuffer(raw, np.uint8), cv2.IMREAD_UNCHANGED)
     except cv2.error:  # larger than OpenCV reads
         image = None
     if image is None:
-        raise Refusal(
-            "image-unreadable",
-            named,
-            "it is no image, or was cut off" if raw else "it is empty",
-            "Restore it, or take the picture again",
-        )
+        raise _no_image(raw, named)
     if image.ndim != 2:
-        raise Refusal(
-            "image-not-grey",
-            f"{named} has {image.shape[2]} channels",
-            "only a grey image tells how bright the laser's line was at a pixel",
-            "Give the camera's own grey picture",
-        )
+        raise _not_grey(f"{named} has {image.shape[2]} channels")
     if image.dtype == np.uint8:
         return image.astype(np.uint8, copy=False)
     if image.dtype == np.uint16:
         return image.astype(np.uint16, copy=False)
-    raise Refusal("image-depth", f"{named} holds {image.dtype}", "8 or 16 bits are expected")
+    raise _not_so_deep(named, f"{image.dtype}")
+
+
+def _check_announced(announced: Announced, named: str) -> None:
+    """Raises ``Refusal`` for what would be decoded only to be refused, and for what is too large:
+    a file of a megabyte may open to gigabytes."""
+    if announced.pixels > MOST_PIXELS:
+        raise Refusal(
+            "image-too-large",
+            f"{named} has {announced.width} × {announced.height} pixels",
+            f"at most {MOST_PIXELS // 1_000_000} million are read",
+            "Give the camera's own picture",
+        )
+    if announced.channels > 1:
+        raise _not_grey(f"{named} has {announced.channels} channels")
+    if announced.bits > 16:
+        raise _not_so_deep(named, f"{announced.bits} bits a pixel")
+
+
+def _no_image(raw: bytes, named: str) -> Refusal:
+    why = "it is no image, or was cut off" if raw else "it is empty"
+    return Refusal("image-unreadable", named, why, "Restore it, or take the picture again")
+
+
+def _not_grey(what: str) -> Refusal:
+    return Refusal(
+        "image-not-grey",
+        what,
+        "only a grey image tells how bright the laser's line was at a pixel",
+        "Give the camera's own grey picture",
+    )
+
+
+def _not_so_deep(named: str, held: str) -> Refusal:
+    return Refusal("image-depth", f"{named} holds {held}", "8 or 16 bits are expected")
 
 
 def write_png(path: Path, image: GreyImage) -> None:
@@ -87,12 +117,7 @@ def grey_png_size(path: Path) -> tuple[int, int]:
         )
     width, height, _bits, colour = struct.unpack(">IIBB", head[16:26])
     if colour != 0:
-        raise Refusal(
-            "image-not-grey",
-            f"{shown_path(path)} holds colour or transparency",
-            "only a grey image tells how bright the laser's line was at a pixel",
-            "Give the camera's own grey picture",
-        )
+        raise _not_grey(f"{shown_path(path)} holds colour or transparency")
     return width, height
 
 

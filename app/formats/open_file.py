@@ -48,6 +48,18 @@ def read_bounded(path: Path, largest: int = LARGEST_DOCUMENT) -> bytes:
     raise OSError(errno.EOVERFLOW, os.strerror(errno.EOVERFLOW), str(path))
 
 
+def read_tail(path: Path, most: int) -> tuple[bytes, bool]:
+    """The last bytes of an ordinary file of any size, and whether that is all of it.
+
+    Raises:
+        OSError: as ``open_file``.
+    """
+    with open_file(path) as file:
+        size = os.fstat(file.fileno()).st_size
+        file.seek(max(size - most, 0))
+        return file.read(most), size <= most
+
+
 def check_ordinary(path: Path) -> None:
     """Raises ``OSError`` where something else than an ordinary file has this name."""
     with suppress(FileNotFoundError):

@@ -1,4 +1,4 @@
-"""The check of what stations publish: whether somebody publishes what none of them does."""
+"""The check of what stations publish, and what is told of a check that could not be made."""
 
 from collections.abc import Mapping
 
@@ -26,6 +26,19 @@ def messages(counts: Mapping[str, int], ago_s: float | None) -> list[HealthItem]
             "what it keeps of others.",
         )
     ]
+
+
+def not_made(name: str, why: str) -> HealthItem:
+    """A check that failed itself, whatever it would have found."""
+    reason = why.rstrip(".")
+    return HealthItem(
+        f"not-made-{name}",
+        "A check that failed",
+        "attention",
+        f"The check {name} cannot be made: {reason}.",
+        "What it looks at may be good or bad.",
+        "Look at the log below, and send the support bundle to whoever helps.",
+    )
 
 
 def _part(why: str, number: int) -> str:

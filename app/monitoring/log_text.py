@@ -33,8 +33,8 @@ class _Kind:
 
 
 class Repeats(logging.Filter):
-    """Lets warnings and errors of one kind pass three times; then the tenth, twentieth, hundredth
-    and so on, and one every ten minutes, which say how many there were.
+    """Lets warnings and errors of one kind pass three times; then the tenth, the hundredth, the
+    thousandth and so on, and one every ten minutes, which say how many there were.
 
     Of one kind are errors raised at one place, and what is said in the same words; of what one
     line of the program says in ever other words, the first twenty. How many is the record's
@@ -57,7 +57,7 @@ class Repeats(logging.Filter):
                 key = (*key[:2], "")
             kind = self._counted(key, record.created)
             count, late = kind.count, self._clock() - kind.written_s > FORGOTTEN_S
-            if count > FIRST and not late and set(str(count)[1:]) != {"0"}:
+            if count > FIRST and not late and not _is_power_of_ten(count):
                 return False
             kind.written_s = self._clock()
         if count > FIRST:
@@ -81,6 +81,10 @@ class Repeats(logging.Filter):
         while len(self._kinds) > MOST_KINDS:
             self._kinds.popitem(last=False)
         return known
+
+
+def _is_power_of_ten(count: int) -> bool:
+    return str(count) == f"1{'0' * (len(str(count)) - 1)}"
 
 
 def _kind(record: logging.LogRecord) -> _Key:

@@ -17,7 +17,7 @@ PATTERNS: tuple[tuple[re.Pattern[str], str], ...] = (
     (re.compile(r"(?i)#(code|wall)=\w[\w-]*"), rf"#\1={GONE}"),
     (
         re.compile(
-            r"(?i)([\w-]*(?:password|passwd|secret|token|api_?key|authorization|cookie))"
+            r"(?i)((?:password|passwd|secret|token|api_?key|authorization|cookie))"
             r"([\"']?\s*[=:]\s*[\"']?)([^\s\"',;}]+)"
         ),
         rf"\1\2{GONE}",

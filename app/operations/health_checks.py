@@ -1,5 +1,6 @@
 """Brings the health checks and the station together."""
 
+import logging
 import shutil
 import sys
 import time
@@ -7,8 +8,8 @@ from collections.abc import Callable
 from datetime import UTC, datetime
 from importlib.metadata import PackageNotFoundError, version
 from typing import TypeVar, cast
-from urllib.parse import urlsplit
 
+from app.errors import Refusal
 from app.formats.software import SOFTWARE
 from app.guide.common.validity import SECONDS_A_DAY, age_days
 from app.monitoring import health
@@ -17,9 +18,12 @@ from app.monitoring.health import Health, HealthItem
 from app.monitoring.system_info import memory, versions, writable
 from app.operations.context import Context
 from app.operations.unreadable_files import set_aside
+from app.station.devices.arm_device import ArmSide
+from app.station.devices.sensor_device import SensorSide
 from app.store.backup import shown_backup
 from app.timestamps import is_moment, moment_of, utc_now
 
+log = logging.getLogger(__name__)
 T = TypeVar("T")
 DATABASE_EVERY_S = 600.0
 RECORDS_EVERY_S = 30.0
@@ -37,27 +41,55 @@ class Examiner:
         self._kept: dict[str, tuple[float, object]] = {}
 
     def look(self) -> Health:
-        """All checks as of now."""
-        watch = self._context.watch
-        watch.clock.look()
-        watch.backups.look()
-        items = [*self._devices(), *self._records(), *self._program(), *self._others()]
+        """All checks as of now; one that fails is a finding, and the others go on."""
+        items: list[HealthItem] = []
+        for name, check in self._checks().items():
+            try:
+                items += check()
+            except Refusal as refusal:
+                items.append(health_messages.not_made(name, refusal.line))
+            except Exception as error:
+                log.exception("the health check %s failed", name)
+                items.append(health_messages.not_made(name, type(error).__name__))
         return health.health_of(items, utc_now())
 
-    def _devices(self) -> list[HealthItem]:
-        rig, items = self._context.rig, []
-        for name, side in (("arm", rig.arm), ("sensor", rig.sensor)):
-            state = side.link()
-            counts = (state.received, state.lost, state.corrupt)
-            window = self._context.watch.losses[name]
-            window.note(*counts)
-            items += [health.device(state), health.losses(state.title, window.over(*counts))]
-        arm = rig.arm
-        items.append(health.readings(arm.kept_back, arm.newest_kept_back, arm.kept_back_ago_s))
+    def _checks(self) -> dict[str, Callable[[], list[HealthItem]]]:
+        rig = self._context.rig
+        return {
+            "arm": lambda: self._device("arm", rig.arm),
+            "sensor": lambda: self._device("sensor", rig.sensor),
+            "readings": self._readings,
+            "room": self._room,
+            "disk": self._disk,
+            "folder": self._folder,
+            "database": self._database,
+            "records": self._records,
+            "recordings": self._recordings,
+            "backup": self._backup,
+            "clock": self._clock,
+            "loop": self._loop,
+            "memory": lambda: [health.memory_use(memory())],
+            "log": self._log,
+            "network": lambda: [health.network(self._context.watch.settings.network)],
+            "software": lambda: [health.software(software(self._context))],
+            "broker": self._broker,
+            "webhook": self._webhook,
+        }
+
+    def _device(self, name: str, side: ArmSide | SensorSide) -> list[HealthItem]:
+        state = side.link()
+        counts = (state.received, state.lost, state.corrupt)
+        window = self._context.watch.losses[name]
+        window.note(*counts)
+        return [health.device(state), health.losses(state.title, window.over(*counts))]
+
+    def _readings(self) -> list[HealthItem]:
+        arm = self._context.rig.arm
+        return [health.readings(arm.kept_back, arm.newest_kept_back, arm.kept_back_ago_s)]
+
+    def _room(self) -> list[HealthItem]:
         temperature = self._context.watch.temperature
-        if temperature.there:
-            items.append(health.room(temperature.now, self._warmer_c()))
-        return items
+        return [health.room(temperature.now, self._warmer_c())] if temperature.there else []
 
     def _warmer_c(self) -> float | None:
         """Than when the station was calibrated."""
@@ -65,31 +97,42 @@ class Examiner:
         record = store.calibrations.active()
         return None if record is None else store.temperatures.change_since(record.accepted_at)
 
-    def _records(self) -> list[HealthItem]:
-        store, watch = self._context.store, self._context.watch
-        free_gb = shutil.disk_usage(store.folder).free / 1e9
-        damage = self._every(DATABASE_EVERY_S, "database", store.check)
-        trouble = self._every(RECORDS_EVERY_S, "folder", lambda: writable(store.folder / "scans"))
-        ahead_days = self._every(RECORDS_EVERY_S, "ahead", self._ahead_days)
-        aside = self._every(DATABASE_EVERY_S, "records", lambda: set_aside(self._context))
-        damaged = self._every(DATABASE_EVERY_S, "damaged", self._context.recovery.damaged)
-        size_mb = (store.folder / "station.db").stat().st_size / 1e6
-        last, load = watch.backups.last, self._context.scanner.load()
+    def _disk(self) -> list[HealthItem]:
+        free_gb = shutil.disk_usage(self._context.store.folder).free / 1e9
+        load = self._context.scanner.load()
         pace = load.bytes_written / 1e6 / max(load.seconds, 1.0) if load else None
-        return [
-            health.disk(free_gb, pace),
-            health.folder(trouble),
-            health.database(size_mb, damage),
-            health.records(aside),
-            health.recordings(damaged),
-            health.backup(
-                None if last is None else age_days(last.at, datetime.now(UTC)),
-                "" if last is None else shown_backup(last.folder),
-                watch.backups.same_disk,
-                watch.backups.trouble,
-            ),
-            health.clock(watch.clock.jumps, watch.clock.last_jump_s, ahead_days),
-        ]
+        return [health.disk(free_gb, pace)]
+
+    def _folder(self) -> list[HealthItem]:
+        scans = self._context.store.folder / "scans"
+        return [health.folder(self._every(RECORDS_EVERY_S, "folder", lambda: writable(scans)))]
+
+    def _database(self) -> list[HealthItem]:
+        store = self._context.store
+        damage = self._every(DATABASE_EVERY_S, "database", store.check)
+        return [health.database((store.folder / "station.db").stat().st_size / 1e6, damage)]
+
+    def _records(self) -> list[HealthItem]:
+        aside = self._every(DATABASE_EVERY_S, "records", lambda: set_aside(self._context))
+        return [health.records(aside)]
+
+    def _recordings(self) -> list[HealthItem]:
+        damaged = self._context.recovery.damaged
+        return [health.recordings(self._every(DATABASE_EVERY_S, "damaged", damaged))]
+
+    def _backup(self) -> list[HealthItem]:
+        backups = self._context.watch.backups
+        backups.look()
+        last = backups.last
+        days = None if last is None else age_days(last.at, datetime.now(UTC))
+        place = "" if last is None else shown_backup(last.folder)
+        return [health.backup(days, place, backups.same_disk, backups.trouble)]
+
+    def _clock(self) -> list[HealthItem]:
+        clock = self._context.watch.clock
+        clock.look()
+        ahead_days = self._every(RECORDS_EVERY_S, "ahead", self._ahead_days)
+        return [health.clock(clock.jumps, clock.last_jump_s, ahead_days)]
 
     def _every(self, period_s: float, name: str, look: Callable[[], T]) -> T:
         """What was seen the last time, looked at again after the period."""
@@ -110,36 +153,32 @@ class Examiner:
         ahead_s = max(ahead, default=0.0)
         return ahead_s / SECONDS_A_DAY if ahead_s > AHEAD_S else 0.0
 
-    def _program(self) -> list[HealthItem]:
+    def _loop(self) -> list[HealthItem]:
+        watchdog = self._context.watch.watchdog
+        return [health.event_loop(watchdog.stalls, watchdog.limit_s)]
+
+    def _log(self) -> list[HealthItem]:
+        errors = self._context.watch.logs.errors_since(time.time() - AN_HOUR_S)
+        return [health.log_errors(errors)]
+
+    def _broker(self) -> list[HealthItem]:
         watch = self._context.watch
-        stalls = watch.watchdog.stalls
+        if watch.broker is None:
+            return []
+        state, doubled_at_s = watch.broker.state, watch.broker.doubled_at_s
+        doubled = doubled_at_s is not None and time.monotonic() - doubled_at_s < 10.0
+        for_s = time.monotonic() - state.since_s
+        host, unread = watch.broker.settings.host, watch.fleet.unread
         return [
-            health.event_loop(stalls, watch.watchdog.limit_s),
-            health.memory_use(memory()),
-            health.log_errors(watch.logs.errors_since(time.time() - AN_HOUR_S)),
-            health.network(watch.settings.network),
-            health.software(software(self._context)),
+            health.broker(host, state.connected, state.text, for_s, doubled),
+            *health_messages.messages(unread.counts, unread.ago_s),
         ]
 
-    def _others(self) -> list[HealthItem]:
-        watch, items = self._context.watch, []
-        if watch.broker is not None:
-            state, doubled_at_s = watch.broker.state, watch.broker.doubled_at_s
-            items.append(
-                health.broker(
-                    watch.broker.settings.host,
-                    state.connected,
-                    state.text,
-                    time.monotonic() - state.since_s,
-                    doubled_at_s is not None and time.monotonic() - doubled_at_s < 10.0,
-                )
-            )
-            unread = watch.fleet.unread
-            items += health_messages.messages(unread.counts, unread.ago_s)
-        if watch.webhook.settings.url:
-            host = urlsplit(watch.webhook.settings.url).hostname or ""
-            items.append(health.webhook(host, watch.webhook.failed, watch.webhook.trouble))
-        return items
+    def _webhook(self) -> list[HealthItem]:
+        webhook = self._context.watch.webhook
+        if not webhook.settings.url:
+            return []
+        return [health.webhook(webhook.settings.host, webhook.failed, webhook.trouble)]
 
 
 def software(context: Context) -> dict[str, str]:

@@ -112,7 +112,8 @@ def _pass_on(context: Context, event: Event) -> None:
     watch = context.watch
     watch.events += 1
     # an error is a fault of the program; a lost device and a refusal are none
-    told = logging.WARNING if event.quality in ("bad", "attention") else logging.INFO
+    warns = event.quality in ("bad", "attention") and watch.warned.is_new(event.kind, event.text)
+    told = logging.WARNING if warns else logging.INFO
     log.log(told, "%s: %s", event.kind, event.text)
     if watch.broker is not None:
         watch.broker.event(

@@ -29,6 +29,7 @@ from app.station.scan.scanner import Scanner
 from app.station.scan.storage import CLOUD, RECORDING, ScanFolders
 from app.store.scans import ScanRecord
 from app.store.store import Store
+from app.timestamps import is_moment
 from app.workflows.reconstruct import rebuild
 
 log = logging.getLogger(__name__)
@@ -38,6 +39,8 @@ KILLED = "The station ended during this scan."
 AGAIN_S = 10.0
 END_S = 5.0
 RECORD = "verification.json"
+LONGEST_NAME = 120
+"""Of what a recording tells of itself."""
 
 
 class _EndedError(Exception):
@@ -225,16 +228,18 @@ class Recovery:
 
 def _found(folder: Path, told: dict[str, str]) -> ScanRecord:
     """The record of a scan, by what its recording and its folder say of it."""
-    began = datetime.fromtimestamp(folder.stat().st_mtime, UTC).isoformat(timespec="seconds")
+    began = told.get(SCAN_STARTED, "")
+    if not is_moment(began):
+        began = datetime.fromtimestamp(folder.stat().st_mtime, UTC).isoformat(timespec="seconds")
     return ScanRecord(
         id=folder.name,
-        name=told.get(SCAN_NAME) or folder.name,
+        name=told.get(SCAN_NAME, "")[:LONGEST_NAME] or folder.name,
         folder=folder,
-        started_at=told.get(SCAN_STARTED) or began,
+        started_at=began,
         points=0,
         frames=0,
         seconds=0.0,
-        calibration_id=told.get(SCAN_CALIBRATION, ""),
+        calibration_id=told.get(SCAN_CALIBRATION, "")[:LONGEST_NAME],
         interrupted=KILLED,
         recording_bytes=(folder / RECORDING).stat().st_size,
     )

@@ -144,6 +144,8 @@ class Watch:
         self._bus = bus
         self._numbers = 0
         self._repeats = Repeats()
+        self.warned = Repeats()
+        """Events that the log warns of: what is repeated, like Stop, is only told there."""
 
     def _broker_of(self, settings: BrokerSettings) -> "Broker":
         # most stations have none, and need not load its protocol

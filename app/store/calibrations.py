@@ -6,14 +6,16 @@ from contextlib import suppress
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from sqlite3 import Row
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import TypeAdapter
+from pydantic import Field, TypeAdapter
 
 from app.store.database import Database
 from app.store.journal import Check, JournalRow, append_row, unchecked
 from app.timestamps import moment_of, utc_now
 
+MOST_UM = 1e9
+"""A kilometre: no calibration comes near."""
 COLUMNS = "id, session_id, name, file, accepted_at, figures, active"
 
 
@@ -21,7 +23,7 @@ COLUMNS = "id, session_id, name, file, accepted_at, figures, active"
 class Figures:
     """What is listed of a calibration without opening its file."""
 
-    total_um: float
+    total_um: Annotated[float, Field(ge=0, le=MOST_UM, allow_inf_nan=False)]
     """Standard uncertainty of a scanned point, k = 1."""
     verdict: Literal["good", "attention", "bad", "neutral"]
     arm_serial: str

@@ -15,6 +15,7 @@ from typing import Any
 
 from app.errors import Refusal
 from app.formats.file_names import shown_path
+from app.formats.io_errors import refusal_of
 from app.formats.open_file import check_ordinary
 from app.store.schemas import SCHEMA_VERSION, SCHEMAS, columns_made, columns_of
 
@@ -24,7 +25,10 @@ SELECT number FROM journal
 WHERE CASE WHEN json_valid(payload) THEN json_type(payload) <> 'object' ELSE 1 END
 ORDER BY number
 """
+NO_FILE = (errno.EISDIR, errno.ENXIO, errno.ELOOP)
 FULL = (errno.ENOSPC, errno.EDQUOT)
+BESIDE = ("-wal", "-shm", "-journal")
+"""Ends of the names of SQLite's own files beside the database."""
 LEAST_FREE_BYTES = 1 << 17
 """What SQLite needs beside its file while it is open, and some more."""
 
@@ -40,8 +44,9 @@ class Database:
     def __init__(self, path: Path) -> None:
         self._path = path.absolute()
         self._lock = threading.RLock()
+        for file in (self._path, *(Path(f"{self._path}{end}") for end in BESIDE)):
+            _check_file(file, file == self._path)
         try:
-            check_ordinary(self._path)
             self._path.touch(mode=0o600)
             self._path.chmod(0o600)  # passwords' hashes are nobody else's; its journals follow it
             self._connection = sqlite3.connect(path, check_same_thread=False, isolation_level=None)
@@ -167,6 +172,25 @@ def _text(raw: bytes) -> str:
     return raw.decode("utf-8", "replace")
 
 
+def _check_file(path: Path, is_database: bool) -> None:
+    """Raises ``Refusal`` where something else than an ordinary file has a database file's name."""
+    try:
+        if path.is_symlink() and not is_database:
+            path.stat()  # SQLite makes no file where a link leads
+        check_ordinary(path)
+    except OSError as error:
+        if error.errno not in NO_FILE and not path.is_symlink():
+            raise _unreadable(path, error) from error
+        if is_database:
+            what = f"{shown_path(path)} cannot be read as a station's database"
+            remedy = "Put the last backup in its place, or move it away to begin anew"
+        else:
+            what = f"{shown_path(path)} cannot be used beside the station's database"
+            remedy = "Move it away, and start again"
+        why = refusal_of(error, path).why
+        raise Refusal("database-unreadable", what, why, remedy) from error
+
+
 def _unreadable(path: Path, error: Exception) -> Refusal:
     """Why a database cannot be opened: its disk is told from its content."""
     code = (getattr(error, "sqlite_errorcode", None) or 0) & 0xFF
@@ -185,7 +209,7 @@ def _unreadable(path: Path, error: Exception) -> Refusal:
             "Look at the system's log and at the disk; keep the data folder as it is",
         )
     forbidden = (sqlite3.SQLITE_CANTOPEN, sqlite3.SQLITE_READONLY, sqlite3.SQLITE_PERM)
-    if not path.is_dir() and (code in forbidden or isinstance(error, OSError)):
+    if code in forbidden or isinstance(error, OSError):
         return Refusal(
             "database-forbidden",
             f"{shown_path(path)} cannot be opened for writing",

@@ -24,9 +24,9 @@ ROOMS = (
     *("app/server/middleware.py", "app/server/starting_page.py"),
 )
 SILENT = (
-    *("app/api/metrics.py", "app/api/support.py"),
+    *("app/api/metrics.py", "app/server/composition.py", "app/api/support.py"),
     *("hardware/arm/protocol.py", "hardware/simulator", "app/formats/recording/blocks.py"),
-    "app/formats/recording/wire_format.py",
+    *("app/formats/recording/wire_format.py", "app/formats/recording/raw.py"),
     # what only the console says
     *(
         f"app/formats/clouds/{name}.py"

@@ -23,10 +23,11 @@ from typing import Annotated
 from urllib.parse import urlsplit
 
 import httpx
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError
 
 from app.errors import Refusal
 from app.formats.atomic_write import atomic_path
+from app.formats.io_errors import refusal_of_invalid
 from app.formats.open_file import read_bounded
 from app.supervision.notifications import Notice
 
@@ -38,23 +39,6 @@ LOOK_S = 0.2
 WAITING = 100
 TRIES_AT_ONCE = 4
 AGAIN = {408, 425, 429}
-
-
-class WebhookSettings(BaseModel):
-    """What is told, and where to; without an address nothing is sent."""
-
-    model_config = ConfigDict(frozen=True, extra="ignore")
-
-    url: Annotated[str, Field(max_length=500)] = ""
-    secret: Annotated[str, Field(max_length=200)] = ""
-    done: bool = True
-    fault: bool = True
-    due: bool = True
-
-    @property
-    def host(self) -> str:
-        """Of the address; the rest of it may be a secret."""
-        return urlsplit(self.url).hostname or ""
 
 
 def checked(url: str) -> str:
@@ -69,7 +53,7 @@ def checked(url: str) -> str:
         good = parts.scheme in ("http", "https") and bool(parts.hostname) and parts.port != 0
     except ValueError:
         good = False
-    if url and not good:
+    if url and not (good and url.isprintable()):
         raise Refusal(
             "webhook-url",
             "The address is none that a message can be sent to",
@@ -79,6 +63,27 @@ def checked(url: str) -> str:
     return url
 
 
+class WebhookSettings(BaseModel):
+    """What is told, and where to; without an address nothing is sent.
+
+    Raises:
+        Refusal: the address is none (``checked``), wherever it comes from.
+    """
+
+    model_config = ConfigDict(frozen=True, extra="ignore")
+
+    url: Annotated[str, Field(max_length=500), AfterValidator(checked)] = ""
+    secret: Annotated[str, Field(max_length=200)] = ""
+    done: bool = True
+    fault: bool = True
+    due: bool = True
+
+    @property
+    def host(self) -> str:
+        """Of the address; the rest of it may be a secret."""
+        return urlsplit(self.url).hostname or ""
+
+
 class WebhookStore:
     """One file in the data folder, which only its owner can read."""
 
@@ -86,11 +91,19 @@ class WebhookStore:
         self._path = folder / FILE
 
     def read(self) -> WebhookSettings:
-        """What was kept; nothing where the file is missing or no such."""
+        """What was kept; nothing where the file is missing or no such, which the log says."""
         try:
             return WebhookSettings.model_validate_json(read_bounded(self._path))
-        except (OSError, ValidationError):
+        except FileNotFoundError:
             return WebhookSettings()
+        except OSError as error:
+            why = error.strerror or str(error)
+        except ValidationError as error:
+            why = refusal_of_invalid(FILE, error).why
+        except Refusal as refusal:
+            why = refusal.line
+        log.warning("%s is done without: %s", FILE, why)
+        return WebhookSettings()
 
     def keep(self, settings: WebhookSettings) -> None:
         """Raises ``Refusal`` where the disk does not take it."""

@@ -8,9 +8,12 @@ from pathlib import Path
 from typing import Any
 
 import httpx
+from app.formats.recording.raw import MAGIC
 
 from app.formats.clouds.files import read_cloud
+from app.store.store import Store
 from tests.api.processes import PATIENCE_S, demonstration
+from tests.formats.test_recording_bombs import LARGE, lz4_zeros, zstd
 
 Scan = dict[str, Any]
 
@@ -66,3 +69,24 @@ def test_scans_under_way_when_the_process_dies_are_listed_with_their_clouds(
         assert scan["note"] == "The recording is empty."
         item = health(http, "recordings")
         assert (item["quality"], item["what"]) == ("bad", "Bracket: the recording is empty.")
+
+
+def test_recordings_that_open_to_gigabytes_hold_up_no_start(tmp_path: Path) -> None:
+    Store(tmp_path).close()
+    bombs = {"lz4": lz4_zeros(LARGE, LARGE), "zstd": zstd(LARGE, LARGE), "holes": b"\1"}
+    for name, bomb in bombs.items():
+        (tmp_path / "scans" / name).mkdir(parents=True)
+        (tmp_path / "scans" / name / "scan.mcap").write_bytes(MAGIC + bomb)
+    os.truncate(tmp_path / "scans" / "holes" / "scan.mcap", 1 << 40)
+    began = time.monotonic()
+    with demonstration(tmp_path, calibrated=True) as (http, pid):
+        scans = http.get("/api/scans").json()
+        assert {scan["name"] for scan in scans} == set(bombs)
+        assert time.monotonic() - began < 20
+        until(
+            http,
+            "/api/scans",
+            lambda scans: all("No points can be made of it" in scan["note"] for scan in scans),
+        )
+        status = Path(f"/proc/{pid}/status").read_text()
+        assert int(status.split("VmHWM:")[1].split()[0]) < 1_500_000

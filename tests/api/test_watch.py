@@ -20,8 +20,9 @@ from websockets.sync.client import connect
 from app.api.authorization import cookie_for
 from app.api.health import BUNDLING
 from app.monitoring.health import ORDER
-from app.operations.publishers import _tell_due
+from app.operations.publishers import _pass_on, _tell_due
 from app.operations.services import Watching
+from app.station.bus import Event
 from app.store.accounts import Role
 from app.store.store import Store
 from app.supervision.broker_settings import BrokerSettings
@@ -75,6 +76,17 @@ def test_the_report_is_as_the_schema_says(server: Server) -> None:
     assert report["devices"][0]["state"] == "connected"
     assert 20 < report["temperature_c"] < 23
     assert report["disk_free_gb"] > 0
+
+
+def test_what_is_repeated_is_warned_of_once(
+    server: Server, caplog: pytest.LogCaptureFixture
+) -> None:
+    caplog.set_level(logging.INFO, "app.operations.publishers")
+    for _ in range(5):
+        _pass_on(server.context, Event(1, "stopped", "attention", "Stopped: as a test."))
+    _pass_on(server.context, Event(2, "arm-lost", "bad", "The arm is lost: as a test."))
+    levels = [one.levelname for one in caplog.records if "as a test" in one.getMessage()]
+    assert levels == ["WARNING", "INFO", "INFO", "INFO", "INFO", "WARNING"]
 
 
 def test_what_runs_is_told_step_by_step(touching: Server) -> None:

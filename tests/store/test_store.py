@@ -5,6 +5,7 @@ import signal
 import sqlite3
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -175,6 +176,37 @@ def test_another_programs_database_is_left_alone(tmp_path: Path, version: int) -
 def test_a_folder_in_the_databases_place_is_named(tmp_path: Path) -> None:
     (tmp_path / "station.db").mkdir()
     with pytest.raises(Refusal, match="cannot be read as a station's database"):
+        Store(tmp_path)
+
+
+@pytest.mark.parametrize("name", ["", "-wal", "-shm", "-journal"])
+@pytest.mark.parametrize(
+    "make",
+    [
+        os.mkdir,
+        os.mkfifo,
+        lambda path: path.symlink_to("/dev/zero"),
+        lambda path: path.symlink_to(path),
+    ],
+)
+def test_no_file_in_the_place_of_one_of_the_databases_is_named(
+    name: str, make: Callable[[Path], object], tmp_path: Path
+) -> None:
+    if name:
+        Store(tmp_path).close()
+    make(tmp_path / f"station.db{name}")
+    with pytest.raises(Refusal) as caught:
+        Store(tmp_path)
+    assert f"station.db{name} cannot be" in caught.value.what
+    assert caught.value.why.startswith("it is a ")
+    assert "ove it away" in caught.value.remedy
+    assert "permission" not in caught.value.line
+
+
+def test_a_link_beside_the_database_that_leads_nowhere_is_named(tmp_path: Path) -> None:
+    Store(tmp_path).close()
+    (tmp_path / "station.db-wal").symlink_to(tmp_path / "nowhere")
+    with pytest.raises(Refusal, match=r"station\.db-wal cannot be used .* Move it away"):
         Store(tmp_path)
 
 

@@ -253,16 +253,24 @@ def test_the_settings_are_for_the_owner_alone(tmp_path: Path) -> None:
     assert store.read() == settings
     (file,) = tmp_path.iterdir()
     assert file.stat().st_mode & 0o077 == 0
-    file.write_text("{")
-    assert store.read() == WebhookSettings()
+    for wrong in (
+        "{",
+        '{"url": "http://["}',
+        '{"url": 7}',
+        '{"url": "http://x/", "secret": "\\ud800"}',
+    ):
+        file.write_text(wrong)
+        assert store.read() == WebhookSettings()
 
 
 def test_addresses() -> None:
     assert checked(" https://x.example/a?b ") == "https://x.example/a?b"
     assert checked("") == ""
-    for wrong in ("ftp://x/", "x.example", "http://", "javascript:1", "http://[::1"):
+    for wrong in ("ftp://x/", "x.example", "http://", "javascript:1", "http://[::1", "http://x\0/"):
         with pytest.raises(Refusal):
             checked(wrong)
+        with pytest.raises(Refusal):
+            WebhookSettings(url=wrong)
 
 
 def test_what_is_told_to_whoever_is_away() -> None:

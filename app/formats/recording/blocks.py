@@ -1,22 +1,20 @@
 """A stretch of a recording, opened at once: its joints as arrays, its stripes as arrays."""
 
-import zlib
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from io import BytesIO
 
-import lz4.frame
 import numpy as np
-import zstandard
-from mcap.data_stream import ReadDataStream
 from mcap.exceptions import McapError
 from mcap.records import Channel, Chunk, Message, Schema
-from mcap.stream_reader import CRCValidationError
 
 from app.formats.recording import wire_format as wire
+from app.formats.recording.raw import opened_bytes, parsed
 from app.metrology.transforms import Floats
 
 CHANNEL, SCHEMA = 4, 3
+MOST_DESCRIBED = 16 << 20
+"""Bytes of schemas and channels."""
+ROWS_AT_ONCE = 4096
 
 
 @dataclass(frozen=True)
@@ -27,40 +25,50 @@ class Opened:
     table: wire.Table
     """(R, 5) as of ``recording_wire.find_records``."""
 
+    described: tuple[Schema | Channel, ...] = ()
+    """In their order."""
+
     @property
     def bytes(self) -> wire.Bytes:
         return np.frombuffer(self.data, np.uint8)
-
-    def descriptions(self) -> Iterator[Schema | Channel]:
-        """Schemas and channels, in their order."""
-        for opcode, _, _, first, length in self.table[self.table[:, 0] < wire.MESSAGE].tolist():
-            stream = ReadDataStream(BytesIO(self.data[first : first + length]))
-            if opcode == SCHEMA:
-                yield Schema.read(stream)
-            elif opcode == CHANNEL:
-                yield Channel.read(stream)
 
     @property
     def messages(self) -> wire.Table:
         """(M, 5) rows of the messages."""
         return np.asarray(self.table[self.table[:, 0] == wire.MESSAGE])
 
+    def records(self) -> Iterator[Schema | Channel | Message]:
+        """All of them in their order, messages as they come."""
+        described = iter(self.described)
+        for start in range(0, len(self.table), ROWS_AT_ONCE):
+            rows = self.table[start : start + ROWS_AT_ONCE].tolist()
+            for opcode, channel, log_ns, first, length in rows:
+                if opcode == wire.MESSAGE:
+                    yield Message(channel, log_ns, self.data[first : first + length], log_ns, 0)
+                elif opcode in (SCHEMA, CHANNEL):
+                    yield next(described)
+
 
 def open_chunk(chunk: Chunk) -> Opened:
-    """Decompresses and checks a chunk; raises what a damaged one makes the libraries raise."""
-    if chunk.compression == "zstd":
-        data = zstandard.decompress(chunk.data, chunk.uncompressed_size)
-    elif chunk.compression == "lz4":
-        data = lz4.frame.decompress(chunk.data)
-    elif chunk.compression == "":
-        data = chunk.data
-    else:
-        raise McapError(f"compression {chunk.compression}")
-    if chunk.uncompressed_crc:
-        found = zlib.crc32(data)
-        if found != chunk.uncompressed_crc:
-            raise CRCValidationError(chunk.uncompressed_crc, found, chunk)
-    return Opened(data, wire.find_records(np.frombuffer(data, np.uint8)))
+    """Opens and checks a chunk.
+
+    Raises:
+        what ``recording_raw.DAMAGE`` names.
+    """
+    data = opened_bytes(chunk)
+    table = wire.find_records(np.frombuffer(data, np.uint8))
+    return Opened(data, table, tuple(_described(data, table)))
+
+
+def _described(data: bytes, table: wire.Table) -> Iterator[Schema | Channel]:
+    rows = table[(table[:, 0] == SCHEMA) | (table[:, 0] == CHANNEL)]
+    if rows[:, 4].sum() > MOST_DESCRIBED:
+        raise McapError(f"a chunk with {len(rows)} schemas and channels")
+    for row in rows:
+        opcode, _, _, first, length = row.tolist()
+        record = parsed(opcode, data[first : first + length])
+        assert isinstance(record, Schema | Channel)
+        yield record
 
 
 def of_messages(messages: Sequence[Message]) -> Opened:

@@ -1,8 +1,6 @@
 """Reading a scan recording (MCAP) as a stream, also one that was cut off."""
 
 import os
-import struct
-import zlib
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, field
@@ -10,12 +8,9 @@ from pathlib import Path
 from typing import BinaryIO, Protocol, cast
 
 import numpy as np
-import zstandard
 from google.protobuf.message import DecodeError
-from mcap.exceptions import EndOfFile, InvalidMagic, McapError
-from mcap.reader import SeekingReader
+from mcap.exceptions import McapError
 from mcap.records import Channel, Chunk, DataEnd, McapRecord, Message, Metadata, Schema
-from mcap.stream_reader import CRCValidationError, StreamReader, breakup_chunk
 from mcap_protobuf.decoder import DecoderFactory
 
 from app.errors import Refusal
@@ -23,6 +18,8 @@ from app.formats.file_names import shown_path
 from app.formats.images import GreyImage, decode_grey
 from app.formats.io_errors import files_refused
 from app.formats.open_file import open_file
+from app.formats.recording.blocks import MOST_DESCRIBED, open_chunk
+from app.formats.recording.raw import DAMAGE, MAGIC, raw_records, summary_statistics
 from app.formats.recording.stripe_message import STRIPE_SCHEMA, Stamp, StripeMessage, stripe_of
 from app.metrology.stripe import Stripe
 
@@ -33,9 +30,8 @@ EXTRACTION = "extraction"
 """How stripes were extracted, as JSON; empty where all was automatic."""
 SCAN_NAME, SCAN_STARTED, SCAN_CALIBRATION = "scan_name", "scan_started_at", "scan_calibration"
 """By which a scan is listed whose process was killed."""
-MAGIC = b"\x89MCAP0\r\n"
-"""A recording begins with it, and a whole one ends with it, too."""
-LARGEST_RECORD = 2**30
+LARGEST_TOLD = 256 << 10
+"""Bytes of a recording's beginning within which it tells of itself."""
 
 SCHEMAS = {
     JOINTS_TOPIC: ("foxglove.JointStates",),
@@ -43,19 +39,8 @@ SCHEMAS = {
     STRIPE_TOPIC: (STRIPE_SCHEMA,),
 }
 GREY_ENCODINGS = {"mono8": np.uint8, "8UC1": np.uint8, "mono16": np.uint16, "16UC1": np.uint16}
-DAMAGE = (
-    EndOfFile,
-    CRCValidationError,
-    InvalidMagic,
-    McapError,
-    struct.error,
-    zlib.error,
-    zstandard.ZstdError,
-    RuntimeError,  # what lz4 raises on damaged data
-    UnicodeDecodeError,
-    MemoryError,  # a length that was damaged; what is read at a time is small
-    OverflowError,  # one that no machine could hold
-)
+LARGEST_MESSAGE = {JOINTS_TOPIC: 64 << 10, STRIPE_TOPIC: 4 << 20}
+"""Bytes of one message, which in memory are many times as many."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -128,27 +113,25 @@ class Recording:
     def told(self) -> dict[str, str]:
         """What it says of the station before its first message; empty where it does not.
 
+        It looks at the beginning alone, and opens no chunk.
+
         Raises:
             Refusal: missing, or no MCAP.
         """
         with files_refused(self.path), open_file(self.path) as file:
             check_magic(self.path, file)
-            for record in self._raw(file):
-                if isinstance(record, Metadata) and record.name == STATION_METADATA:
-                    return dict(record.metadata)
-                if isinstance(record, Message):
-                    break
+            with suppress(*DAMAGE):
+                for record in raw_records(file, LARGEST_TOLD):
+                    if isinstance(record, Chunk | Message | DataEnd) or file.tell() > LARGEST_TOLD:
+                        break
+                    if isinstance(record, Metadata) and record.name == STATION_METADATA:
+                        return dict(record.metadata)
         return {}
 
     def _decoded(self, file: BinaryIO) -> Iterator[Record]:
         decoders = Decoders(self.path)
-        for record in self._raw(file):
-            if isinstance(record, Schema):
-                decoders.schemas[record.id] = record
-            elif isinstance(record, Channel):
-                decoders.channels[record.id] = record
-                self.topics.add(record.topic)
-            elif isinstance(record, Metadata) and record.name == STATION_METADATA:
+        for record in self._raw(file, decoders):
+            if isinstance(record, Metadata) and record.name == STATION_METADATA:
                 self.station = dict(record.metadata)
             elif isinstance(record, Message):
                 self.note_times(record.log_time, record.log_time)
@@ -156,21 +139,35 @@ class Recording:
                 if decoded is not None:
                     yield decoded
 
-    def _raw(self, file: BinaryIO) -> Iterator[McapRecord]:
-        """The file's records, chunks opened and checked, up to the end of its data or the cut."""
-        reader = StreamReader(file, emit_chunks=True, record_size_limit=LARGEST_RECORD)
+    def _raw(self, file: BinaryIO, decoders: "Decoders") -> Iterator[McapRecord]:
+        """The file's records, chunks opened and checked, up to the end of its data or the cut.
+
+        Schemas and channels go to the decoders.
+        """
         try:
-            for record in reader.records:
-                if isinstance(record, Chunk):
-                    yield from breakup_chunk(record, validate_crc=True)
-                elif isinstance(record, DataEnd):
+            for record in raw_records(file):
+                if isinstance(record, DataEnd):
                     self.bytes_read = self.size
                     return
-                else:
-                    yield record
+                opened = open_chunk(record).records() if isinstance(record, Chunk) else (record,)
+                for one in opened:
+                    if isinstance(one, Schema | Channel):
+                        self.learn(one, decoders)
+                    else:
+                        yield one
                 self.bytes_read = file.tell()
         except DAMAGE:
             self.cut_here()
+
+    def learn(self, described: Schema | Channel, decoders: "Decoders") -> None:
+        """Takes note of a schema or channel.
+
+        Raises:
+            McapError: there are more of them than any recording has.
+        """
+        decoders.learn(described)
+        if isinstance(described, Channel):
+            self.topics.add(described.topic)
 
     def note_times(self, first_ns: int, last_ns: int) -> None:
         """Takes note of log times that were met."""
@@ -236,19 +233,18 @@ def last_stamp_ns(path: Path) -> int | None:
     """The log time of a recording's last message, by its summary; None where it has none."""
     with files_refused(path), open_file(path) as file:
         try:
-            summary = SeekingReader(file).get_summary()
+            told = summary_statistics(file)
         except DAMAGE:
             return None
-    told = summary.statistics if summary is not None else None
     return told.message_end_time if told is not None and told.message_count else None
 
 
 def check_magic(path: Path, file: BinaryIO) -> None:
+    """Reads a recording's first bytes; raises ``Refusal`` where they are another's."""
     head = file.read(len(MAGIC))
     if head != MAGIC:
         why = "it is no MCAP recording" if head else "it is empty"
         raise Refusal("recording-not-mcap", shown_path(path), why, "Name a scan.mcap")
-    file.seek(0)
 
 
 class _JointState(Protocol):
@@ -288,6 +284,22 @@ class Decoders:
         self._path = path
         self._factory = DecoderFactory()
         self._by_channel: dict[int, Callable[[bytes], object]] = {}
+        self._described_bytes = 0
+
+    def learn(self, described: Schema | Channel) -> None:
+        """Takes a schema or channel; raises ``McapError`` where there are too many."""
+        if isinstance(described, Schema):
+            known = described.id in self.schemas and self.schemas[described.id] == described
+            self.schemas[described.id] = described
+            size = len(described.name) + len(described.encoding) + len(described.data)
+        else:
+            known = described.id in self.channels and self.channels[described.id] == described
+            self.channels[described.id] = described
+            size = len(described.topic) + len(described.message_encoding)
+            size += sum(len(key) + len(value) for key, value in described.metadata.items())
+        self._described_bytes += 0 if known else size
+        if self._described_bytes > MOST_DESCRIBED:
+            raise McapError
 
     def decode(self, message: Message) -> Record | None:
         """None for topics that the program does not know."""
@@ -298,6 +310,11 @@ class Decoders:
         if decoder is None:
             decoder = self._by_channel[channel.id] = self._decoder(channel)
         named = f"{shown_path(self._path)} {channel.topic} at {message.log_time} ns"
+        size = len(message.data)
+        if size > LARGEST_MESSAGE.get(channel.topic, size):
+            raise Refusal(
+                "recording-message-malformed", named, f"{size} bytes are more than it can have"
+            )
         try:
             return self._record(channel, decoder(message.data), message.log_time, named)
         except (DecodeError, ValueError) as error:

@@ -8,16 +8,14 @@ from typing import BinaryIO
 
 import numpy as np
 from mcap.records import Channel, Chunk, DataEnd, Message, Metadata, Schema
-from mcap.stream_reader import StreamReader
 
 from app.formats.io_errors import files_refused
 from app.formats.open_file import open_file
 from app.formats.recording import wire_format as wire
 from app.formats.recording.blocks import Opened, of_messages, open_chunk, profiles
+from app.formats.recording.raw import DAMAGE, LARGEST_CHUNK, raw_records
 from app.formats.recording.reader import (
-    DAMAGE,
     JOINTS_TOPIC,
-    LARGEST_RECORD,
     SCHEMAS,
     STATION_METADATA,
     STRIPE_TOPIC,
@@ -32,6 +30,9 @@ from app.metrology.transforms import Floats
 
 LOOSE_BYTES = 1 << 20
 """Messages outside chunks are put together to blocks of this size."""
+MOST_LOOSE = 100_000
+MOST_WAITING_BYTES = 2 * LARGEST_CHUNK
+"""Of chunks that are being opened."""
 
 
 @dataclass(frozen=True)
@@ -76,11 +77,12 @@ def blocks(recording: Recording, pool: Executor, ahead: int) -> Iterator[Block]:
     with files_refused(recording.path), open_file(recording.path) as file:
         check_magic(recording.path, file)
         reader = _Reader(recording)
-        waiting: deque[tuple[Future[Opened], int]] = deque()
+        waiting: deque[_Opening] = deque()
         for opening in _openings(recording, reader, file, pool):
             waiting.append(opening)
-            if len(waiting) > ahead and (yield from _next(recording, reader, waiting)):
-                return
+            while _is_enough(waiting, ahead):
+                if (yield from _next(recording, reader, waiting)):
+                    return
         while waiting:
             if (yield from _next(recording, reader, waiting)):
                 return
@@ -90,30 +92,46 @@ def blocks(recording: Recording, pool: Executor, ahead: int) -> Iterator[Block]:
             recording.bytes_read = recording.size
 
 
+@dataclass(frozen=True)
+class _Opening:
+    """A block on its way."""
+
+    opened: Future[Opened]
+    end: int
+    """Where it ends in the file."""
+    size: int
+    """Bytes that it opens to."""
+
+
+def _is_enough(waiting: deque[_Opening], ahead: int) -> bool:
+    size = sum(opening.size for opening in waiting)
+    return len(waiting) > ahead or (len(waiting) > 1 and size > MOST_WAITING_BYTES)
+
+
 def _next(
-    recording: Recording, reader: "_Reader", waiting: deque[tuple[Future[Opened], int]]
+    recording: Recording, reader: "_Reader", waiting: deque[_Opening]
 ) -> Generator[Block, None, bool]:
     """Hands on the oldest block; returns True where it was damaged."""
-    opening, end = waiting.popleft()
+    opening = waiting.popleft()
     try:
-        opened = opening.result()
+        opened = opening.opened.result()
+        reader.learn_from(opened)
     except DAMAGE:
         recording.cut_here()
         return True
     yield reader.block(opened)
-    recording.bytes_read = end
+    recording.bytes_read = opening.end
     return False
 
 
 def _openings(
     recording: Recording, reader: "_Reader", file: BinaryIO, pool: Executor
-) -> Iterator[tuple[Future[Opened], int]]:
-    """Chunks on their way, and where each ends in the file."""
+) -> Iterator[_Opening]:
+    """Chunks, and messages outside of them, in the order of the file."""
     loose: list[Message] = []
     loose_bytes = 0
-    raw = StreamReader(file, emit_chunks=True, record_size_limit=LARGEST_RECORD)
     try:
-        for record in raw.records:
+        for record in raw_records(file):
             if isinstance(record, Message):
                 loose.append(record)
                 loose_bytes += len(record.data)
@@ -122,17 +140,18 @@ def _openings(
             elif isinstance(record, Metadata) and record.name == STATION_METADATA:
                 recording.station = dict(record.metadata)
             ends = isinstance(record, DataEnd | Chunk)
-            if loose and (ends or loose_bytes > LOOSE_BYTES):
-                yield pool.submit(of_messages, loose), file.tell()
+            if loose and (ends or loose_bytes > LOOSE_BYTES or len(loose) > MOST_LOOSE):
+                yield _Opening(pool.submit(of_messages, loose), file.tell(), loose_bytes)
                 loose, loose_bytes = [], 0
             if isinstance(record, Chunk):
-                yield pool.submit(open_chunk, record), file.tell()
+                opening = pool.submit(open_chunk, record)
+                yield _Opening(opening, file.tell(), record.uncompressed_size)
             elif isinstance(record, DataEnd):
                 return
     except DAMAGE:
         reader.damaged = True
     if loose:
-        yield pool.submit(of_messages, loose), file.tell()
+        yield _Opening(pool.submit(of_messages, loose), file.tell(), loose_bytes)
 
 
 class _Reader:
@@ -146,15 +165,13 @@ class _Reader:
         """By channel: whether its messages mean what their bytes look like."""
 
     def learn(self, described: Schema | Channel) -> None:
-        if isinstance(described, Schema):
-            self._decoders.schemas[described.id] = described
-        else:
-            self._decoders.channels[described.id] = described
-            self._recording.topics.add(described.topic)
+        self._recording.learn(described, self._decoders)
+
+    def learn_from(self, opened: Opened) -> None:
+        for described in opened.described:
+            self.learn(described)
 
     def block(self, opened: Opened) -> Block:
-        for described in opened.descriptions():
-            self.learn(described)
         messages = opened.messages
         if len(messages):
             self._recording.note_times(int(messages[:, 2].min()), int(messages[:, 2].max()))

@@ -16,7 +16,9 @@ from app.native.product import CRENEL
 Bytes = NDArray[np.uint8]
 Table = NDArray[np.int64]
 
-MESSAGE = 5
+INVALID, MESSAGE = 0, 5
+MOST_RECORDS = 1_000_000
+"""Of one chunk. The smallest that is of use has more than a hundred bytes."""
 MOST_JOINTS = 16
 # Columns of a stripe: stamp, width, height, offsets of u, v, intensity, sigma, and of the
 # axis' letter (0 where there is none), then the points.
@@ -67,13 +69,18 @@ def find_records(data: Bytes) -> Table:
     first byte of what it holds, and length of that.
 
     Raises:
-        McapError: a record reaches beyond the chunk's end.
+        McapError: a record reaches beyond the chunk's end, or none begins as one there does;
+            or there are too many.
     """
     count = _count_records(data)
     if count < 0:
         raise McapError("a record reaches beyond its chunk")
+    if count > MOST_RECORDS:
+        raise McapError(f"a chunk with {count} records")
     table = np.empty((count, 5), dtype=np.int64)
     _find_records(data, table)
+    if (table[:, 0] == INVALID).any():
+        raise McapError("no record begins with a zero")
     return table
 
 

@@ -1,0 +1,151 @@
+"""What an image file announces, told from its header: nothing is decoded for it."""
+
+import re
+import struct
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
+JPEG_SIGNATURE = b"\xff\xd8\xff"
+PNG_CHANNELS = {2: 3, 3: 3, 4: 2, 6: 4}
+"""By the colour type; a palette is colours."""
+JPEG_SIZES = frozenset(range(0xC0, 0xD0)) - {0xC4, 0xC8, 0xCC}
+"""Markers of JPEG behind which the size stands."""
+JPEG_BARE = frozenset(range(0xD0, 0xD9)) | {0x01, 0xFF}
+"""Markers of JPEG without content, and what fills the space between markers."""
+BMP_CORE = 12
+PNM = re.compile(rb"P([1-6])((?:\s+|#[^\n]*\n)+)(\d{1,9})((?:\s+|#[^\n]*\n)+)(\d{1,9})")
+PNM_HEAD = 4096
+WIDTH, HEIGHT, BITS, SAMPLES = 256, 257, 258, 277
+MOST_TAGS = 1000
+TIFF_TYPES = {1: "B", 3: "H", 4: "I", 16: "Q"}
+
+
+@dataclass(frozen=True)
+class Announced:
+    """Size in pixels, how many channels, and bits of each as far as the header tells them."""
+
+    width: int
+    height: int
+    channels: int = 1
+    bits: int = 8
+
+    @property
+    def pixels(self) -> int:
+        return self.width * self.height
+
+
+def announced_size(raw: bytes) -> Announced | None:
+    """What the header tells; None for no image, or one of a kind that is not read here."""
+    for signatures, read in KINDS:
+        if raw.startswith(signatures):
+            try:
+                return read(raw)
+            except (struct.error, IndexError):  # it ends before it has told
+                return None
+    return None
+
+
+def _png(raw: bytes) -> Announced | None:
+    length, kind, width, height, bits, colour = struct.unpack_from(
+        ">I4sIIBB", raw, len(PNG_SIGNATURE)
+    )
+    if length != 13 or kind != b"IHDR":
+        return None
+    return Announced(width, height, PNG_CHANNELS.get(colour, 1), bits)
+
+
+def _jpeg(raw: bytes) -> Announced | None:
+    at = 2
+    while True:
+        at = raw.find(b"\xff", at)
+        if at < 0:
+            return None
+        marker = raw[at + 1]
+        if marker in JPEG_BARE:
+            at += 1 if marker == 0xFF else 2
+            continue
+        (length,) = struct.unpack_from(">H", raw, at + 2)
+        if marker in JPEG_SIZES:
+            bits, height, width, channels = struct.unpack_from(">BHHB", raw, at + 4)
+            return Announced(width, height, channels, bits)
+        if marker == 0xDA or length < 2:  # the picture itself, before its size
+            return None
+        at += 2 + length
+
+
+def _bmp(raw: bytes) -> Announced | None:
+    (head,) = struct.unpack_from("<I", raw, 14)
+    if head == BMP_CORE:
+        width, height, _, bits = struct.unpack_from("<HHHH", raw, 18)
+    else:
+        width, height, _, bits = struct.unpack_from("<iiHH", raw, 18)
+    return Announced(abs(width), abs(height), max(1, bits // 8) if bits > 16 else 1)
+
+
+def _pnm(raw: bytes) -> Announced | None:
+    found = PNM.match(raw[:PNM_HEAD])
+    if found is None:
+        return None
+    channels = 3 if found[1] in b"36" else 1
+    return Announced(int(found[3]), int(found[5]), channels)
+
+
+def _webp(raw: bytes) -> Announced | None:
+    """Always decoded in colours."""
+    kind = raw[12:16]
+    if raw[8:12] != b"WEBP":
+        return None
+    if kind == b"VP8X":
+        return Announced(_three_bytes(raw, 24) + 1, _three_bytes(raw, 27) + 1, 3)
+    if kind == b"VP8L":
+        (packed,) = struct.unpack_from("<I", raw, 21)
+        return Announced((packed & 0x3FFF) + 1, (packed >> 14 & 0x3FFF) + 1, 3)
+    if kind == b"VP8 ":
+        width, height = struct.unpack_from("<HH", raw, 26)
+        return Announced(width & 0x3FFF, height & 0x3FFF, 3)
+    return None
+
+
+def _three_bytes(raw: bytes, at: int) -> int:
+    return int(raw[at]) | raw[at + 1] << 8 | raw[at + 2] << 16
+
+
+def _tiff(raw: bytes) -> Announced | None:
+    """Of the first picture, which is the one that is read."""
+    tags: dict[int, int] = {}
+    for tag, value in _tiff_tags(raw):
+        tags.setdefault(tag, value)
+    if WIDTH not in tags or HEIGHT not in tags:
+        return None
+    return Announced(tags[WIDTH], tags[HEIGHT], tags.get(SAMPLES, 1), tags.get(BITS, 1))
+
+
+def _tiff_tags(raw: bytes) -> Iterator[tuple[int, int]]:
+    """The tags of the first picture that hold whole numbers, each with its first."""
+    order = "<" if raw[:2] == b"II" else ">"
+    big = struct.unpack_from(f"{order}H", raw, 2)[0] == 43
+    count_kind, place_kind, size = ("Q", "Q", 20) if big else ("H", "I", 12)
+    (first,) = struct.unpack_from(f"{order}{place_kind}", raw, 8 if big else 4)
+    (count,) = struct.unpack_from(f"{order}{count_kind}", raw, first)
+    at = first + struct.calcsize(count_kind)
+    for entry in range(at, at + min(count, MOST_TAGS) * size, size):
+        tag, kind, values = struct.unpack_from(f"{order}HH{place_kind}", raw, entry)
+        letter = TIFF_TYPES.get(kind)
+        if letter is None or tag not in (WIDTH, HEIGHT, BITS, SAMPLES):
+            continue
+        value_at = entry + 4 + struct.calcsize(place_kind)
+        if values * struct.calcsize(letter) > struct.calcsize(place_kind):
+            (value_at,) = struct.unpack_from(f"{order}{place_kind}", raw, value_at)
+        yield tag, struct.unpack_from(f"{order}{letter}", raw, value_at)[0]
+
+
+KINDS: tuple[tuple[tuple[bytes, ...], Callable[[bytes], Announced | None]], ...] = (
+    ((PNG_SIGNATURE,), _png),
+    ((JPEG_SIGNATURE,), _jpeg),
+    ((b"BM",), _bmp),
+    ((b"II*\0", b"MM\0*", b"II+\0", b"MM\0+"), _tiff),
+    ((b"RIFF",), _webp),
+    (tuple(b"P%d" % number for number in range(1, 7)), _pnm),
+)
+"""Signatures of the kinds that are read, and what reads their headers."""

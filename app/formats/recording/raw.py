@@ -1,0 +1,178 @@
+"""The records of an MCAP file, and what its chunks open to: bounded, whatever a file announces.
+
+What is larger than anything a recording has is damage, like a wrong checksum.
+"""
+
+import os
+import struct
+import zlib
+from collections.abc import Iterator
+from io import BytesIO
+from typing import BinaryIO
+
+import lz4.frame
+import zstandard
+from mcap.data_stream import ReadDataStream
+from mcap.exceptions import EndOfFile, InvalidMagic, McapError, RecordLengthLimitExceeded
+from mcap.opcode import Opcode
+from mcap.records import (
+    Channel,
+    Chunk,
+    DataEnd,
+    Footer,
+    McapRecord,
+    Message,
+    Metadata,
+    Schema,
+    Statistics,
+)
+from mcap.stream_reader import CRCValidationError
+
+MAGIC = b"\x89MCAP0\r\n"
+"""A recording begins with it, and a whole one ends with it, too."""
+LARGEST_CHUNK = 64 << 20
+"""Bytes that a chunk opens to. Crenel's own have 1 MiB and a picture, usual ones 1 to 16 MiB."""
+LARGEST_RECORD = LARGEST_CHUNK + (1 << 20)
+"""Bytes of a record in the file: packing makes what cannot be packed a little larger."""
+LARGEST_DESCRIPTION = 1 << 20
+"""Bytes of a schema, a channel or what is told of the whole recording."""
+LARGEST_WINDOW = 128 << 20
+"""Bytes that zstd may look back."""
+HEAD = struct.Struct("<BQ")
+FOOTER_BYTES = HEAD.size + 20
+INVALID = 0
+"""No record has this opcode; a stretch of zeros would be millions of them."""
+PARSED = {
+    Opcode.SCHEMA: Schema.read,
+    Opcode.CHANNEL: Channel.read,
+    Opcode.CHUNK: Chunk.read,
+    Opcode.METADATA: Metadata.read,
+    Opcode.STATISTICS: Statistics.read,
+    Opcode.DATA_END: DataEnd.read,
+    Opcode.FOOTER: Footer.read,
+}
+DAMAGE = (
+    EndOfFile,
+    CRCValidationError,
+    InvalidMagic,
+    McapError,
+    struct.error,
+    zlib.error,
+    zstandard.ZstdError,
+    RuntimeError,  # what lz4 raises on damaged data
+    UnicodeDecodeError,
+    MemoryError,  # a length that was damaged; what is read at a time is small
+    OverflowError,  # one that no machine could hold
+)
+
+
+def raw_records(file: BinaryIO, largest: int = LARGEST_RECORD) -> Iterator[McapRecord]:
+    """The records from where a file stands, chunks unopened, up to its footer or its end.
+
+    What is of no use here, such as attachments and indices, is passed over unread.
+
+    Args:
+        largest: bytes of a record that is read.
+
+    Raises:
+        what ``DAMAGE`` names: where the file is cut off or damaged.
+    """
+    size = os.fstat(file.fileno()).st_size
+    while True:
+        opcode, length = HEAD.unpack(_read(file, HEAD.size))
+        if opcode == INVALID:
+            raise McapError("no record begins with a zero")
+        if file.tell() + length > size:
+            raise EndOfFile
+        if opcode != Opcode.MESSAGE and opcode not in PARSED:
+            file.seek(length, os.SEEK_CUR)
+            continue
+        if length > largest:
+            raise RecordLengthLimitExceeded(opcode, length, largest)
+        record = parsed(opcode, _read(file, length))
+        yield record
+        if isinstance(record, Footer):
+            if _read(file, len(MAGIC)) != MAGIC:
+                raise InvalidMagic("at its end")
+            return
+
+
+def parsed(opcode: int, content: bytes) -> McapRecord:
+    """A record by what it holds; its kind is one of ``PARSED``, or a message.
+
+    Raises:
+        what ``DAMAGE`` names.
+    """
+    if opcode not in (Opcode.MESSAGE, Opcode.CHUNK) and len(content) > LARGEST_DESCRIPTION:
+        raise RecordLengthLimitExceeded(opcode, len(content), LARGEST_DESCRIPTION)
+    stream = ReadDataStream(BytesIO(content))
+    if opcode == Opcode.MESSAGE:
+        message: McapRecord = Message.read(stream, len(content))
+        return message
+    record: McapRecord = PARSED[Opcode(opcode)](stream)
+    return record
+
+
+def summary_statistics(file: BinaryIO) -> Statistics | None:
+    """What a recording's end tells of all of it; None where it does not.
+
+    Raises:
+        what ``DAMAGE`` names.
+    """
+    end = os.fstat(file.fileno()).st_size - len(MAGIC)
+    file.seek(max(end - FOOTER_BYTES, 0))
+    footer = next(raw_records(file))
+    if not isinstance(footer, Footer) or not 0 < footer.summary_start < end:
+        return None
+    file.seek(footer.summary_start)
+    found = (one for one in raw_records(file) if isinstance(one, Statistics))
+    return next(found, None)
+
+
+def opened_bytes(chunk: Chunk) -> bytes:
+    """What a chunk opens to, checked; never more than it announces, nor than ``LARGEST_CHUNK``.
+
+    Raises:
+        what ``DAMAGE`` names.
+    """
+    announced = chunk.uncompressed_size
+    if announced > LARGEST_CHUNK:
+        raise McapError(f"a chunk of {announced} bytes")
+    if chunk.compression == "zstd":
+        data = _unpacked_zstd(chunk.data, announced)
+    elif chunk.compression == "lz4":
+        data = _unpacked_lz4(chunk.data, announced)
+    elif chunk.compression == "":
+        data = chunk.data
+    else:
+        raise McapError(f"compression {chunk.compression}")
+    if len(data) > announced:
+        raise McapError(f"a chunk of {announced} bytes opens to more")
+    if chunk.uncompressed_crc:
+        found = zlib.crc32(data)
+        if found != chunk.uncompressed_crc:
+            raise CRCValidationError(chunk.uncompressed_crc, found, chunk)
+    return data
+
+
+def _unpacked_zstd(data: bytes, announced: int) -> bytes:
+    told = zstandard.get_frame_parameters(data).content_size
+    if told not in (announced, zstandard.CONTENTSIZE_UNKNOWN):
+        raise McapError(f"a chunk of {announced} bytes opens to {told}")
+    opener = zstandard.ZstdDecompressor(max_window_size=LARGEST_WINDOW)
+    return opener.decompress(data, max_output_size=announced)
+
+
+def _unpacked_lz4(data: bytes, announced: int) -> bytes:
+    opener = lz4.frame.LZ4FrameDecompressor()
+    opened: bytes = opener.decompress(data, max_length=announced + 1)  # the end mark is behind it
+    if not opener.eof:
+        raise McapError(f"a chunk of {announced} bytes is cut off, or opens to more")
+    return opened
+
+
+def _read(file: BinaryIO, length: int) -> bytes:
+    content = file.read(length)
+    if len(content) < length:
+        raise EndOfFile
+    return content

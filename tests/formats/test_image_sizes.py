@@ -1,0 +1,125 @@
+"""How large a picture is told to be, and that none is decoded that is too large."""
+
+import struct
+import time
+import zlib
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from app.formats.image_sizes import Announced, announced_size
+from hypothesis import given
+from hypothesis import strategies as st
+
+from app.errors import Refusal
+from app.formats import images
+from app.formats.images import PNG_SIGNATURE, decode_grey
+
+KINDS = ("png", "jpg", "bmp", "tiff", "pnm", "webp")
+
+
+def png(width: int, height: int, colour: int = 0, bits: int = 8) -> bytes:
+    def chunk(kind: bytes, content: bytes) -> bytes:
+        checked = kind + content
+        return struct.pack(">I", len(content)) + checked + struct.pack(">I", zlib.crc32(checked))
+
+    head = struct.pack(">IIBBBBB", width, height, bits, colour, 0, 0, 0)
+    return PNG_SIGNATURE + chunk(b"IHDR", head) + chunk(b"IDAT", b"") + chunk(b"IEND", b"")
+
+
+def tiff(width: int, height: int, order: str = "<", big: bool = False) -> bytes:
+    place = "Q" if big else "I"
+    head = (b"II" if order == "<" else b"MM") + struct.pack(f"{order}H", 43 if big else 42)
+    head += struct.pack(f"{order}HHQ", 8, 0, 16) if big else struct.pack(f"{order}I", 8)
+    tags = [
+        struct.pack(f"{order}HH{place}I", tag, 4, 1, value) + bytes(4 if big else 0)
+        for tag, value in ((256, width), (257, height))
+    ]
+    return head + struct.pack(f"{order}{'Q' if big else 'H'}", len(tags)) + b"".join(tags)
+
+
+LARGE: dict[str, bytes] = {
+    "png": png(30_000, 30_000),
+    "png of the largest size": png(2**31 - 1, 2**31 - 1),
+    "jpeg": b"\xff\xd8\xff\xe0\0\4ab\xff\xff\xc2" + struct.pack(">HBHHB", 11, 8, 65500, 65500, 1),
+    "bmp": b"BM" + bytes(12) + struct.pack("<IiiHHI", 40, 2**31 - 1, -(2**31), 1, 8, 1),
+    "old bmp": b"BM" + bytes(12) + struct.pack("<IHHHH", 12, 60_000, 60_000, 1, 8),
+    "tiff": tiff(30_000, 30_000),
+    "tiff of big end first": tiff(30_000, 30_000, ">"),
+    "big tiff": tiff(30_000, 30_000, big=True),
+    "pgm": b"P5 #\n 32000\n32000 255\n",
+    "pbm": b"P4 #x\n 99999 99999\n",
+    "webp": b"RIFF\xff\xff\xff\xffWEBPVP8X\n\0\0\0\x10\0\0\0\xff\xff\xff\xff\xff\xff",
+}
+
+
+@pytest.mark.parametrize("name", LARGE)
+def test_a_picture_that_is_too_large_is_refused_by_its_size(name: str) -> None:
+    began = time.monotonic()
+    with pytest.raises(Refusal) as refused:
+        decode_grey(LARGE[name], "a.png")
+    assert refused.value.code == "image-too-large"
+    assert refused.value.what.startswith("a.png has ")
+    assert refused.value.why == "at most 100 million are read"
+    assert time.monotonic() - began < 0.5
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("colour", [False, True])
+@pytest.mark.parametrize("shape", [(1, 1), (30, 41), (257, 1000)])
+def test_headers_tell_what_decoding_finds(kind: str, colour: bool, shape: tuple[int, int]) -> None:
+    picture = np.random.default_rng(0).integers(0, 255, (*shape, 3) if colour else shape)
+    done, encoded = cv2.imencode(f".{kind}", picture.astype(np.uint8))
+    assert done
+    announced = announced_size(encoded.tobytes())
+    assert announced is not None
+    found = cv2.imdecode(encoded, cv2.IMREAD_UNCHANGED)
+    assert found is not None
+    assert (announced.height, announced.width) == found.shape[:2]
+    assert announced.channels == (found.shape[2] if found.ndim == 3 else 1)
+    assert announced.bits == 8
+
+
+@pytest.mark.parametrize("kind", ["png", "tiff", "pgm"])
+def test_sixteen_bit_pictures_are_read(kind: str) -> None:
+    picture = np.random.default_rng(1).integers(0, 65535, (30, 41)).astype(np.uint16)
+    _, encoded = cv2.imencode(f".{kind}", picture)
+    np.testing.assert_array_equal(decode_grey(encoded.tobytes(), "a"), picture)
+
+
+def test_what_would_be_refused_once_decoded_is_not_decoded(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(cv2, "imdecode", None)
+    for raw, code in (
+        (png(9000, 9000, colour=6, bits=16), "image-not-grey"),
+        (b"RIFF\0\0\0\0WEBPVP8L\0\0\0\0/\0\0\0\0", "image-not-grey"),
+        (b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 100000 +X 100000\n", "image-unreadable"),
+        (b"P7\nWIDTH 100000\nHEIGHT 100000\nDEPTH 4\n", "image-unreadable"),
+        (b"", "image-unreadable"),
+    ):
+        with pytest.raises(Refusal) as refused:
+            decode_grey(raw, "a.png")
+        assert refused.value.code == code
+
+
+def test_a_picture_of_the_largest_size_is_no_refusal_of_it() -> None:
+    images._check_announced(Announced(10_000, 10_000), "a")
+    with pytest.raises(Refusal):
+        images._check_announced(Announced(10_000, 10_001), "a")
+
+
+def test_opencv_itself_reads_nothing_larger(tmp_path: Path) -> None:
+    raw = np.frombuffer(b"P7\nWIDTH 11000\nHEIGHT 11000\nDEPTH 1\nMAXVAL 255\nENDHDR\n", np.uint8)
+    with pytest.raises(cv2.error, match="PIXELS"):
+        cv2.imdecode(raw, cv2.IMREAD_UNCHANGED)
+
+
+STARTS = [*LARGE.values(), tiff(3, 3), png(3, 3), b"P5 3 3 255\n", b"\xff\xd8\xff\xc0"]
+
+
+@given(st.sampled_from(STARTS), st.integers(0, 80), st.binary(max_size=200))
+def test_any_header_is_told_or_not(start: bytes, kept: int, rest: bytes) -> None:
+    announced = announced_size(start[:kept] + rest)
+    assert announced is None or announced.pixels >= 0

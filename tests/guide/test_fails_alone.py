@@ -1,0 +1,144 @@
+"""What fails in one check, or in one part of the support bundle, is told in its place alone."""
+
+import io
+import json
+import time
+import zipfile
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+
+from app.api.support import LOG_BYTES, bundle
+from app.errors import Refusal
+from app.operations.context import Context
+from app.operations.health_checks import Examiner
+from app.operations.status_report import report_of
+from app.operations.unreadable_files import set_aside
+from app.server.composition import Parts, close_context, open_context
+from app.server.demo import parts_of
+from hardware.simulator.station import Twin
+from tests.api.calibrated import use_truth
+
+ADDRESSES = ("http://[", "http://a[b]/", "http://x:99999999/", "http://x\u202e/", "ftp://x/")
+
+
+@pytest.fixture(scope="module")
+def twin() -> Iterator[Twin]:
+    with Twin() as twin:
+        yield twin
+
+
+@pytest.fixture
+def parts(twin: Twin, tmp_path: Path) -> Parts:
+    return replace(parts_of(twin, tmp_path), hand=None)
+
+
+@pytest.fixture
+def context(parts: Parts) -> Iterator[Context]:
+    context = open_context(parts)
+    yield context
+    close_context(context)
+    context.store.close()
+    context.watch.close()
+
+
+def bundled(context: Context) -> dict[str, str]:
+    began = time.monotonic()
+    with zipfile.ZipFile(io.BytesIO(bundle(context))) as archive:
+        found = {name: archive.read(name).decode() for name in archive.namelist()}
+    assert time.monotonic() - began < 10
+    return found
+
+
+def are_made(files: dict[str, str]) -> bool:
+    return not any(text.startswith("This part cannot be made") for text in files.values())
+
+
+@pytest.mark.parametrize("url", ADDRESSES)
+def test_an_address_that_is_none_is_not_read_from_the_file(parts: Parts, url: str) -> None:
+    (parts.data / "notifications.json").write_text(json.dumps({"url": url, "secret": "s"}))
+    context = open_context(parts)
+    try:
+        assert context.watch.webhook.settings.url == ""
+        assert all(not item.id.startswith("not-made") for item in Examiner(context).look().items)
+        assert are_made(bundled(context))
+    finally:
+        close_context(context)
+        context.store.close()
+        context.watch.close()
+
+
+def test_a_check_that_fails_is_a_finding_and_the_others_are_made(
+    context: Context, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    whole = {item.id for item in Examiner(context).look().items}
+
+    def broken(*_: object) -> list[str]:
+        raise IndexError("a fault of the program")
+
+    def refused(*_: object) -> str:
+        raise Refusal("database-unreadable", "The database cannot be read")
+
+    monkeypatch.setattr("app.operations.health_checks.set_aside", broken)
+    monkeypatch.setattr(type(context.store), "check", refused)
+    items = {item.id: item for item in Examiner(context).look().items}
+    assert items["not-made-records"].what == "The check records cannot be made: IndexError."
+    assert items["not-made-database"].quality == "attention"
+    assert "The database cannot be read" in items["not-made-database"].what
+    assert whole - set(items) == {"records", "database"}
+
+
+def test_a_part_of_the_support_bundle_that_cannot_be_made_holds_its_error(
+    context: Context, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def broken(_: Context) -> object:
+        raise IndexError(f"in {context.store.folder}")
+
+    monkeypatch.setattr("app.api.support.report_of", broken)
+    files = bundled(context)
+    assert files["report.json"].startswith("This part cannot be made.\n")
+    assert "IndexError: in DATA" in files["report.json"]
+    assert json.loads(files["health.json"])["items"]
+    assert len(files) >= 9
+
+
+def test_odd_rows_and_endless_logs_are_bundled(context: Context) -> None:
+    context.store.journal.begin_session("odd", "calibration")
+    payload = '{"field": "arm", "id": "\\ud800", "long": "%s"}' % ("a" * 200_000)
+    with context.store._database.writing() as connection:
+        connection.execute(
+            "INSERT INTO journal (session_id, at, kind, payload) VALUES ('odd', '', 'chosen', ?)",
+            (payload,),
+        )
+    logs = context.watch.logs.folder
+    with (logs / "station.jsonl.1").open("wb") as file:
+        file.truncate(1 << 42)
+        file.seek(0, 2)
+        file.write(b'\n{"text": "the last line"}\n')
+    (logs / "station.jsonl.2").write_bytes(b"x" * (LOG_BYTES + 5) + b"\n" + b"[" * 100_000)
+    files = bundled(context)
+    row = json.loads(files["journal.jsonl"].splitlines()[-1])
+    assert row["payload"]["id"] == "\ud800"
+    assert json.loads(files["logs/station.jsonl.1"].splitlines()[-1])["text"] == "the last line"
+    assert len(files["logs/station.jsonl.2"]) < 2 * LOG_BYTES
+    assert are_made(files)
+
+
+@pytest.mark.parametrize("total_um", ["-1e308", "1e308", "-1", "1e999", "NaN", '"many"'])
+def test_figures_that_no_calibration_has_are_set_aside(
+    twin: Twin, parts: Parts, context: Context, total_um: str
+) -> None:
+    use_truth(SimpleNamespace(twin=twin, data=parts.data, context=context), "true")
+    (record,) = context.store.calibrations.all()
+    figures = json.dumps({"verdict": "good", **dict.fromkeys(("arm_serial", "object_serial"), "")})
+    figures = f'{figures[:-1]}, "sensor_serial": "", "total_um": {total_um}}}'
+    with context.store._database.writing() as connection:
+        connection.execute("UPDATE calibration SET figures = ?", (figures,))
+    assert context.store.calibrations.all() == []
+    assert [one.id for one in context.store.calibrations.unreadable()] == [record.id]
+    assert any("cannot be read" in text for text in set_aside(context))
+    assert report_of(context).calibration is None
+    assert all(not item.id.startswith("not-made") for item in Examiner(context).look().items)
