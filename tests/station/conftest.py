@@ -27,6 +27,8 @@ from hardware.interfaces import (
 RATE_HZ = 500.0
 REST_RAD = np.radians([10.0, -40.0, 60.0, 20.0, 35.0, -15.0])
 WIDTH, HEIGHT = 320, 240
+TAKEN_S = 0.2
+"""So long a hand needs to take the arm from one script's place to the next one's."""
 
 
 def six_axis_arm() -> Arm:
@@ -72,6 +74,19 @@ class ScriptedArm:
         self.random = np.random.default_rng(4)
         self.sequence = 0
         self.next_ns = 0
+        self.followed = self.left = bench.joints_at
+        self.left_s = -TAKEN_S
+
+    def joints(self, seconds: float) -> np.ndarray:
+        """Where the bench's script has the arm; a new script is reached in one smooth motion."""
+        if self.bench.joints_at is not self.followed:
+            self.left, self.followed, self.left_s = self.followed, self.bench.joints_at, seconds
+        share = min((seconds - self.left_s) / TAKEN_S, 1.0)
+        there = self.followed(seconds)
+        if share == 1.0:
+            return there
+        share = share**3 * (10 - 15 * share + 6 * share**2)
+        return self.left(seconds) * (1 - share) + there * share
 
     def open(self) -> ArmInfo:
         if not self.bench.arm_plugged:
@@ -92,7 +107,7 @@ class ScriptedArm:
         while self.next_ns <= now_ns():
             self.sequence += 1
             seconds = self.next_ns / 1e9 - self.bench.start_s
-            q = self.bench.joints_at(seconds) + self.bench.noise_rad * self.random.normal(size=6)
+            q = self.joints(seconds) + self.bench.noise_rad * self.random.normal(size=6)
             if self.sequence in self.bench.arm_skips:
                 self.health.lost += 1
             else:

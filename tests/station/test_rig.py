@@ -11,7 +11,7 @@ from app.station.bus import Bus
 from app.station.devices.rig import Rig
 from hardware.clock import now_ns
 from hardware.interfaces import Button, ButtonEvent
-from tests.station.conftest import REST_RAD, Bench, until
+from tests.station.conftest import REST_RAD, TAKEN_S, Bench, until
 
 
 def ready(rig: Rig) -> None:
@@ -180,7 +180,7 @@ def test_the_joints_at_a_frames_stamp_are_found(rig: Rig, bench: Bench) -> None:
     bench.joints_at, bench.noise_rad = swing, 0.0
     ready_frames = rig.sensor.frames.tap(20)
     until(lambda: rig.arm.latest() is not None)
-    time.sleep(0.2)
+    time.sleep(2 * TAKEN_S)
     swinging_since_ns = now_ns()
     checked = 0
     while checked < 10:

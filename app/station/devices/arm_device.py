@@ -212,6 +212,8 @@ class ArmSide:
         if self._judge is None or self._judged_serial != info.serial_number:
             self._judge = JointJudge(info.joint_count, info.rate_hz, self._chosen)
             self._judged_serial = info.serial_number
+        # off and on again is the way back for a joint that slipped
+        self._judge.forget_place()
 
     def _read(self, driver: ArmDriver) -> int:
         records = driver.read(READ_TIMEOUT_S)

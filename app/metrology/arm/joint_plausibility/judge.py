@@ -1,0 +1,197 @@
+"""One judge of an arm's readings: what is plausible passes, the rest is kept back and told."""
+
+import math
+from collections import deque
+from collections.abc import Sequence
+from typing import Generic, Protocol, TypeVar
+
+from app.metrology.arm.joint_plausibility.frozen import Standstill
+from app.metrology.arm.joint_plausibility.implausible import STOP_TOLERANCE_RAD, Implausible, Kind
+from app.metrology.arm.joint_plausibility.reach import Reach
+from app.metrology.arm.joint_plausibility.spikes import LATER, Spikes
+from app.metrology.arm.kinematics import Arm
+
+REMEMBERED = 4096
+NOISE_SDS, STEPS = 12.0, 2.0
+"""The encoder's own noise and steps, in a speed taken from two readings, look like motion."""
+UNKNOWN_SD_RAD = 1e-4
+"""Of encoders whose noise no datasheet tells."""
+
+
+class Reading(Protocol):
+    """One sample of all encoders."""
+
+    @property
+    def stamp_ns(self) -> int: ...
+
+    @property
+    def joints_rad(self) -> Sequence[float]:
+        """(n,)"""
+
+
+R = TypeVar("R", bound=Reading)
+
+
+class JointJudge(Generic[R]):
+    """Lets plausible readings pass and keeps the others back.
+
+    A reading is impossible that is no number, lies outside its joint's limits, farther from
+    those before than a joint can turn (``Reach``), or alone off the motion around it
+    (``Spikes``). A joint is frozen that reads the same value to the last digit although it
+    cannot (``Standstill``). Each reading waits for the three after it, and one that may turn
+    out frozen until that is known.
+
+    Args:
+        arm: None while it is not known: then limits are not judged.
+    """
+
+    def __init__(self, joint_count: int, rate_hz: float, arm: Arm | None = None) -> None:
+        self.impossible = self.frozen = 0
+        """Readings kept back so far."""
+        self.outside = 0
+        """Those of the impossible that lie outside the joints' limits."""
+        self.newest: Implausible | None = None
+        self.first: Implausible | None = None
+        self.judged_ns: int | None = None
+        """What came up to here is known to be good or bad, and nothing of it waits."""
+        self._names = [f"J{i + 1}" for i in range(joint_count)]
+        self._limits_rad = [(-math.inf, math.inf)] * joint_count
+        self._ranges_rad = self._limits_rad
+        self._reach = Reach(joint_count, rate_hz)
+        self._spikes = Spikes(joint_count)
+        self._standstill = Standstill(joint_count, rate_hz)
+        self._count = 0
+        self._held: deque[tuple[int, R]] = deque()
+        """What waits, and the how many-th reading each is."""
+        self._bad: deque[tuple[int, Implausible]] = deque(maxlen=REMEMBERED)
+        self.set_arm(arm)
+
+    @property
+    def kept_back(self) -> int:
+        return self.impossible + self.frozen
+
+    def set_arm(self, arm: Arm | None) -> None:
+        """Whose limits hold from now on; what was learned of the encoders is kept."""
+        if arm is not None and arm.joint_count == len(self._names):
+            self._names = [joint.name for joint in arm.joints]
+            self._limits_rad = [joint.limits_rad for joint in arm.joints]
+            self._ranges_rad = [
+                (low - STOP_TOLERANCE_RAD, high + STOP_TOLERANCE_RAD)
+                for low, high in self._limits_rad
+            ]
+            for joint, encoder in zip(arm.joints, self._standstill.encoders, strict=True):
+                encoder.sd_rad = joint.encoder_sd_rad
+                encoder.low_rad, encoder.high_rad = joint.limits_rad
+        self._set_noise()
+
+    def forget_place(self) -> None:
+        """The arm connects anew: its joints may be anywhere, and none has slipped."""
+        self._reach.forget()
+        self._spikes.forget()
+
+    def between(self, first_ns: int, last_ns: int) -> Implausible | None:
+        """The first reading kept back in a stretch of time; None where all were plausible."""
+        return next((one for at, one in tuple(self._bad) if first_ns <= at <= last_ns), None)
+
+    def passed(self, readings: Sequence[R]) -> list[R]:
+        """The readings, oldest first, that are now known to be plausible."""
+        good: list[R] = []
+        held = self._held
+        for reading in readings:
+            stamp_ns, q_rad = reading.stamp_ns, reading.joints_rad
+            self._count += 1
+            wrong = self._number_or_limits(stamp_ns, q_rad)
+            if wrong is None:
+                if self._standstill.watch(stamp_ns, q_rad):
+                    self._set_noise()
+                wrong = self._jump(stamp_ns, q_rad)
+            if wrong is not None:
+                self.impossible += 1
+                self.outside += wrong.kind == "limits"
+                self._keep_back(stamp_ns, wrong)
+            else:
+                held.append((self._count, reading))
+                self._drop_spike(stamp_ns, q_rad)
+            self._settle(good)
+            if not held:
+                self.judged_ns = stamp_ns
+        return good
+
+    def rest(self) -> list[R]:
+        """What still waits at the end of the readings: too few to be judged."""
+        rest = [reading for _, reading in self._held]
+        self._held.clear()
+        if rest:
+            self.judged_ns = rest[-1].stamp_ns
+        return rest
+
+    def _set_noise(self) -> None:
+        """Tells what the encoders' noise and steps may look like."""
+        sds = [one.sd_rad or UNKNOWN_SD_RAD for one in self._standstill.encoders]
+        steps = [self._standstill.step_rad(joint) for joint in range(len(sds))]
+        self._spikes.set_noise(sds, steps)
+        self._reach.unsure_rad = [
+            NOISE_SDS * sd + STEPS * step for sd, step in zip(sds, steps, strict=True)
+        ]
+
+    def _number_or_limits(self, stamp_ns: int, q_rad: Sequence[float]) -> Implausible | None:
+        """What is impossible in a reading by itself; None for nothing."""
+        for joint, (angle_rad, (low, high)) in enumerate(zip(q_rad, self._ranges_rad, strict=True)):
+            if not low <= angle_rad <= high or not math.isfinite(angle_rad):
+                kind: Kind = "limits" if math.isfinite(angle_rad) else "number"
+                return self._implausible(kind, stamp_ns, joint, angle_rad)
+        return None
+
+    def _jump(self, stamp_ns: int, q_rad: Sequence[float]) -> Implausible | None:
+        """What is impossible in a reading after the ones before; None for nothing."""
+        jump = self._reach.follow(stamp_ns, q_rad, self._standstill.stops)
+        self._standstill.read_on()
+        if jump is None:
+            return None
+        kind: Kind = "slip" if jump.stays else "jump"
+        return self._implausible(kind, stamp_ns, jump.joint, q_rad[jump.joint], jump.step_rad)
+
+    def _drop_spike(self, stamp_ns: int, q_rad: Sequence[float]) -> None:
+        """Keeps back the reading that the newest shows to be alone off the motion around it."""
+        spike = self._spikes.find(stamp_ns, q_rad)
+        if spike is None:
+            return
+        place = len(self._held) - 1 - LATER
+        if place < 0 or self._held[place][1].stamp_ns != spike.stamp_ns:
+            return  # it was let go, where readings between were no good either
+        reading = self._held[place][1]
+        del self._held[place]
+        self.impossible += 1
+        angle_rad = reading.joints_rad[spike.joint]
+        wrong = self._implausible("spike", spike.stamp_ns, spike.joint, angle_rad, spike.off_rad)
+        self._keep_back(spike.stamp_ns, wrong)
+
+    def _settle(self, good: list[R]) -> None:
+        """Lets go what waited long enough, and keeps back what a frozen joint says."""
+        held, (suspected, joint) = self._held, self._standstill.find()
+        if joint is not None:
+            since_ns = self._standstill.encoders[joint].since_ns
+            for _, reading in held:
+                if reading.stamp_ns <= since_ns:
+                    good.append(reading)
+                    continue
+                self.frozen += 1
+                stamp_ns, angle_rad = reading.stamp_ns, reading.joints_rad[joint]
+                self._keep_back(stamp_ns, self._implausible("frozen", stamp_ns, joint, angle_rad))
+            held.clear()
+            # where the joint is meanwhile, nobody knows
+            self._reach.lose()
+            self._spikes.forget()
+        elif not suspected:
+            while held and held[0][0] <= self._count - LATER:
+                good.append(held.popleft()[1])
+
+    def _implausible(
+        self, kind: Kind, stamp_ns: int, joint: int, angle_rad: float, step_rad: float = 0.0
+    ) -> Implausible:
+        limits_rad = self._limits_rad[joint]
+        return Implausible(kind, stamp_ns, self._names[joint], angle_rad, limits_rad, step_rad)
+
+    def _keep_back(self, stamp_ns: int, wrong: Implausible) -> None:
+        self.newest, self.first = wrong, self.first or wrong
+        self._bad.append((stamp_ns, wrong))
